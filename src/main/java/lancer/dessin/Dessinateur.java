@@ -188,7 +188,7 @@ public final class Dessinateur {
         return traceur;
     }
 
-    /** Rapporte un dessin achevé : l'écart qu'ont vu ses témoins, ses nombres s'ils sont demandés. */
+    /** Rapporte un dessin achevé : l'écart qu'a vu la préparation, ses nombres s'ils sont demandés. */
     public void rapporter(Traceur acheve) {
         direEcart(acheve);
         if (options.statistiques) {
@@ -217,10 +217,9 @@ public final class Dessinateur {
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
-                + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS,
                 (preparationNs + acheve.getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }

@@ -83,7 +83,8 @@ public final class Preparation {
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
      * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
+     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple} ; celle-ci, si un
+     *     {@link Sondage} voit une différence
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
@@ -95,7 +96,9 @@ public final class Preparation {
         Preparation preparation = new Preparation(scene, camera);
         suivi.accept(PART_COPIE);
         preparation.faire(impose, suivi);
-        return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs(), null);
+        String ecart = Sondage.ecart(scene, camera, preparation.structures);
+        return ecart == null ? new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs())
+                : new RechercheSimple(scene.getObjets(), new Compteurs(), ecart);
     }
 
     private void faire(Genre impose, DoubleConsumer suivi) {

@@ -20,7 +20,6 @@ import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.fils.Temoins;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -172,7 +171,7 @@ class ComptesTest {
         assertTrue(s.ombres[0] instanceof Arbre, "cent pixels ne valent pas 576 paires de sphères par lampe");
     }
 
-    /** Dans un pixel, dans ses questions : ni les boucles, ni l'arbre, ni les témoins ne vont au bout. */
+    /** Dans un pixel, dans ses questions : ni les boucles, ni l'arbre, ni le sondage ne vont au bout. */
     @Test
     void unFilInterrompuSArreteDansUnPixel() {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
@@ -184,7 +183,8 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                assertThrows(CancellationException.class, () -> new Temoins(scene, CAMERA, 5, null).juger());
+                assertThrows(CancellationException.class, () ->
+                        Sondage.ecart(scene, CAMERA, new Structures(new Spheres(scene.getObjets()), scene.getLampes())));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }

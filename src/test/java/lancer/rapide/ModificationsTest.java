@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ModificationsTest {
 
     private static final Path SOURCES = Paths.get("src/main/java/lancer");
-    private static final String[] DEMANDE = {"--taille", "64x48", "--fils", "2"};
+    private static final String[] DEMANDE = {"--taille", "120x90", "--fils", "2"};
 
     /** L'image du programme tel qu'il est. */
     private static byte[] avant;
@@ -91,11 +91,15 @@ class ModificationsTest {
         "Lumiere | diffus.mul(cosinus) | diffus.mul(0.5 * cosinus)",
         "Lumiere | speculaire.mul(eclat) | speculaire.mul(0.5 * eclat)",
         "Lampe | return couleur; | return couleur.mul(0.5);",
-        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance"})
+        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance",
+        "Rayon | return V; | return V.add(new Vecteur(0, 1e-12, 0));",
+        "precision/Intersection | return d >= 0 ? d : | return d >= 0 ? 1.01 * d :",
+        "contrat/RechercheSimple | if (d < distance) | if (d < 0.8 * distance)",
+        "contrat/RechercheSimple | ombre), autre) < distance | ombre), autre) < 0.7 * distance"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
         assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");
-        Path changee = Files.createDirectories(dossier.resolve("src")).resolve(classe + ".java");
+        Path changee = dossier.resolve(Paths.get(classe + ".java").getFileName());
         Files.write(changee, source.replace(ancienne, nouvelle == null ? "" : nouvelle).getBytes(StandardCharsets.UTF_8));
         Path classes = Files.createDirectories(dossier.resolve("classes"));
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",
