@@ -23,7 +23,7 @@ import lancer.fils.Equipe;
  * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N. Les masques
  * d'une petite scène en prennent 100 ko, et ceux de ses ombres 1 Mo au plus.
  */
-public final class Preparation {
+public final class Preparation implements IntConsumer {
 
     /** Nombre de sphères jusqu'auquel ce sont des masques. */
     static final int PEU = 24;
@@ -70,9 +70,12 @@ public final class Preparation {
     private final List<Lampe> lampes;
     private final Structures structures;
     private final long pixels;
+    private final DoubleConsumer suivi;
+    private final Equipe equipe = new Equipe("preparation");
 
-    private Preparation(Scene scene, Camera camera) {
+    private Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
         this.camera = camera;
+        this.suivi = suivi;
         spheres = new Spheres(scene.getObjets());
         lampes = scene.getLampes();
         structures = new Structures(spheres, lampes);
@@ -93,15 +96,15 @@ public final class Preparation {
 
     /** @param impose {@code null} pour laisser le choix */
     static Recherche pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
-        Preparation preparation = new Preparation(scene, camera);
+        Preparation preparation = new Preparation(scene, camera, suivi);
         suivi.accept(PART_COPIE);
-        preparation.faire(impose, suivi);
+        preparation.faire(impose);
         String ecart = Sondage.ecart(scene, camera, preparation.structures);
         return ecart == null ? new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs())
                 : new RechercheSimple(scene.getObjets(), new Compteurs(), ecart);
     }
 
-    private void faire(Genre impose, DoubleConsumer suivi) {
+    private void faire(Genre impose) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
@@ -111,7 +114,7 @@ public final class Preparation {
         if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
             masquer(portee);
         } else if (genre == Genre.CARTES && ordinaire) {
-            construire(suivi);
+            construire();
         }
     }
 
@@ -129,23 +132,25 @@ public final class Preparation {
     }
 
     /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
-    private void construire(DoubleConsumer suivi) {
+    private void construire() {
         int nombre = 2 + structures.ombres.length;
-        Equipe equipe = new Equipe("preparation");
-        IntConsumer construction = k -> {
-            Recherche.obeir();
-            if (k == 0) {
-                Grille grille = Grille.de(spheres, structures.arbre);
-                structures.suivants = grille == null ? structures.arbre : grille;
-            } else if (k <= structures.ombres.length) {
-                structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
-            } else {
-                structures.premiers = deLOeil();
-            }
-            suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / nombre);
-        };
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        equipe.faire(nombre, Collections.nCopies(fils, construction));
+        equipe.faire(nombre, Collections.nCopies(fils, this));
+    }
+
+    /** Fait la grille, la carte de la lampe de ce rang moins un, ou enfin celle de l'œil. */
+    @Override
+    public void accept(int k) {
+        Recherche.obeir();
+        if (k == 0) {
+            Grille grille = Grille.de(spheres, structures.arbre);
+            structures.suivants = grille == null ? structures.arbre : grille;
+        } else if (k <= structures.ombres.length) {
+            structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
+        } else {
+            structures.premiers = deLOeil();
+        }
+        suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
     }
 
     private Occultations deLaLampe(Lampe lampe) {
