@@ -6,6 +6,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -14,19 +15,31 @@ import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un
- * dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
+ * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
+ * quelques pixels de peu de sphères, les boucles du cours répondent seules, et rien n'est sondé. Une préparation vaut
+ * pour un dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
  * construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
  *
  * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
- * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N. Les masques
- * d'une petite scène en prennent 100 ko, et ceux de ses ombres 1 Mo au plus.
+ * octets, ou 8 Mo si c'est plus, et autant de cases, de 12 octets, que de tuiles de l'image et que
+ * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de ses
+ * ombres 1 Mo au plus.
  */
 public final class Preparation implements IntConsumer {
 
+    /** Nombre d'objets jusqu'auquel les boucles du cours répondent plus vite que toute structure. */
+    private static final int DEUX = 2;
+
+    /**
+     * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces boucles
+     * avant qu'une structure soit faite et sondée. Mesuré, sur des programmes entiers, par le rapport des temps de
+     * {@code java -jar target/lancer.jar --taille 40x30 --image x.png scenes/scene1.ini} avec et sans {@code --simple}.
+     */
+    private static final long VITE_FAIT = 1 << 16;
+
     /** Nombre de sphères jusqu'auquel ce sont des masques. */
-    static final int PEU = 24;
+    static final int PEU = 40;
 
     /** Bornes hors desquelles les carrés et les cubes des longueurs ne se calculent plus sans détour. */
     private static final double LONGUEUR_MIN = 1e-90;
@@ -38,8 +51,8 @@ public final class Preparation implements IntConsumer {
     /** Les masques des ombres d'une lampe regardent chaque sphère de chaque autre : il leur faut assez de pixels. */
     private static final int PAIRES_PAR_PIXEL = 4;
 
-    /** Lampes dont les ombres ont des masques, au plus. */
-    private static final int LAMPES_MASQUEES = 2048;
+    /** Masques des ombres, au plus : un par lampe et par sphère. */
+    private static final int MASQUES_D_OMBRES = 1 << 16;
 
     /**
      * Places de toutes les cartes, par sphère ; cases de celles des lampes, par sphère, et d'une lampe, par sphère et
@@ -47,6 +60,10 @@ public final class Preparation implements IntConsumer {
      */
     private static final int PLACES_PAR_SPHERE = 26;
     private static final int CASES_PAR_SPHERE = 8;
+
+    /** Places et cases de toutes les cartes que l'on a toujours : de quoi faire celles de cent lampes. */
+    private static final long PLACES_TOUJOURS = 1 << 20;
+    private static final long CASES_TOUJOURS = 1 << 18;
     private static final int CASES_PAR_LAMPE = 2;
     private static final int CASES_MAX = 1 << 19;
     private static final int CASES_MIN = 1 << 10;
@@ -91,10 +108,16 @@ public final class Preparation implements IntConsumer {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
+        List<Objet3D> objets = scene.getObjets();
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        if (objets.size() <= DEUX || objets.size() <= PEU
+                && pixels * objets.size() * (1 + scene.getLampes().size()) <= VITE_FAIT) {
+            return new RechercheSimple(objets, new Compteurs());
+        }
         return pour(scene, camera, null, suivi);
     }
 
-    /** @param impose {@code null} pour laisser le choix */
+    /** @param impose {@code null} pour laisser le choix entre les structures */
     static Recherche pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
         Preparation preparation = new Preparation(scene, camera, suivi);
         suivi.accept(PART_COPIE);
@@ -123,7 +146,8 @@ public final class Preparation implements IntConsumer {
         structures.premiers = parBits;
         structures.suivants = parBits;
         boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
-        for (int l = 0; assez && l < Math.min(LAMPES_MASQUEES, lampes.size()); l++) {
+        int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
+        for (int l = 0; assez && l < masquees; l++) {
             Recherche.obeir();
             if (!Scene.estLointaine(lampes.get(l))) {
                 structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
@@ -154,7 +178,7 @@ public final class Preparation implements IntConsumer {
     }
 
     private Occultations deLaLampe(Lampe lampe) {
-        long sienne = (long) spheres.nombre * CASES_PAR_SPHERE / lampes.size();
+        long sienne = Math.max((long) spheres.nombre * CASES_PAR_SPHERE, CASES_TOUJOURS) / lampes.size();
         if (Scene.estLointaine(lampe) || sienne < spheres.nombre / 16) {
             return structures.arbre;
         }
@@ -174,6 +198,6 @@ public final class Preparation implements IntConsumer {
 
     /** La part d'une carte : celle de l'œil en a une aussi. */
     private long places() {
-        return CASES_MIN + (long) spheres.nombre * PLACES_PAR_SPHERE / (1 + lampes.size());
+        return CASES_MIN + Math.max((long) spheres.nombre * PLACES_PAR_SPHERE, PLACES_TOUJOURS) / (1 + lampes.size());
     }
 }

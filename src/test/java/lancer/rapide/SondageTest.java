@@ -45,9 +45,11 @@ class SondageTest {
         scenes.putAll(ScenesDEssai.extremes(60));
         scenes.putAll(ScenesDEssai.hostiles(1000));
         scenes.forEach((nom, scene) -> {
-            Recherche recherche = Preparation.pour(scene, CAMERA, part -> { });
-            assertNull(recherche.getEcart(), nom);
-            assertTrue(recherche instanceof RechercheRapide, nom);
+            for (Preparation.Genre genre : Preparation.Genre.values()) {
+                Recherche recherche = Preparation.pour(scene, CAMERA, genre, part -> { });
+                assertNull(recherche.getEcart(), nom);
+                assertTrue(recherche instanceof RechercheRapide, nom);
+            }
         });
     }
 
