@@ -1,8 +1,8 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
@@ -30,39 +30,25 @@ final class Sondage {
     static final int RAYONS = 240;
     static final int SPHERES = 64;
 
-    private static final String SUITE = " : ce sont les boucles du cours qui dessinent";
-    private static final String REPONSE = " comme la recherche rapide" + SUITE;
-
-    private final List<Lampe> lampes;
-    private final Camera camera;
     /** Les sphères tirées, dans l'ordre de la scène, et leur recopie. */
     private final List<Objet3D> tirees = new ArrayList<>();
     private final Spheres plates;
     private final Recherche boucles;
     private final Recherche rapide;
-    private final Random hasard;
 
     /** Première différence, {@code null} tant qu'il n'y en a pas. */
     private String ecart;
 
-    private Sondage(Scene scene, Camera camera, Structures structures) {
-        this.camera = camera;
-        lampes = scene.getLampes();
+    private Sondage(Scene scene, Structures structures) {
         Spheres toutes = structures.spheres;
-        int m = Math.min(SPHERES, toutes.nombre);
-        int graine = Objects.hash(camera.getLargeur(), camera.getHauteur(), toutes.nombre);
-        for (int k = 0; k < m; k++) {
-            int tiree = (int) ((2L * k + 1) * toutes.nombre / (2 * m));
-            tirees.add(toutes.objets[tiree]);
-            for (int s = Spheres.PAS * tiree; s < Spheres.PAS * (tiree + 1); s++) {
-                graine = 31 * graine + Double.hashCode(toutes.geometrie[s]);
-            }
+        for (long k = 0, m = Math.min(SPHERES, toutes.nombre); k < m; k++) {
+            tirees.add(toutes.objets[(int) ((2 * k + 1) * toutes.nombre / (2 * m))]);
         }
-        hasard = new Random(graine);
-        boolean entiere = m == scene.getObjets().size();
+        boolean entiere = tirees.size() == scene.getObjets().size();
         plates = entiere ? toutes : new Spheres(tirees);
         boucles = new RechercheSimple(tirees, new Compteurs());
-        rapide = new RechercheRapide(entiere ? structures : new Structures(plates, lampes), tirees, new Compteurs());
+        rapide = new RechercheRapide(entiere ? structures : new Structures(plates, scene.getLampes()), tirees,
+                new Compteurs());
     }
 
     /**
@@ -73,49 +59,49 @@ final class Sondage {
      */
     static String ecart(Scene scene, Camera camera, Structures structures) {
         try {
-            Sondage sondage = new Sondage(scene, camera, structures);
+            Sondage sondage = new Sondage(scene, structures);
+            Random hasard = new Random(31L * (31 * Arrays.hashCode(sondage.plates.geometrie) + camera.getLargeur())
+                    + camera.getHauteur());
             for (int k = 0; k < RAYONS && !sondage.tirees.isEmpty() && sondage.ecart == null; k++) {
                 Recherche.obeir();
-                sondage.tirer(k);
+                sondage.tirer(k, hasard, camera, scene.getLampes());
             }
-            return sondage.ecart;
+            return sondage.ecart == null ? null : sondage.ecart + " : ce sont les boucles du cours qui dessinent";
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            // une classe du cours échoue : le dessin nommera le pixel
-            return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
+            // le dessin nommera le pixel
+            return "une classe du cours échoue sur un rayon tiré au hasard : ce sont les boucles du cours qui dessinent";
         }
     }
 
     /** Un rayon de l'écran, un d'une lampe vers une sphère, un d'une sphère, tour à tour. */
-    private void tirer(int k) {
+    private void tirer(int k, Random hasard, Camera camera, List<Lampe> lampes) {
         int s = hasard.nextInt(tirees.size());
-        Objet3D sphere = tirees.get(s);
+        int g = Spheres.PAS * s;
+        Point surface = new Point(plates.geometrie[g], plates.geometrie[g + 1], plates.geometrie[g + 2])
+                .add(plates.geometrie[g + 3], direction(hasard));
         if (k % 3 == 0) {
             Rayon rayon = camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
                     camera.getHauteur() * hasard.nextDouble());
             rencontrer(rayon.getP(), rayon.getV(), null);
         } else if (k % 3 == 1 && !lampes.isEmpty()) {
             Lampe lampe = lampes.get(hasard.nextInt(lampes.size()));
-            Vecteur versLaSphere = new Vecteur(lampe.getPosition(), surface(s));
-            if (versLaSphere.norme() > 0) {
-                cacher(lampe, versLaSphere.normalized(), versLaSphere.norme(), sphere);
+            Point P = lampe.getPosition();
+            Vecteur V = new Vecteur(P, surface);
+            if (V.norme() > 0) {
+                demander(P, V.normalized());
+                exiger(boucles.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s))
+                        == rapide.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s)), "les boucles du cours");
             }
         } else {
-            rencontrer(surface(s), direction(), sphere);
+            rencontrer(surface, direction(hasard), tirees.get(s));
         }
     }
 
-    private Vecteur direction() {
+    private static Vecteur direction(Random hasard) {
         return new Vecteur(2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1)
                 .normalized();
-    }
-
-    /** Un point au hasard de la sphère de ce numéro. */
-    private Point surface(int k) {
-        double[] g = plates.geometrie;
-        int s = Spheres.PAS * k;
-        return new Point(g[s], g[s + 1], g[s + 2]).add(g[s + 3], direction());
     }
 
     private void rencontrer(Point P, Vecteur V, Objet3D saufLui) {
@@ -124,42 +110,28 @@ final class Sondage {
         Rayon autre = Rayon.dOmbre(P, V);
         boucles.plusProche(un, saufLui);
         rapide.plusProche(autre, saufLui);
-        exiger(un.getObjet() == autre.getObjet() && sontEgaux(un.getDistance(), autre.getDistance()),
-                "les boucles du cours, sur le premier objet d'un rayon, ne répondent pas");
-    }
-
-    private void cacher(Lampe lampe, Vecteur V, double distance, Objet3D objet) {
-        Point P = lampe.getPosition();
-        demander(P, V);
-        exiger(boucles.estCachee(lampe, P, V, distance, objet) == rapide.estCachee(lampe, P, V, distance, objet),
-                "les boucles du cours, sur une lampe cachée, ne répondent pas");
+        exiger(un.getObjet() == autre.getObjet() && Double.compare(un.getDistance(), autre.getDistance()) == 0,
+                "les boucles du cours");
     }
 
     /** Demande ce rayon à chaque sphère tirée. */
     private void demander(Point P, Vecteur V) {
         double[] g = plates.geometrie;
         Rayon rayon = Rayon.dOmbre(P, V);
-        Point p = rayon.getP();
-        Vecteur v = rayon.getV();
-        exiger(sontEgaux(P.x, p.x) && sontEgaux(P.y, p.y) && sontEgaux(P.z, p.z)
-                && sontEgaux(V.x, v.x) && sontEgaux(V.y, v.y) && sontEgaux(V.z, v.z),
-                "Rayon rend un autre départ ou une autre direction que les siens, et ne répond pas");
-        for (int k = 0; k < tirees.size(); k++) {
-            int s = Spheres.PAS * k;
+        exiger(P.equals(rayon.getP()) && V.equals(rayon.getV()),
+                "Rayon, sur son départ et sa direction,");
+        for (int k = 0, s = 0; k < tirees.size(); k++, s += Spheres.PAS) {
             double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            exiger(sontEgaux(d, tirees.get(k).getIntersectionDistance(rayon)) && sontEgaux(d, rayon.getDistance())
+            exiger(Double.compare(d, tirees.get(k).getIntersectionDistance(rayon)) == 0
+                    && Double.compare(d, rayon.getDistance()) == 0
                     && rayon.getObjet() == (d == Double.POSITIVE_INFINITY ? null : tirees.get(k)),
-                    "Sphere.getIntersectionDistance ne répond pas");
+                    "Sphere.getIntersectionDistance");
         }
     }
 
-    private void exiger(boolean juste, String faute) {
+    private void exiger(boolean juste, String qui) {
         if (!juste && ecart == null) {
-            ecart = faute + REPONSE;
+            ecart = qui + " ne répond pas comme la recherche rapide";
         }
-    }
-
-    private static boolean sontEgaux(double a, double b) {
-        return Double.doubleToRawLongBits(a) == Double.doubleToRawLongBits(b);
     }
 }

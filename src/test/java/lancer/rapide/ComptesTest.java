@@ -138,8 +138,7 @@ class ComptesTest {
                     + (long) (10 * n * Math.log(n) / Math.log(2));
             if (cout(rapide.compteurs) > permis) {
                 fautes.add(e.getKey() + " : " + cout(rapide.compteurs) / (double) rapide.compteurs.rayons()
-                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons() + ", "
-                        + scene.getModele().getRecherche());
+                        + " examens par rayon, arbre simple " + cout(oracle.compteurs) / (double) rapide.compteurs.rayons());
             }
         }
         assertEquals(Collections.emptyList(), fautes);
