@@ -44,6 +44,11 @@ public final class Couleur {
         return new Couleur(r * c.r, v * c.v, b * c.b);
     }
 
+    /** Produit composante par composante, puis par {@code k}. */
+    public Couleur mul(double k, Couleur c) {
+        return new Couleur(r * c.r * k, v * c.v * k, b * c.b * k);
+    }
+
     public Couleur div(double k) {
         return new Couleur(r / k, v / k, b / k);
     }

@@ -43,15 +43,15 @@ final class Lumiere {
 
     /** Apport d'une lampe de couleur KL si rien ne la cachait : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
+        Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
             Ecoute.Eclairage dit = ecoute.enCours().enCours();
             dit.cosinus = cosinus;
             dit.eclat = eclat;
-            dit.diffus = Kd.mul(KL).mul(cosinus);
-            dit.reflet = Ks.mul(KL).mul(eclat);
+            dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
+            dit.reflet = Ks.mul(eclat, KL);
         }
-        return new Couleur(Kd.r * KL.r * cosinus + Ks.r * KL.r * eclat, Kd.v * KL.v * cosinus + Ks.v * KL.v * eclat,
-                Kd.b * KL.b * cosinus + Ks.b * KL.b * eclat);
+        return eclat == 0 ? diffus : diffus.add(Ks.mul(eclat, KL));
     }
 
     /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */

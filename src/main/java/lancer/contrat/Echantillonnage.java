@@ -45,16 +45,17 @@ public interface Echantillonnage {
         public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
             Pave dessines = pas == 1 ? voulus : pave;
             for (int j = dessines.j0; j < dessines.j1; j += pas) {
+                int jFin = Math.min(j + pas, dessines.j1);
                 for (int i = dessines.i0; i < dessines.i1; i += pas) {
-                    tracer(i, j, Math.min(i + pas, dessines.i1), Math.min(j + pas, dessines.j1), vue, toile);
+                    int iFin = Math.min(i + pas, dessines.i1);
+                    peindre(vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0), i, j, iFin, jFin, toile);
                 }
             }
             return 0;
         }
 
-        /** Dessine un carré. À part : la machine virtuelle le compile une fois, et non avec chaque boucle. */
-        private static void tracer(int i, int j, int iFin, int jFin, Vue vue, Toile toile) {
-            Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
+        /** Peint un carré. À part : la machine virtuelle le compile une fois, et non avec chaque boucle. */
+        private static void peindre(Couleur couleur, int i, int j, int iFin, int jFin, Toile toile) {
             for (int y = j; y < jFin; y++) {
                 for (int x = i; x < iFin; x++) {
                     toile.drawPixel(couleur, x, y);

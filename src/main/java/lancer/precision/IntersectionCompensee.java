@@ -52,8 +52,7 @@ public final class IntersectionCompensee {
         double c = puissance(fx, fy, fz, reste(cx, -px, fx), reste(cy, -py, fy), reste(cz, -pz, fz), r);
         double h2 = b * b - c;
         if (c > 0 && b > 0 && h2 < 0) {
-            // c'est une tangente si h² n'est négatif que par un arrondi : la perpendiculaire tombe juste sur des nombres
-            // ronds
+            // une tangente, si ce n'est que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds
             double lx = fx - b * vx;
             double ly = fy - b * vy;
             double lz = fz - b * vz;
