@@ -23,8 +23,8 @@ import lancer.fils.Equipe;
  * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
  * octets, ou 8 Mo si c'est plus, et autant de cases, de 12 octets, que de tuiles de l'image et que
- * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de ses
- * ombres 1 Mo au plus.
+ * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de
+ * ses ombres 1 Mo au plus.
  */
 public final class Preparation implements IntConsumer {
 
@@ -32,9 +32,10 @@ public final class Preparation implements IntConsumer {
     private static final int DEUX = 2;
 
     /**
-     * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces boucles
-     * avant qu'une structure soit faite et sondée. Mesuré, sur des programmes entiers, par le rapport des temps de
-     * {@code java -jar target/lancer.jar --taille 40x30 --image x.png scenes/scene1.ini} avec et sans {@code --simple}.
+     * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces
+     * boucles avant qu'une structure soit faite et sondée. Mesuré sur des programmes entiers :
+     * {@code java -jar target/lancer.jar --taille 40x30 --image x.png scenes/scene1.ini}, avec et sans
+     * {@code --simple}.
      */
     private static final long VITE_FAIT = 1 << 16;
 
