@@ -27,6 +27,7 @@ import lancer.precision.Intersection;
  */
 final class Sondage {
 
+    private static final String SUITE = " : ce sont les boucles du cours qui dessinent";
     static final int RAYONS = 240;
     static final int SPHERES = 64;
 
@@ -66,12 +67,12 @@ final class Sondage {
                 Recherche.obeir();
                 sondage.tirer(k, hasard, camera, scene.getLampes());
             }
-            return sondage.ecart == null ? null : sondage.ecart + " : ce sont les boucles du cours qui dessinent";
+            return sondage.ecart == null ? null : sondage.ecart + SUITE;
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
             // le dessin nommera le pixel
-            return "une classe du cours échoue sur un rayon tiré au hasard : ce sont les boucles du cours qui dessinent";
+            return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
         }
     }
 
@@ -92,7 +93,8 @@ final class Sondage {
             if (V.norme() > 0) {
                 demander(P, V.normalized());
                 exiger(boucles.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s))
-                        == rapide.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s)), "les boucles du cours");
+                        == rapide.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s)),
+                        "les boucles du cours");
             }
         } else {
             rencontrer(surface, direction(hasard), tirees.get(s));
