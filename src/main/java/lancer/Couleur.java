@@ -44,6 +44,11 @@ public final class Couleur {
         return new Couleur(r * c.r, v * c.v, b * c.b);
     }
 
+    /** Produit composante par composante, puis par {@code k}. */
+    public Couleur mul(double k, Couleur c) {
+        return new Couleur(r * c.r * k, v * c.v * k, b * c.b * k);
+    }
+
     public Couleur div(double k) {
         return new Couleur(r / k, v / k, b / k);
     }
@@ -73,7 +78,7 @@ public final class Couleur {
     }
 
     private static int octet(double composante) {
-        return (int) Math.round(255 * Math.max(0, Math.min(1, composante)));
+        return composante >= 1 ? 255 : composante > 0 ? (int) (255 * composante + 0x1.fffffffffffffp-2) : 0;
     }
 
     public static Couleur add(Couleur c, Couleur d) {

@@ -41,18 +41,17 @@ final class Lumiere {
         return devant > 0;
     }
 
-    /** Apport d'une lampe si rien ne la cachait : diffus·cosinus + speculaire·éclat. */
-    Couleur apport(Couleur diffus, double cosinus, Couleur speculaire, double eclat) {
-        Couleur lambert = diffus.mul(cosinus);
-        Couleur reflet = speculaire.mul(eclat);
+    /** Apport d'une lampe de couleur KL si rien ne la cachait : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
+    Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
+        Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
             Ecoute.Eclairage dit = ecoute.enCours().enCours();
             dit.cosinus = cosinus;
             dit.eclat = eclat;
-            dit.diffus = new Couleur(lambert.r, lambert.v, lambert.b);
-            dit.reflet = new Couleur(reflet.r, reflet.v, reflet.b);
+            dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
+            dit.reflet = Ks.mul(eclat, KL);
         }
-        return lambert.add(reflet);
+        return eclat == 0 ? diffus : diffus.add(Ks.mul(eclat, KL));
     }
 
     /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */

@@ -53,7 +53,7 @@ public abstract class Objet3D {
                 Couleur KL = lampe.getCouleur();
                 double cosinus = Math.min(1, N.dot(L));
                 double eclat = Ks.estNoire() ? 0 : scene.getModele().getSpecularite().eclat(V, N, L, R, ns);
-                Couleur apport = lumiere.apport(Kd.mul(KL), cosinus, Ks.mul(KL), eclat);
+                Couleur apport = lumiere.apport(KL, Kd, cosinus, Ks, eclat);
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     lumiere.ajouter(apport);
                 }

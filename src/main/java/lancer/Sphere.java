@@ -50,11 +50,15 @@ public class Sphere extends Objet3D {
      */
     @Override
     public Point getPointDeSurface(Point contact) {
-        Vecteur n = new Vecteur(centre, contact);
-        double carre = n.norme2();
+        double x = contact.x - centre.x;
+        double y = contact.y - centre.y;
+        double z = contact.z - centre.z;
+        double carre = x * x + y * y + z * z;
         if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
-            return contact.add(-Norme.ecart(carre, rayon), n);
+            double e = Norme.ecart(carre, rayon);
+            return new Point(contact.x - e * x, contact.y - e * y, contact.z - e * z);
         }
+        Vecteur n = new Vecteur(centre, contact);
         double norme = n.norme();
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
@@ -71,10 +75,13 @@ public class Sphere extends Objet3D {
      */
     @Override
     public Vecteur getNormale(Point contact) {
+        double k = 1 / rayon;
+        Vecteur n = new Vecteur((contact.x - centre.x) * k, (contact.y - centre.y) * k, (contact.z - centre.z) * k);
+        if (Math.abs(n.norme2() - 1) <= Norme.PRESQUE_UN) {
+            return n.normalized();
+        }
         Vecteur exact = new Vecteur(centre, contact);
-        Vecteur n = exact.mul(1 / rayon);
-        return Math.abs(n.norme2() - 1) <= Norme.PRESQUE_UN ? n.normalized()
-                : exact.norme() == 0 ? VERS_L_OEIL : exact.normalized();
+        return exact.norme() == 0 ? VERS_L_OEIL : exact.normalized();
     }
 
     @Override

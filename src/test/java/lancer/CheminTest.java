@@ -73,7 +73,12 @@ class CheminTest {
                 Essai.origine(Main.class).toString(), source.toString()));
         Path services = Files.createDirectories(dossier.resolve("META-INF/services"));
         Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("espion.Espion"));
-        Path scene = Files.write(dossier.resolve("s.ini"), Collections.singletonList("[Espion 1]"));
+        // d'une ou deux, il n'y aurait pas à chercher
+        List<String> sections = new ArrayList<>();
+        for (int k = 0; k < 50; k++) {
+            sections.add("[Espion " + k + "]");
+        }
+        Path scene = Files.write(dossier.resolve("s.ini"), sections);
         List<String> args = new ArrayList<>(Arrays.asList("--taille", "16x12", "--image", dossier.resolve("i.png").toString()));
         args.addAll(Arrays.asList(options));
         args.add(scene.toString());

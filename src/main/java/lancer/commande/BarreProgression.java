@@ -10,7 +10,7 @@ import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard pendant un travail qui dure ; rien si ce n'est pas un terminal, ou si c'est bref. */
+/** Une barre sur l'erreur standard pendant un travail qui dure ; rien si c'est bref. */
 public final class BarreProgression extends TimerTask {
 
     private static final int LARGEUR = 40;
@@ -35,14 +35,12 @@ public final class BarreProgression extends TimerTask {
     /** @param avancement la part faite, de 0 à 1 */
     public static BarreProgression commencer(DoubleSupplier avancement, PrintStream terminal) {
         BarreProgression barre = new BarreProgression(avancement, terminal);
-        if (surUnTerminal()) {
-            barre.horloge.schedule(barre, PERIODE_MS, PERIODE_MS);
-        }
+        barre.horloge.schedule(barre, PERIODE_MS, PERIODE_MS);
         return barre;
     }
 
-    /** Ailleurs, dans un fichier ou un tube, une barre se lirait. */
-    private static boolean surUnTerminal() {
+    /** Dit si l'erreur standard est un terminal : ailleurs, dans un fichier ou un tube, une barre se lirait. */
+    public static boolean surUnTerminal() {
         try {
             String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
             return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");

@@ -27,12 +27,6 @@ public final class Compteurs {
     /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
-    /**
-     * Pixels dont les boucles du cours ont répondu aussi aux questions, pour juger la recherche ; ils ne comptent pour
-     * rien d'autre.
-     */
-    public long pixelsTemoins;
-
     public void ajouter(Compteurs autres) {
         primaires += autres.primaires;
         ombre += autres.ombre;
@@ -41,7 +35,6 @@ public final class Compteurs {
         testsPrecis += autres.testsPrecis;
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
-        pixelsTemoins += autres.pixelsTemoins;
     }
 
     /** Le nombre de sphères et de cases examinées. */

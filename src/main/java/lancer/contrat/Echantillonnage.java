@@ -48,15 +48,19 @@ public interface Echantillonnage {
                 int jFin = Math.min(j + pas, dessines.j1);
                 for (int i = dessines.i0; i < dessines.i1; i += pas) {
                     int iFin = Math.min(i + pas, dessines.i1);
-                    Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
-                    for (int y = j; y < jFin; y++) {
-                        for (int x = i; x < iFin; x++) {
-                            toile.drawPixel(couleur, x, y);
-                        }
-                    }
+                    peindre(vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0), i, j, iFin, jFin, toile);
                 }
             }
             return 0;
+        }
+
+        /** Peint un carré. À part : la machine virtuelle le compile une fois, et non avec chaque boucle. */
+        private static void peindre(Couleur couleur, int i, int j, int iFin, int jFin, Toile toile) {
+            for (int y = j; y < jFin; y++) {
+                for (int x = i; x < iFin; x++) {
+                    toile.drawPixel(couleur, x, y);
+                }
+            }
         }
     }
 }

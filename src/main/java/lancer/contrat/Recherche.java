@@ -32,9 +32,9 @@ public interface Recherche {
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
-    /** Recherche où l'autre répond ; de cette classe, pour que quelques témoins ne coûtent rien aux autres rayons. */
-    default Recherche remplacee(Recherche autre) {
-        return autre;
+    /** Ce qui a fait écarter une recherche plus rapide, qui ne répondait pas comme celle-ci ; {@code null} si rien. */
+    default String getEcart() {
+        return null;
     }
 
     /** Temps qu'une recherche a mis à construire, préparation et demandes des rayons comprises, en nanosecondes. */

@@ -16,10 +16,17 @@ public class RechercheSimple implements Recherche {
 
     private final List<Objet3D> objets;
     private final Compteurs compteurs;
+    private final String ecart;
 
     public RechercheSimple(List<Objet3D> objets, Compteurs compteurs) {
+        this(objets, compteurs, null);
+    }
+
+    /** @param ecart voir {@link #getEcart()} */
+    public RechercheSimple(List<Objet3D> objets, Compteurs compteurs, String ecart) {
         this.objets = objets;
         this.compteurs = compteurs;
+        this.ecart = ecart;
     }
 
     @Override
@@ -69,7 +76,12 @@ public class RechercheSimple implements Recherche {
     }
 
     @Override
+    public String getEcart() {
+        return ecart;
+    }
+
+    @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheSimple(objets, compteurs);
+        return new RechercheSimple(objets, compteurs, ecart);
     }
 }

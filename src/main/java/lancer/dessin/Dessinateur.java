@@ -35,7 +35,7 @@ import lancer.texte.Texte;
  * Réglages de la scène du programme, sa préparation, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres
  * regardent.
  */
-public final class Dessinateur {
+public final class Dessinateur implements DoubleConsumer {
 
     /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -107,7 +107,7 @@ public final class Dessinateur {
 
         @Override
         public void accept(double part) {
-            avancement = part;
+            Dessinateur.this.accept(part);
         }
 
         @Override
@@ -140,6 +140,12 @@ public final class Dessinateur {
     /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */
     public ReglagesDessin getReglages() {
         return dessin.reglages;
+    }
+
+    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
+    @Override
+    public void accept(double part) {
+        avancement = part;
     }
 
     /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
@@ -181,14 +187,13 @@ public final class Dessinateur {
     Traceur preparer(ImageMemoire vierge) {
         remplacer(dessin.fichier, dessin.origines, dessin.reglages);
         long debut = System.nanoTime();
-        Traceur traceur = traceur(getScene(), vierge.largeur, vierge.hauteur, options.simple,
-                part -> avancement = part);
+        Traceur traceur = traceur(getScene(), vierge.largeur, vierge.hauteur, options.simple, this);
         preparationNs = System.nanoTime() - debut;
         dessin = new Dessin(dessin.fichier, dessin.origines, dessin.reglages, vierge, traceur);
         return traceur;
     }
 
-    /** Rapporte un dessin achevé : l'écart qu'ont vu ses témoins, ses nombres s'ils sont demandés. */
+    /** Rapporte un dessin achevé : l'écart qu'a vu la préparation, ses nombres s'ils sont demandés. */
     public void rapporter(Traceur acheve) {
         direEcart(acheve);
         if (options.statistiques) {
@@ -217,10 +222,9 @@ public final class Dessinateur {
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
-                + "pixels.temoins: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, c.pixelsTemoins, lectureNs / NS_PAR_MS,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS,
                 (preparationNs + acheve.getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }

@@ -119,14 +119,17 @@ public final class SansFenetre {
     /** Dessine autant de fois que demandé. @return le temps de chaque dessin, en nanosecondes */
     private long[] tracer(Traceur traceur, Toile toile, int reflets) {
         long[] traces = new long[options.repeter];
-        BarreProgression barre = BarreProgression.commencer(traceur::getAvancement, dessinateur.erreur);
+        BarreProgression barre = !BarreProgression.surUnTerminal() ? null
+                : BarreProgression.commencer(traceur::getAvancement, dessinateur.erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
                 traceur.TracerPixels(toile, reflets, options.fils);
                 traces[k] = traceur.getDureeNs();
             }
         } finally {
-            barre.finir();
+            if (barre != null) {
+                barre.finir();
+            }
         }
         return traces;
     }

@@ -13,25 +13,22 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.contrat.Toile;
 
 /**
  * Le dessin d'une scène par plusieurs fils : le partage de l'image en pavés, l'arrêt, l'avancement, les comptes. Un
- * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils. Des {@link Temoins} jugent sa recherche ;
- * si elle se trompe, les boucles du cours dessinent.
+ * traceur dessine une image à la fois ; elle ne dépend pas du nombre de fils.
  */
 public final class Traceur implements Boucle {
 
     private final Lancer lancer;
     private final Equipe equipe = new Equipe("lancer");
-    /** Recherche de la scène préparée, et le temps qu'elle avait passé à construire avant ce dessin. */
+    /** Recherche de la scène préparée, et le temps qu'elle avait passé à construire dans la préparation, puis ici. */
     private final Recherche preparee;
+    private final long prepareNs;
     private long construitNs;
     private volatile boolean brouillonFait;
     private volatile Fautes fautes;
-    private volatile Temoins temoins;
-    private long jugementNs;
     private Runnable entracte;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
@@ -39,7 +36,7 @@ public final class Traceur implements Boucle {
     public Traceur(Scene scene, Camera camera) {
         lancer = new Lancer(scene, camera);
         preparee = scene.getModele().getRecherche();
-        construitNs = preparee.getConstructionNs();
+        prepareNs = preparee.getConstructionNs();
     }
 
     /** L'algorithme, pour un seul fil. */
@@ -61,8 +58,7 @@ public final class Traceur implements Boucle {
     }
 
     /**
-     * Dessine un brouillon, puis tous les pixels ({@link Lancer#TracerImage}). Les témoins viennent avant le brouillon,
-     * que l'on regarde déjà.
+     * Dessine un brouillon, puis tous les pixels ({@link Lancer#TracerImage}).
      *
      * @param profondeur nombre de réflexions permises
      * @param fils nombre de fils d'exécution, au moins 1
@@ -70,7 +66,6 @@ public final class Traceur implements Boucle {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        juger(profondeur);
         lancer.TracerImage(this, toile, profondeur, fils);
     }
 
@@ -88,36 +83,12 @@ public final class Traceur implements Boucle {
         this.entracte = entracte;
     }
 
-    /** {@inheritDoc} Si personne ne regarde encore l'image, ses témoins viennent après elle. */
     @Override
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        long duree = 0;
-        do {
-            duree += parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
-        } while (juger(profondeur));
-        long construit = preparee.getConstructionNs();
-        dureeNs = duree + jugementNs - (construit - construitNs);
+        long duree = parcourir(getScene().getModele().getEchantillonnage(), toile, profondeur, fils);
+        long construit = getConstructionNs();
+        dureeNs = duree - (construit - construitNs);
         construitNs = construit;
-        jugementNs = 0;
-        compteurs.pixelsTemoins = temoins == null ? 0 : temoins.getNombre();
-    }
-
-    /** Juge la recherche, si elle ne l'est pas encore. @return vrai si les boucles du cours la remplacent */
-    private boolean juger(int profondeur) {
-        Scene scene = getScene();
-        if (scene.getModele().getRecherche() instanceof RechercheSimple
-                || temoins != null && temoins.profondeur == profondeur) {
-            return false;
-        }
-        long debut = System.nanoTime();
-        Temoins nouveaux = new Temoins(scene, getCamera(), profondeur, fautes);
-        nouveaux.juger();
-        temoins = nouveaux;
-        if (getEcart() != null) {
-            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
-        }
-        jugementNs = System.nanoTime() - debut;
-        return getEcart() != null;
     }
 
     /** Dessine désormais malgré les pixels qui échouent : ils sont comptés, et peints en damier. */
@@ -145,9 +116,9 @@ public final class Traceur implements Boucle {
         return brouillonFait;
     }
 
-    /** Le premier écart que des pixels témoins ont vu, en une phrase qui nomme le pixel ; {@code null} si aucun. */
+    /** Raison pour laquelle les boucles du cours remplacent la recherche rapide, en une phrase, ou {@code null}. */
     public String getEcart() {
-        return temoins == null ? null : temoins.getEcart();
+        return preparee.getEcart();
     }
 
     /** Comptes du dernier dessin achevé, tous fils ensemble. */
@@ -155,14 +126,14 @@ public final class Traceur implements Boucle {
         return compteurs;
     }
 
-    /** Le temps du dernier dessin achevé, celui des témoins compris, en nanosecondes. */
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
     public long getDureeNs() {
         return dureeNs;
     }
 
     /** Le temps passé depuis la préparation à construire ce que des rayons ont demandé, en nanosecondes. */
     public long getConstructionNs() {
-        return preparee.getConstructionNs();
+        return preparee.getConstructionNs() - prepareNs;
     }
 
     /** Dessine toute l'image par cet échantillonnage. @return le temps que cela a pris, en nanosecondes */

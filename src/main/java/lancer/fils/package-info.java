@@ -1,6 +1,6 @@
 /**
- * Le dessin en plusieurs fils : le partage de l'image, l'arrêt, l'avancement, les comptes ; les témoins, qui jugent la
- * recherche qui y répond aux rayons ; et l'équipe de fils, qui sert aussi à préparer et à essayer.
+ * Le dessin en plusieurs fils : le partage de l'image, l'arrêt, l'avancement, les comptes ; et l'équipe de fils, qui
+ * sert aussi à préparer et à essayer.
  *
  * <p>N'y entre rien qui sache comment un rayon trouve son objet, ni où vont les pixels.
  */

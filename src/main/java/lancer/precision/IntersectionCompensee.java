@@ -51,26 +51,21 @@ public final class IntersectionCompensee {
         }
         double c = puissance(fx, fy, fz, reste(cx, -px, fx), reste(cy, -py, fy), reste(cz, -pz, fz), r);
         double h2 = b * b - c;
+        if (c > 0 && b > 0 && h2 < 0) {
+            // une tangente, si ce n'est que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds
+            double lx = fx - b * vx;
+            double ly = fy - b * vy;
+            double lz = fz - b * vz;
+            return h2 >= -TANGENTE * b * r && lx * lx + ly * ly + lz * lz <= r * r ? c / b : Constantes.INFINI;
+        }
         if (c > 0) {
-            if (!(b > 0) || h2 < 0 && !tangente(fx, fy, fz, vx, vy, vz, b, h2, r)) {
-                return Constantes.INFINI;
-            }
-            return c / (b + Math.sqrt(Math.max(0, h2)));
+            return b > 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
         }
         double h = Math.sqrt(h2);
         if (b > 0) {
             return b + h;
         }
         return c < 0 ? c / (b - h) : Constantes.INFINI;
-    }
-
-    /** Dit si h² n'est négatif que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds. */
-    private static boolean tangente(double fx, double fy, double fz, double vx, double vy, double vz, double b,
-            double h2, double r) {
-        double lx = fx - b * vx;
-        double ly = fy - b * vy;
-        double lz = fz - b * vz;
-        return h2 >= -TANGENTE * b * r && lx * lx + ly * ly + lz * lz <= r * r;
     }
 
     /** Perte exacte de l'arrondi de {@code somme} = a + b. */

@@ -6,6 +6,7 @@ import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -14,19 +15,32 @@ import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène et l'image demandent, et rien de plus. Une préparation vaut pour un
- * dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte qu'une
- * construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
+ * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
+ * quelques pixels de peu de sphères, les boucles du cours répondent seules, et rien n'est sondé. Une préparation vaut
+ * pour un dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte
+ * qu'une construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
  *
  * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
- * octets et autant de cases, de 12 octets, que de tuiles de l'image et que {@value #CASES_PAR_SPHERE} N. Les masques
- * d'une petite scène en prennent 100 ko, et ceux de ses ombres 1 Mo au plus.
+ * octets, ou 8 Mo si c'est plus, et autant de cases, de 12 octets, que de tuiles de l'image et que
+ * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de
+ * ses ombres 1 Mo au plus.
  */
-public final class Preparation {
+public final class Preparation implements IntConsumer {
+
+    /** Nombre d'objets jusqu'auquel les boucles du cours répondent plus vite que toute structure. */
+    private static final int DEUX = 2;
+
+    /**
+     * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces
+     * boucles avant qu'une structure soit faite et sondée. Mesuré sur des programmes entiers :
+     * {@code java -jar target/lancer.jar --taille 40x30 --image x.png scenes/scene1.ini}, avec et sans
+     * {@code --simple}.
+     */
+    private static final long VITE_FAIT = 1 << 16;
 
     /** Nombre de sphères jusqu'auquel ce sont des masques. */
-    static final int PEU = 24;
+    static final int PEU = 40;
 
     /** Bornes hors desquelles les carrés et les cubes des longueurs ne se calculent plus sans détour. */
     private static final double LONGUEUR_MIN = 1e-90;
@@ -38,8 +52,8 @@ public final class Preparation {
     /** Les masques des ombres d'une lampe regardent chaque sphère de chaque autre : il leur faut assez de pixels. */
     private static final int PAIRES_PAR_PIXEL = 4;
 
-    /** Lampes dont les ombres ont des masques, au plus. */
-    private static final int LAMPES_MASQUEES = 2048;
+    /** Masques des ombres, au plus : un par lampe et par sphère. */
+    private static final int MASQUES_D_OMBRES = 1 << 16;
 
     /**
      * Places de toutes les cartes, par sphère ; cases de celles des lampes, par sphère, et d'une lampe, par sphère et
@@ -47,6 +61,10 @@ public final class Preparation {
      */
     private static final int PLACES_PAR_SPHERE = 26;
     private static final int CASES_PAR_SPHERE = 8;
+
+    /** Places et cases de toutes les cartes que l'on a toujours : de quoi faire celles de cent lampes. */
+    private static final long PLACES_TOUJOURS = 1 << 20;
+    private static final long CASES_TOUJOURS = 1 << 18;
     private static final int CASES_PAR_LAMPE = 2;
     private static final int CASES_MAX = 1 << 19;
     private static final int CASES_MIN = 1 << 10;
@@ -70,9 +88,12 @@ public final class Preparation {
     private final List<Lampe> lampes;
     private final Structures structures;
     private final long pixels;
+    private final DoubleConsumer suivi;
+    private final Equipe equipe = new Equipe("preparation");
 
-    private Preparation(Scene scene, Camera camera) {
+    private Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
         this.camera = camera;
+        this.suivi = suivi;
         spheres = new Spheres(scene.getObjets());
         lampes = scene.getLampes();
         structures = new Structures(spheres, lampes);
@@ -83,22 +104,31 @@ public final class Preparation {
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
      * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple}
+     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple} ; celle-ci, si un
+     *     {@link Sondage} voit une différence
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
+        List<Objet3D> objets = scene.getObjets();
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        if (objets.size() <= DEUX || objets.size() <= PEU
+                && pixels * objets.size() * (1 + scene.getLampes().size()) <= VITE_FAIT) {
+            return new RechercheSimple(objets, new Compteurs());
+        }
         return pour(scene, camera, null, suivi);
     }
 
-    /** @param impose {@code null} pour laisser le choix */
+    /** @param impose {@code null} pour laisser le choix entre les structures */
     static Recherche pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
-        Preparation preparation = new Preparation(scene, camera);
+        Preparation preparation = new Preparation(scene, camera, suivi);
         suivi.accept(PART_COPIE);
-        preparation.faire(impose, suivi);
-        return new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs(), null);
+        preparation.faire(impose);
+        String ecart = Sondage.ecart(scene, camera, preparation.structures);
+        return ecart == null ? new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs())
+                : new RechercheSimple(scene.getObjets(), new Compteurs(), ecart);
     }
 
-    private void faire(Genre impose, DoubleConsumer suivi) {
+    private void faire(Genre impose) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
         double portee = Math.max(boite.portee(), Camera.FOCALE);
@@ -108,7 +138,7 @@ public final class Preparation {
         if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
             masquer(portee);
         } else if (genre == Genre.CARTES && ordinaire) {
-            construire(suivi);
+            construire();
         }
     }
 
@@ -117,7 +147,8 @@ public final class Preparation {
         structures.premiers = parBits;
         structures.suivants = parBits;
         boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
-        for (int l = 0; assez && l < Math.min(LAMPES_MASQUEES, lampes.size()); l++) {
+        int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
+        for (int l = 0; assez && l < masquees; l++) {
             Recherche.obeir();
             if (!Scene.estLointaine(lampes.get(l))) {
                 structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
@@ -126,27 +157,29 @@ public final class Preparation {
     }
 
     /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
-    private void construire(DoubleConsumer suivi) {
+    private void construire() {
         int nombre = 2 + structures.ombres.length;
-        Equipe equipe = new Equipe("preparation");
-        IntConsumer construction = k -> {
-            Recherche.obeir();
-            if (k == 0) {
-                Grille grille = Grille.de(spheres, structures.arbre);
-                structures.suivants = grille == null ? structures.arbre : grille;
-            } else if (k <= structures.ombres.length) {
-                structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
-            } else {
-                structures.premiers = deLOeil();
-            }
-            suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / nombre);
-        };
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        equipe.faire(nombre, Collections.nCopies(fils, construction));
+        equipe.faire(nombre, Collections.nCopies(fils, this));
+    }
+
+    /** Fait la grille, la carte de la lampe de ce rang moins un, ou enfin celle de l'œil. */
+    @Override
+    public void accept(int k) {
+        Recherche.obeir();
+        if (k == 0) {
+            Grille grille = Grille.de(spheres, structures.arbre);
+            structures.suivants = grille == null ? structures.arbre : grille;
+        } else if (k <= structures.ombres.length) {
+            structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
+        } else {
+            structures.premiers = deLOeil();
+        }
+        suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
     }
 
     private Occultations deLaLampe(Lampe lampe) {
-        long sienne = (long) spheres.nombre * CASES_PAR_SPHERE / lampes.size();
+        long sienne = Math.max((long) spheres.nombre * CASES_PAR_SPHERE, CASES_TOUJOURS) / lampes.size();
         if (Scene.estLointaine(lampe) || sienne < spheres.nombre / 16) {
             return structures.arbre;
         }
@@ -166,6 +199,6 @@ public final class Preparation {
 
     /** La part d'une carte : celle de l'œil en a une aussi. */
     private long places() {
-        return CASES_MIN + (long) spheres.nombre * PLACES_PAR_SPHERE / (1 + lampes.size());
+        return CASES_MIN + Math.max((long) spheres.nombre * PLACES_PAR_SPHERE, PLACES_TOUJOURS) / (1 + lampes.size());
     }
 }

@@ -34,9 +34,8 @@ public final class RechercheRapide implements Recherche {
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-    /** Boucles du cours, pour les directions de norme autre que 1 ; pour toutes, si elle est remplacée. */
+    /** Boucles du cours, pour les directions de norme autre que 1. */
     private final Recherche boucles;
-    private final boolean remplacee;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
@@ -48,8 +47,7 @@ public final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    /** @param autre celle qui répond à la place de celle-ci, {@code null} d'ordinaire */
-    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs, Recherche autre) {
+    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
         this.structures = structures;
         this.objets = objets;
         spheres = structures.spheres;
@@ -58,8 +56,7 @@ public final class RechercheRapide implements Recherche {
         lampes = structures.lampes;
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
-        remplacee = autre != null;
-        boucles = remplacee ? autre : new RechercheSimple(objets, compteurs);
+        boucles = new RechercheSimple(objets, compteurs);
         int n = 0;
         while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
             n++;
@@ -71,7 +68,7 @@ public final class RechercheRapide implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        if (remplacee || !estUnitaire(V)) {
+        if (!estUnitaire(V)) {
             boucles.plusProche(incident, saufLui);
             return;
         }
@@ -102,7 +99,7 @@ public final class RechercheRapide implements Recherche {
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
         // V n'a d'ordinaire à exister que dans les registres : qui ne s'y compile pas en a une copie
-        if (remplacee || !estUnitaire(V)) {
+        if (!estUnitaire(V)) {
             return boucles.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
         }
         return spheres.autres.length > 0
@@ -169,18 +166,7 @@ public final class RechercheRapide implements Recherche {
     }
 
     @Override
-    public Recherche remplacee(Recherche autre) {
-        return new RechercheRapide(structures, objets, parcours.compteurs, autre);
-    }
-
-    @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, objets, compteurs, null);
-    }
-
-    /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */
-    @Override
-    public String toString() {
-        return structures.toString();
+        return new RechercheRapide(structures, objets, compteurs);
     }
 }

@@ -1,6 +1,7 @@
 package lancer.scene;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -9,7 +10,7 @@ import lancer.Point;
 import lancer.Sphere;
 
 /** Les sphères confondues avec une autre : on les toucherait à une distance nulle, à un arrondi près. */
-public final class Jumelles {
+public final class Jumelles implements Comparator<Sphere> {
 
     private Jumelles() {
     }
@@ -17,7 +18,7 @@ public final class Jumelles {
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
     public static List<Objet3D> sans(List<? extends Objet3D> objets) {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Sphere> vues = new TreeSet<>(Jumelles::comparer);
+        Set<Sphere> vues = new TreeSet<>(new Jumelles());
         for (Objet3D objet : objets) {
             if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
                 gardes.add(objet);
@@ -27,7 +28,8 @@ public final class Jumelles {
     }
 
     /** Range par centre, puis par rayon. */
-    private static int comparer(Sphere une, Sphere autre) {
+    @Override
+    public int compare(Sphere une, Sphere autre) {
         Point c = une.getCentre();
         Point d = autre.getCentre();
         // + 0.0 : −0.0 et 0.0 sont la même position

@@ -82,8 +82,7 @@ class CommandeAutoTest extends EssaiCommande {
         }
         assertEquals("[auto.erreur.attendue, auto.erreur.mesuree, auto.essais.rayons, auto.essais.ms]",
                 Arrays.toString(Arrays.stream(lignes).filter(l -> l.startsWith("auto.")).map(l -> l.replaceAll(":.*", "")).toArray()));
-        // les rayons des essais n'en sont pas ; les témoins, si
+        // les rayons des essais n'en sont pas
         assertEquals(1200, e.statistique("rayons.primaires"));
-        assertEquals(64, e.statistique("pixels.temoins"));
     }
 }

@@ -241,9 +241,7 @@ public final class Defauts {
     private Couleur[] image(Scene scene, int reflets) {
         int largeur = camera.getLargeur();
         Couleur[] image = new Couleur[largeur * camera.getHauteur()];
-        // sans témoins : ils remplaceraient la recherche qui a le défaut
-        new Traceur(scene, camera).parcourir(scene.getModele().getEchantillonnage(),
-                (couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
+        new Traceur(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
         return image;
     }
 

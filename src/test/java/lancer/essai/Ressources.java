@@ -83,8 +83,7 @@ public final class Ressources {
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
-        // sans témoins : ils remplaceraient une recherche qui se trompe exprès
-        new Traceur(scene, new Camera(largeur, hauteur)).parcourir(scene.getModele().getEchantillonnage(), image, reflets, fils);
+        new Traceur(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
         return image;
     }
 
@@ -92,7 +91,7 @@ public final class Ressources {
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
         scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
-        new Traceur(scene, camera).parcourir(scene.getModele().getEchantillonnage(), image, reflets, 2);
+        new Traceur(scene, camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

@@ -36,7 +36,7 @@ class StatistiquesTest extends EssaiCommande {
                 Locale.setDefault(langue);
                 Map<String, String> valeurs = statistiques();
                 for (String nom : new String[] {"rayons.primaires", "rayons.ombre", "rayons.reflechis", "tests.spheres", "noeuds.visites",
-                    "pixels.raffines", "pixels.temoins", "rayons.par.seconde"}) {
+                    "pixels.raffines", "rayons.par.seconde"}) {
                     assertTrue(valeurs.get(nom).matches("[0-9]+"), nom + " : " + valeurs.get(nom));
                 }
                 for (String nom : new String[] {"lecture.ms", "preparation.ms", "trace.ms"}) {
@@ -55,11 +55,10 @@ class StatistiquesTest extends EssaiCommande {
         assertNotEquals("0", attendus.get("rayons.ombre"));
         assertNotEquals("0", attendus.get("rayons.reflechis"));
         assertEquals("0", attendus.get("pixels.raffines"));
-        assertEquals("64", attendus.get("pixels.temoins"));
         for (String option : new String[] {"--fils=2", "--fils=7", "--repeter=2", "--repeter=5"}) {
             Map<String, String> valeurs = statistiques(option);
             for (String nom : new String[] {"rayons.primaires", "rayons.ombre", "rayons.reflechis", "tests.spheres", "noeuds.visites",
-                "pixels.raffines", "pixels.temoins"}) {
+                "pixels.raffines"}) {
                 assertEquals(attendus.get(nom), valeurs.get(nom), nom + " avec " + option);
             }
         }

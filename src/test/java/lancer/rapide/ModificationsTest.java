@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ModificationsTest {
 
     private static final Path SOURCES = Paths.get("src/main/java/lancer");
-    private static final String[] DEMANDE = {"--taille", "64x48", "--fils", "2"};
+    private static final String[] DEMANDE = {"--taille", "120x90", "--fils", "2"};
 
     /** L'image du programme tel qu'il est. */
     private static byte[] avant;
@@ -65,8 +65,8 @@ class ModificationsTest {
         "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe",
         "Objet3D | V.add(-2 * V.dot(N), N).normalized() | V.add(-2 * V.dot(N), N).mul(1.2)",
         "Sphere | double d = Intersection.distance( | double d = 1.01 * Intersection.distance(",
-        "Sphere | ? n.normalized() | ? n.add(new Vecteur(0, 0.3, 0)).normalized()",
-        "Sphere | -Norme.ecart(carre, rayon) | -Norme.ecart(carre, 1.01 * rayon)",
+        "Sphere | return n.normalized() | return n.add(new Vecteur(0, 0.3, 0)).normalized()",
+        "Sphere | Norme.ecart(carre, rayon) | Norme.ecart(carre, 1.01 * rayon)",
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
         "Rayon | Constantes.CIEL.b * bas + V.y | Constantes.CIEL.b * bas",
         "Rayon | Constantes.SOL.v + Constantes | Constantes.SOL.v - Constantes",
@@ -88,14 +88,18 @@ class ModificationsTest {
         "Couleur | new Couleur(r * c.r, v * c.v, b * c.b) | new Couleur(r * c.r, v * c.v, 0)",
         "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
         "Lumiere | r += c.r | r += 0.5 * c.r",
-        "Lumiere | diffus.mul(cosinus) | diffus.mul(0.5 * cosinus)",
-        "Lumiere | speculaire.mul(eclat) | speculaire.mul(0.5 * eclat)",
+        "Lumiere | Kd.mul(cosinus, KL) | Kd.mul(0.5 * cosinus, KL)",
+        "Lumiere | diffus.add(Ks.mul(eclat, KL)) | diffus.add(Ks.mul(0.5 * eclat, KL))",
         "Lampe | return couleur; | return couleur.mul(0.5);",
-        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance"})
+        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance",
+        "Rayon | return V; | return V.add(new Vecteur(0, 1e-12, 0));",
+        "precision/Intersection | return d >= 0 ? d : | return d >= 0 ? 1.01 * d :",
+        "contrat/RechercheSimple | if (d < distance) | if (d < 0.8 * distance)",
+        "contrat/RechercheSimple | ombre), autre) < distance | ombre), autre) < 0.7 * distance"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
         assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");
-        Path changee = Files.createDirectories(dossier.resolve("src")).resolve(classe + ".java");
+        Path changee = dossier.resolve(Paths.get(classe + ".java").getFileName());
         Files.write(changee, source.replace(ancienne, nouvelle == null ? "" : nouvelle).getBytes(StandardCharsets.UTF_8));
         Path classes = Files.createDirectories(dossier.resolve("classes"));
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",

@@ -91,8 +91,7 @@ final class Besoin {
 
     private int[] codes(Traceur lancer, int profondeur) {
         ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
-        // sans témoins : seuls se comptent les rayons de l'image
-        lancer.parcourir(lancer.getScene().getModele().getEchantillonnage(), image, profondeur, taille.fils);
+        lancer.TracerPixels(image, profondeur, taille.fils);
         return image.codes;
     }
 

@@ -1,0 +1,139 @@
+package lancer.rapide;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.CancellationException;
+import lancer.Camera;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+import lancer.contrat.RechercheSimple;
+import lancer.precision.Intersection;
+
+/**
+ * Ce qu'une recherche tient pour acquis des classes du cours, demandé avant de dessiner : {@link Rayon} rend le départ
+ * et la direction qu'il a reçus ; chaque sphère répond, et note dans le rayon, ce que donne {@link Intersection} ; les
+ * boucles du cours et la recherche répondent de même. Tout se compare au bit près.
+ *
+ * <p>C'est un sondage : {@value #RAYONS} rayons, {@value #SPHERES} sphères au plus. Une faute qui ne change la réponse
+ * d'aucun de ces rayons n'est pas vue. Le tirage suit la scène et la taille de l'image.
+ */
+final class Sondage {
+
+    private static final String SUITE = " : ce sont les boucles du cours qui dessinent";
+    static final int RAYONS = 240;
+    static final int SPHERES = 64;
+
+    /** Les sphères tirées, dans l'ordre de la scène, et leur recopie. */
+    private final List<Objet3D> tirees = new ArrayList<>();
+    private final Spheres plates;
+    private final Recherche boucles;
+    private final Recherche rapide;
+
+    /** Première différence, {@code null} tant qu'il n'y en a pas. */
+    private String ecart;
+
+    private Sondage(Scene scene, Structures structures) {
+        Spheres toutes = structures.spheres;
+        for (long k = 0, m = Math.min(SPHERES, toutes.nombre); k < m; k++) {
+            tirees.add(toutes.objets[(int) ((2 * k + 1) * toutes.nombre / (2 * m))]);
+        }
+        boolean entiere = tirees.size() == scene.getObjets().size();
+        plates = entiere ? toutes : new Spheres(tirees);
+        boucles = new RechercheSimple(tirees, new Compteurs());
+        rapide = new RechercheRapide(entiere ? structures : new Structures(plates, scene.getLampes()), tirees,
+                new Compteurs());
+    }
+
+    /**
+     * Sonde cette scène ainsi préparée.
+     *
+     * @return ce qui diffère, en une phrase ; {@code null} si rien
+     * @throws CancellationException si le fil appelant est interrompu
+     */
+    static String ecart(Scene scene, Camera camera, Structures structures) {
+        try {
+            Sondage sondage = new Sondage(scene, structures);
+            Random hasard = new Random(31L * (31 * Arrays.hashCode(sondage.plates.geometrie) + camera.getLargeur())
+                    + camera.getHauteur());
+            for (int k = 0; k < RAYONS && !sondage.tirees.isEmpty() && sondage.ecart == null; k++) {
+                Recherche.obeir();
+                sondage.tirer(k, hasard, camera, scene.getLampes());
+            }
+            return sondage.ecart == null ? null : sondage.ecart + SUITE;
+        } catch (CancellationException | OutOfMemoryError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            // le dessin nommera le pixel
+            return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
+        }
+    }
+
+    /** Un rayon de l'écran, un d'une lampe vers une sphère, un d'une sphère, tour à tour. */
+    private void tirer(int k, Random hasard, Camera camera, List<Lampe> lampes) {
+        int s = hasard.nextInt(tirees.size());
+        int g = Spheres.PAS * s;
+        Point surface = new Point(plates.geometrie[g], plates.geometrie[g + 1], plates.geometrie[g + 2])
+                .add(plates.geometrie[g + 3], direction(hasard));
+        if (k % 3 == 0) {
+            Rayon rayon = camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
+                    camera.getHauteur() * hasard.nextDouble());
+            rencontrer(rayon.getP(), rayon.getV(), null);
+        } else if (k % 3 == 1 && !lampes.isEmpty()) {
+            Lampe lampe = lampes.get(hasard.nextInt(lampes.size()));
+            Point P = lampe.getPosition();
+            Vecteur V = new Vecteur(P, surface);
+            if (V.norme() > 0) {
+                demander(P, V.normalized());
+                exiger(boucles.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s))
+                        == rapide.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s)),
+                        "les boucles du cours");
+            }
+        } else {
+            rencontrer(surface, direction(hasard), tirees.get(s));
+        }
+    }
+
+    private static Vecteur direction(Random hasard) {
+        return new Vecteur(2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1)
+                .normalized();
+    }
+
+    private void rencontrer(Point P, Vecteur V, Objet3D saufLui) {
+        demander(P, V);
+        Rayon un = Rayon.dOmbre(P, V);
+        Rayon autre = Rayon.dOmbre(P, V);
+        boucles.plusProche(un, saufLui);
+        rapide.plusProche(autre, saufLui);
+        exiger(un.getObjet() == autre.getObjet() && Double.compare(un.getDistance(), autre.getDistance()) == 0,
+                "les boucles du cours");
+    }
+
+    /** Demande ce rayon à chaque sphère tirée. */
+    private void demander(Point P, Vecteur V) {
+        double[] g = plates.geometrie;
+        Rayon rayon = Rayon.dOmbre(P, V);
+        exiger(P.equals(rayon.getP()) && V.equals(rayon.getV()),
+                "Rayon, sur son départ et sa direction,");
+        for (int k = 0, s = 0; k < tirees.size(); k++, s += Spheres.PAS) {
+            double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, g[s], g[s + 1], g[s + 2], g[s + 3]);
+            exiger(Double.compare(d, tirees.get(k).getIntersectionDistance(rayon)) == 0
+                    && Double.compare(d, rayon.getDistance()) == 0
+                    && rayon.getObjet() == (d == Double.POSITIVE_INFINITY ? null : tirees.get(k)),
+                    "Sphere.getIntersectionDistance");
+        }
+    }
+
+    private void exiger(boolean juste, String qui) {
+        if (!juste && ecart == null) {
+            ecart = qui + " ne répond pas comme la recherche rapide";
+        }
+    }
+}
