@@ -183,13 +183,13 @@ class ClasseTest extends ClasseEssai {
         Path bareme = dossier.resolve("libre.ini");
         Files.writeString(bareme, Files.readString(dossier.resolve("bareme.ini")) + "qualité du code=3\n");
         renoter("--bareme", bareme);
-        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur"),
-                classe(dossier).get("106").get("qualité du code")), "une ligne libre n'enlève rien avant d'être donnée");
+        Map<String, String> avant = classe(dossier).get("106");
+        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(avant.get("note"), avant.get("sur"), avant.get("qualité du code")), "une ligne libre n'enlève rien avant d'être donnée");
         Path ajustements = dossier.resolve("ajustements.csv");
         Files.writeString(ajustements, "106;brume;0,75;à peine visible\n106;qualité du code;2,5;\n106;blinn;;\n");
         renoter("--bareme", bareme);
-        assertEquals(List.of("20.25", "23.00", "0,75/1"), List.of(classe(dossier).get("106").get("note"), classe(dossier).get("106").get("sur"),
-                classe(dossier).get("106").get("brume")));
+        Map<String, String> apres = classe(dossier).get("106");
+        assertEquals(List.of("20.25", "23.00", "0,75/1"), List.of(apres.get("note"), apres.get("sur"), apres.get("brume")));
         assertEquals(classe.get("104").get("note"), classe(dossier).get("104").get("note"));
         contient(Files.readString(dossier.resolve("ajustements-a-remplir.csv")), "106,brume,\"0,75\",à peine visible\r\n",
                 "106,antialias,,\r\n", "106,blinn,,\r\n", "104,qualité du code,,\r\n");
@@ -201,8 +201,8 @@ class ClasseTest extends ClasseEssai {
         Path feuille = dossier.resolve("a-lui.csv");
         String nous = "Correction automatique : 16.75, étape atteinte, « x » ; le détail est dans le fichier de retour.";
         String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\n";
-        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\nParticipant104,12.00,-,\"Bien vu " + nous + "\"\nParticipant105,16.75,-,\""
-                + nous + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
+        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\nParticipant104,12.00,-,\"Bien vu " + nous
+                + "\"\nParticipant105,16.75,-,\"" + nous + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
         String premiere = null;
         for (int fois = 0; fois < 3; fois++) {
             renoter("--notes", feuille);
@@ -224,8 +224,8 @@ class ClasseTest extends ClasseEssai {
     void lesMotsDeLEnseignantDansNotrePhraseSontLesSiens() throws IOException {
         Path feuille = dossier.resolve("melee.csv");
         String phrase = "Correction automatique : 12.00, mais voir mon mail ; le détail est dans le fichier de retour.";
-        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note),Feedback par commentaires\nParticipant106,12.00,-,\"" + phrase
-                + "\"\n");
+        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note),Feedback par commentaires\nParticipant106,12.00,-,\""
+                + phrase + "\"\n");
         renoter("--notes", feuille);
         contient(Files.readString(dossier.resolve("notes-a-deposer.csv")), "Participant106,12.00,-,\"" + phrase);
     }
@@ -293,7 +293,8 @@ class ClasseTest extends ClasseEssai {
         }
         assertEquals("8.50", apres.get(1).get(3), "ramenée à la note maximale de la feuille");
         contient(apres.get(1).get(9), "Reflets des objets ; extensions à noter : brume");
-        assertEquals(List.of("3.00", "Très bien !"), List.of(apres.get(2).get(3), apres.get(2).get(9)), "ce que l'enseignant a écrit reste");
+        assertEquals(List.of("3.00", "Très bien !"), List.of(apres.get(2).get(3), apres.get(2).get(9)),
+                "ce que l'enseignant a écrit reste");
         try (ZipFile zip = new ZipFile(dossier.resolve("retours.zip").toFile())) {
             assertTrue(zip.getEntry("Étudiant 4_104_assignsubmission_file/correction.html") != null);
             assertEquals(6, zip.size());

@@ -43,6 +43,11 @@ public final class Cours {
         return textes.stream().map(t -> Source.types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
+    /** Vrai s'il en a changé un nom, que l'enseignant a déclaré. */
+    public boolean renomme() {
+        return !noms.isEmpty();
+    }
+
     /** Le nom qu'il donne à une classe du cours : le même, le plus souvent. */
     public String classe(String duCours) {
         return noms.getOrDefault(duCours, duCours);

@@ -54,7 +54,8 @@ final class Constats {
                     .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
         }
         // un nom déclaré change l'empreinte de toute classe qui l'emploie
-        juge.changees(Modele.DONNEES).stream().filter(c -> projet.cours.dans("Scene").equals("Scene")).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
+        juge.changees(projet.cours.renomme() ? List.of() : Modele.DONNEES)
+                .forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
     }
 
     /** L'image et les étapes doivent dire la même chose. */

@@ -280,7 +280,8 @@ final class Juge implements AutoCloseable {
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
                     : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
                     : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream(), siennes().stream()).findFirst().map(f -> " ; " + f).orElse("")));
+                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream(), siennes().stream())
+                            .findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
                 && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
