@@ -184,7 +184,8 @@ class ClasseTest extends ClasseEssai {
         Files.writeString(bareme, Files.readString(dossier.resolve("bareme.ini")) + "qualité du code=3\n");
         renoter("--bareme", bareme);
         Map<String, String> avant = classe(dossier).get("106");
-        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(avant.get("note"), avant.get("sur"), avant.get("qualité du code")), "une ligne libre n'enlève rien avant d'être donnée");
+        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(avant.get("note"), avant.get("sur"), avant.get("qualité du code")),
+                "une ligne libre n'enlève rien avant d'être donnée");
         Path ajustements = dossier.resolve("ajustements.csv");
         Files.writeString(ajustements, "106;brume;0,75;à peine visible\n106;qualité du code;2,5;\n106;blinn;;\n");
         renoter("--bareme", bareme);
@@ -202,7 +203,8 @@ class ClasseTest extends ClasseEssai {
         String nous = "Correction automatique : 16.75, étape atteinte, « x » ; le détail est dans le fichier de retour.";
         String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\n";
         Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\nParticipant104,12.00,-,\"Bien vu " + nous
-                + "\"\nParticipant105,16.75,-,\"" + nous + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
+                + "\"\nParticipant105,16.75,-,\"" + nous
+                + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
         String premiere = null;
         for (int fois = 0; fois < 3; fois++) {
             renoter("--notes", feuille);
