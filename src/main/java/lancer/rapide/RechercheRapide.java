@@ -169,4 +169,10 @@ public final class RechercheRapide implements Recherche {
     public Recherche pourUnFil(Compteurs compteurs) {
         return new RechercheRapide(structures, objets, compteurs);
     }
+
+    /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */
+    @Override
+    public String toString() {
+        return structures.toString();
+    }
 }

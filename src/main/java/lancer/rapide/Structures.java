@@ -2,6 +2,8 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Lampe;
 
 /** Structures qui répondent à chaque sorte de rayon d'une scène. Partagées par tous les fils : sans état. */
@@ -27,5 +29,12 @@ final class Structures {
         suivants = arbre;
         ombres = new Occultations[this.lampes.length];
         Arrays.fill(ombres, arbre);
+    }
+
+    /** Noms des structures : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
+    @Override
+    public String toString() {
+        return Stream.concat(Stream.of(premiers, suivants), Arrays.stream(ombres))
+                .map(structure -> structure.getClass().getSimpleName()).collect(Collectors.joining(" "));
     }
 }
