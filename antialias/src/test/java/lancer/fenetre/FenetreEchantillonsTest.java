@@ -87,6 +87,6 @@ class FenetreEchantillonsTest extends EssaiFenetre {
             }
         });
         attendre("l'échec se dit", () -> banc.panneau.bandeau.getText().contains(" pixels n'ont pu être calculés"));
-        assertTrue(banc.message().contains(" (lancer.Objet3D.getColor, Objet3D.java:"), banc.message());
+        assertTrue(banc.message().contains(" (lancer.Lumiere.apport, Lumiere.java:"), banc.message());
     }
 }
