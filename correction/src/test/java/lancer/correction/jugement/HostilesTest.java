@@ -35,15 +35,6 @@ class HostilesTest extends JuryEssai {
     void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
-        verifier(confinement);
-    }
-
-    @Test
-    void sansConfinementNonPlus() throws IOException {
-        verifier(new Confinement(false, ""));
-    }
-
-    private void verifier(Confinement confinement) throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("tout-noir"));
         try (Stream<Path> flux = Files.list(RENDUS.resolve("hostiles"))) {
@@ -90,6 +81,24 @@ class HostilesTest extends JuryEssai {
                     nom + " ne coûte pas les autres vérifications");
         }
     }
+
+    /** Ceux dont le confinement n'est pas ce qui les arrête. */
+    @Test
+    void sansConfinementNonPlus() throws IOException {
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        for (String nom : List.of("imitation", "mathematiques", "falsification", "faux-junit", "boucle", "sortie")) {
+            copier(RENDUS.resolve("hostiles/" + nom + "/Étudiant 1_101_assignsubmission_file"), rendus.resolve(nom));
+        }
+        ecrireCorrige(rendus.resolve("ordinaire"));
+        Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
+        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
+        rate(resultats, "boucle", "s de calcul");
+        rate(resultats, "sortie", "arrêté de lui-même");
+        for (String nom : List.of("imitation", "mathematiques", "falsification", "faux-junit")) {
+            rate(resultats, nom, "obtenu : (");
+        }
+    }
+
 
     @Test
     void confineUnRenduNeLanceAucunProgrammeEtRienDeLuiNeFaitUnePanne() throws IOException {
