@@ -170,7 +170,7 @@ mesure-corriger: $(CORRECTION)
 image-classe: $(CORRECTION)
 	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
 	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe
-	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1720 \
+	@chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1250,1860 \
 	    --screenshot=images/classe.png "file://$(CURDIR)/target/classe-image/index.html" 2>/dev/null
 
 aide:
