@@ -73,6 +73,9 @@ class FautesTest extends JuryEssai {
         assertEquals("A.java:3 : demande Java 21 (Record Pattern), ici Java " + Runtime.version().feature(),
                 new Faute(List.of("lancer/A.java", 3, "The Java feature 'Record Pattern' is only available with source level 21 and above"))
                         .toString());
+        assertEquals("A.java:3 : un caractère n'est pas de Java", new Faute(List.of("lancer/A.java", 3, "Invalid Character")).toString());
+        assertEquals("A.java:3 : Sphere doit avoir la méthode Objet3D.getNormale(Point)", new Faute(List.of("lancer/A.java", 3,
+                "The type Sphere must implement the inherited abstract method Objet3D.getNormale(Point)")).toString());
         assertEquals("A.java:3 : le compilateur dit « Unreachable code »",
                 new Faute(List.of("lancer/A.java", 3, "Unreachable code")).toString());
     }
