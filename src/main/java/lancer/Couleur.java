@@ -31,6 +31,11 @@ public final class Couleur {
         return new Couleur(r + c.r, v + c.v, b + c.b);
     }
 
+    /** Somme de cette couleur et du produit de {@code c} et {@code d} par {@code k}. */
+    public Couleur add(double k, Couleur c, Couleur d) {
+        return new Couleur(r + c.r * d.r * k, v + c.v * d.v * k, b + c.b * d.b * k);
+    }
+
     public Couleur sub(Couleur c) {
         return new Couleur(r - c.r, v - c.v, b - c.b);
     }

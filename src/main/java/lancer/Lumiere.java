@@ -51,7 +51,7 @@ final class Lumiere {
             dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
             dit.reflet = Ks.mul(eclat, KL);
         }
-        return eclat == 0 ? diffus : diffus.add(Ks.mul(eclat, KL));
+        return diffus.add(eclat, Ks, KL);
     }
 
     /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */

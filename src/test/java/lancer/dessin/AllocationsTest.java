@@ -26,7 +26,7 @@ class AllocationsTest {
 
     /** Ce qui est atteint, en octets par pixel, plus un dixième. */
     @ParameterizedTest(name = "{0} : au plus {1} octets par pixel")
-    @CsvSource({"scene1, 1510", "bowling, 1425", "tournesol, 1845"})
+    @CsvSource({"scene1, 1485", "bowling, 1396", "tournesol, 1756"})
     void unPixelNeDemandePasPlusDeMemoireQuAujourdhui(String scene, double auPlus) throws IOException, InterruptedException {
         Process machine = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xint", "-cp",
                 System.getProperty("java.class.path"), AllocationsTest.class.getName(), "scenes/" + scene + ".ini").start();
