@@ -1,33 +1,45 @@
 package lancer.scene;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
 
 /** Les sphères confondues avec une autre : on les toucherait à une distance nulle, à un arrondi près. */
-public final class Jumelles {
+public final class Jumelles implements Comparator<Sphere> {
 
     private Jumelles() {
     }
 
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
     public static List<Objet3D> sans(List<? extends Objet3D> objets) {
-        List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Sphere> vues = new TreeSet<>(Jumelles::comparer);
+        List<Sphere> spheres = new ArrayList<>(objets.size());
         for (Objet3D objet : objets) {
-            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
-                gardes.add(objet);
+            if (objet.getClass() == Sphere.class) {
+                spheres.add((Sphere) objet);
             }
         }
+        Comparator<Sphere> ordre = new Jumelles();
+        spheres.sort(ordre);
+        Set<Objet3D> enTrop = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (int k = 1; k < spheres.size(); k++) {
+            if (ordre.compare(spheres.get(k - 1), spheres.get(k)) == 0) {
+                enTrop.add(spheres.get(k));
+            }
+        }
+        List<Objet3D> gardes = new ArrayList<>(objets);
+        gardes.removeAll(enTrop);
         return gardes;
     }
 
     /** Range par centre, puis par rayon. */
-    private static int comparer(Sphere une, Sphere autre) {
+    @Override
+    public int compare(Sphere une, Sphere autre) {
         Point c = une.getCentre();
         Point d = autre.getCentre();
         // + 0.0 : −0.0 et 0.0 sont la même position
