@@ -2,9 +2,10 @@ package lancer.dessin;
 
 import java.text.NumberFormat;
 import java.util.Locale;
+import java.util.Map;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
-import lancer.scene.Origines;
+import lancer.scene.Origine;
 
 /** Une image, et ce dont elle est l'image : la scène préparée, ses réglages, ce qui l'a dessinée ou la dessine. */
 public final class Dessin {
@@ -13,7 +14,7 @@ public final class Dessin {
     public final String fichier;
 
     /** Origines, dans ce fichier, des objets et des lampes de la scène. */
-    public final Origines origines;
+    public final Map<Object, Origine> origines;
     public final ReglagesDessin reglages;
     public final ImageMemoire image;
 
@@ -21,7 +22,8 @@ public final class Dessin {
     public final Traceur traceur;
 
     /** @param image {@code null}, comme {@code traceur}, tant que la scène n'est que lue */
-    Dessin(String fichier, Origines origines, ReglagesDessin reglages, ImageMemoire image, Traceur traceur) {
+    Dessin(String fichier, Map<Object, Origine> origines, ReglagesDessin reglages, ImageMemoire image,
+            Traceur traceur) {
         this.fichier = fichier;
         this.origines = origines;
         this.reglages = reglages;

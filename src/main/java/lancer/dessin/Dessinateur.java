@@ -22,20 +22,18 @@ import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Section;
-import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
-import lancer.scene.LecteurScene;
-import lancer.scene.Origines;
+import lancer.scene.Origine;
+import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /**
  * Réglages de la scène du programme, sa préparation, et l'image qu'on en dessine. Un fil lit et dessine ; d'autres
  * regardent.
  */
-public final class Dessinateur {
+public final class Dessinateur implements DoubleConsumer {
 
     /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -48,6 +46,8 @@ public final class Dessinateur {
     final PrintStream erreur;
     /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
     volatile Dessin dessin = new Dessin(null, null, null, null, null);
+    /** La scène lue, {@code null} tant qu'aucune ne l'est, et le modèle selon lequel elle se dessine. */
+    private volatile Scene scene;
     private volatile Modele modele;
     private volatile double avancement;
     private Runnable entracte;
@@ -92,37 +92,28 @@ public final class Dessinateur {
     public List<String> lireScene(String nomFichier) {
         avancement = 0;
         long debut = System.nanoTime();
-        Lecture lecture = new Lecture();
-        programme.lireScene(nomFichier, lecture);
+        SceneLue lue = programme.lireScene(nomFichier, this);
+        ReglagesDessin lus = new ReglagesDessin(lue.variantes, options);
+        Modele installe = lus.getModele();
+        lus.verifier(options);
+        Scene neuve = new Scene(lue.objets, lue.lampes);
+        // la scène d'avant reste, si cette lecture est abandonnée
+        Recherche.obeir();
         lectureNs = System.nanoTime() - debut;
-        modele = lecture.modele;
-        remplacer(nomFichier, lecture.origines, lecture.reglages);
-        return lecture.avertissements;
+        scene = neuve;
+        modele = installe;
+        remplacer(nomFichier, lue.origines, lus);
+        return lue.avertissements;
     }
 
-    /** Une lecture, qui dit où elle en est et installe les variantes selon la ligne de commande. */
-    private final class Lecture extends LecteurScene {
-
-        private ReglagesDessin reglages;
-
-        @Override
-        public void accept(double part) {
-            avancement = part;
-        }
-
-        @Override
-        protected Modele installer(Map<Variante, Section> variantes) {
-            reglages = new ReglagesDessin(variantes, options);
-            Modele installe = reglages.getModele();
-            reglages.verifier(options);
-            // la scène d'avant reste, si cette lecture est abandonnée
-            Recherche.obeir();
-            return installe;
-        }
+    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
+    @Override
+    public void accept(double part) {
+        avancement = part;
     }
 
     /** Oublie le dessin d'avant : il n'est pas celui de cette scène ainsi réglée, même tant qu'elle n'est que lue. */
-    private void remplacer(String fichier, Origines origines, ReglagesDessin reglages) {
+    private void remplacer(String fichier, Map<Object, Origine> origines, ReglagesDessin reglages) {
         avancement = 0;
         dessin = new Dessin(fichier, origines, reglages, null, null);
     }
@@ -173,16 +164,15 @@ public final class Dessinateur {
     }
 
     /** Une vue de la scène lue, ainsi réglée. */
-    private Scene getScene() {
-        return programme.getScene().avec(modele);
+    Scene getScene() {
+        return scene.avec(modele);
     }
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */
     Traceur preparer(ImageMemoire vierge) {
         remplacer(dessin.fichier, dessin.origines, dessin.reglages);
         long debut = System.nanoTime();
-        Traceur traceur = traceur(getScene(), vierge.largeur, vierge.hauteur, options.simple,
-                part -> avancement = part);
+        Traceur traceur = traceur(getScene(), vierge.largeur, vierge.hauteur, options.simple, this);
         preparationNs = System.nanoTime() - debut;
         dessin = new Dessin(dessin.fichier, dessin.origines, dessin.reglages, vierge, traceur);
         return traceur;

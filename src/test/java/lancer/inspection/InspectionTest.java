@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.stream.Collectors;
 import lancer.Camera;
@@ -31,12 +32,12 @@ import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
 import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
-import lancer.scene.Origines;
+import lancer.scene.Origine;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
 class InspectionTest {
@@ -49,10 +50,10 @@ class InspectionTest {
         "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
     void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
         String fichier = Ressources.chemin("reference/" + nom + ".ini");
-        LecteurScene lecteur = new LecteurScene();
-        Scene scene = new Scene(fichier, lecteur);
+        SceneLue lue = LecteurScene.lire(fichier, part -> { });
+        Scene scene = new Scene(lue.objets, lue.lampes);
         scene.getModele().setSeuil(seuil);
-        Origines origines = lecteur.origines;
+        Map<Object, Origine> origines = lue.origines;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
@@ -72,11 +73,11 @@ class InspectionTest {
     @Test
     void laLigneDeCommandeDitLaMemeChoseQueLaRechercheSoitRapideOuNon() {
         String fichier = Ressources.chemin("reference/p4-foule.ini");
-        LecteurScene lecteur = new LecteurScene();
-        Scene rapide = new Scene(fichier, lecteur);
+        SceneLue lue = LecteurScene.lire(fichier, part -> { });
+        Scene rapide = new Scene(lue.objets, lue.lampes);
         rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = new Inspection(rapide, lecteur.origines, new Camera(80, 60), 5, x, 30);
+            Inspection pixel = new Inspection(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
             pixel.faire();
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
             assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
@@ -103,7 +104,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
         List<Integer> etapes = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
+            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), reflets, 40, 30);
             pixel.faire();
             etapes.add(pixel.getEtapes().size());
             List<String> lignes = new Recit(pixel, Double::toString).lignes();
@@ -119,7 +120,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int reflets = 0;
         for (int x = 5; x < 80; x += 3) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
+            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), 2, x, 30);
             pixel.faire();
             for (Etape etape : pixel.getEtapes()) {
                 for (Eclairage lampe : etape.lampes) {
@@ -139,7 +140,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int negatives = 0;
         for (int x = 0; x < 80; x++) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
+            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), 2, x, 30);
             pixel.faire();
             for (String ligne : new Recit(pixel, Double::toString).lignes()) {
                 if (ligne.contains("R·L -")) {
@@ -159,7 +160,7 @@ class InspectionTest {
         for (double vert : new double[] {1, 0.5}) {
             List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
                     new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), Collections.emptyMap(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
@@ -180,8 +181,8 @@ class InspectionTest {
         Depliage depliage = new Depliage();
         for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
             Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
-            LecteurScene lecteur = new LecteurScene();
-            Inspection pixel = new Inspection(new Scene(fichier.toString(), lecteur), lecteur.origines, new Camera(9, 9), 5, 4, 4);
+            SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
+            Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
         }
@@ -200,7 +201,7 @@ class InspectionTest {
             for (int k = 0; k < 5; k++) {
                 lampes.add(new Lampe(new Point(0, 0, k < 4 ? 20 : loin), new Couleur(1)));
             }
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), Collections.emptyMap(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
@@ -219,7 +220,7 @@ class InspectionTest {
         Depliage depliage = new Depliage();
         for (double rayon : new double[] {2, 3}) {
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), rayon)),
-                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, 4, 4);
+                    Collections.emptyList()), Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("de rayon " + rayon, new Recit(pixel, Double::toString).raconter());
         }
@@ -234,7 +235,8 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(), camera, 5, 4, 4);
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), Collections.emptyMap(),
+                camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
@@ -248,7 +250,7 @@ class InspectionTest {
         sphere.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
+        Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
@@ -278,7 +280,7 @@ class InspectionTest {
         });
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
-        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
+        Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("9 échantillons", lignes.get(1));

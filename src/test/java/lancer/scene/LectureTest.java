@@ -143,6 +143,19 @@ class LectureTest {
     }
 
     @Test
+    void laLectureDitDOuVientChaqueObjetEtChaqueLampe() throws IOException {
+        Path fichier = dossier.resolve("s.ini");
+        Files.write(fichier, Arrays.asList("; un commentaire", "[SPHERE  \t a]", "centre=0 0 6", "rayon=1", "", "[Lampe]",
+                "position=1 2 3", "couleur=1 1 1", "[Sphere é b]", "centre=0 0 6", "rayon=1"));
+        SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
+        assertEquals("[SPHERE a] ligne 2", lue.origines.get(lue.objets.get(0)).toString());
+        assertEquals("[Lampe] ligne 6", lue.origines.get(lue.lampes.get(0)).toString());
+        // sa jumelle : seule la scène la laisse de côté
+        assertEquals("[Sphere é b] ligne 9", lue.origines.get(lue.objets.get(1)).toString());
+        assertEquals(3, lue.origines.size());
+    }
+
+    @Test
     void unMateriauNonDitEstNoirEtMat() {
         Objet3D objet = new Scene(Ressources.chemin("valides/materiau-par-defaut.ini")).getObjets().get(0);
         assertEquals(new Couleur(), objet.getKd());
