@@ -2,10 +2,9 @@ package lancer.dessin;
 
 import java.text.NumberFormat;
 import java.util.Locale;
-import java.util.Map;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
-import lancer.scene.Origine;
+import lancer.scene.Origines;
 
 /** Une image, et ce dont elle est l'image : la scène préparée, ses réglages, ce qui l'a dessinée ou la dessine. */
 public final class Dessin {
@@ -14,7 +13,7 @@ public final class Dessin {
     public final String fichier;
 
     /** Origines, dans ce fichier, des objets et des lampes de la scène. */
-    public final Map<Object, Origine> origines;
+    public final Origines origines;
     public final ReglagesDessin reglages;
     public final ImageMemoire image;
 
@@ -22,8 +21,7 @@ public final class Dessin {
     public final Traceur traceur;
 
     /** @param image {@code null}, comme {@code traceur}, tant que la scène n'est que lue */
-    Dessin(String fichier, Map<Object, Origine> origines, ReglagesDessin reglages, ImageMemoire image,
-            Traceur traceur) {
+    Dessin(String fichier, Origines origines, ReglagesDessin reglages, ImageMemoire image, Traceur traceur) {
         this.fichier = fichier;
         this.origines = origines;
         this.reglages = reglages;

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
@@ -25,7 +24,7 @@ import lancer.contrat.RechercheSimple;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
-import lancer.scene.Origine;
+import lancer.scene.Origines;
 import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
@@ -113,7 +112,7 @@ public final class Dessinateur implements DoubleConsumer {
     }
 
     /** Oublie le dessin d'avant : il n'est pas celui de cette scène ainsi réglée, même tant qu'elle n'est que lue. */
-    private void remplacer(String fichier, Map<Object, Origine> origines, ReglagesDessin reglages) {
+    private void remplacer(String fichier, Origines origines, ReglagesDessin reglages) {
         avancement = 0;
         dessin = new Dessin(fichier, origines, reglages, null, null);
     }

@@ -24,7 +24,7 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 import lancer.fils.Regard;
-import lancer.scene.Origine;
+import lancer.scene.Origines;
 
 /**
  * Un pixel de l'image, dessiné comme le veut l'échantillonnage de la scène, sans les autres ou avec ceux de son pavé
@@ -36,7 +36,7 @@ public final class Inspection implements Vue, Toile {
     public static final int AU_CENTRE = -1;
 
     public final Scene scene;
-    private final Map<Object, Origine> origines;
+    private final Origines origines;
     public final Camera camera;
     public final int profondeur;
     public final int x;
@@ -62,8 +62,7 @@ public final class Inspection implements Vue, Toile {
      * @param x colonne, de 0 à largeur − 1
      * @param y ligne, de 0 (en haut) à hauteur − 1
      */
-    public Inspection(Scene scene, Map<Object, Origine> origines, Camera camera, int profondeur, int x,
-            int y) {
+    public Inspection(Scene scene, Origines origines, Camera camera, int profondeur, int x, int y) {
         this.scene = scene;
         this.origines = origines;
         this.camera = camera;
@@ -171,9 +170,8 @@ public final class Inspection implements Vue, Toile {
 
     /** Nom, de la forme {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */
     public String nom(Object chose) {
-        Origine origine = origines.get(chose);
-        return origine != null ? origine.toString()
-                : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
+        String origine = origines.de(chose);
+        return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
     }
 

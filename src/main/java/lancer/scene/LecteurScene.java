@@ -19,6 +19,7 @@ import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
 import lancer.contrat.Variante;
+import lancer.scene.Origines.Origine;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
@@ -161,12 +162,12 @@ public final class LecteurScene {
         public void endSection() {
             if (lampe) {
                 lue.lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
-                lue.origines.putIfAbsent(lue.lampes.get(lue.lampes.size() - 1), origine);
+                lue.origines.ajouter(lue.lampes.get(lue.lampes.size() - 1), origine);
             } else if (forme != null) {
                 Objet3D objet = lireForme();
                 lireMatiere(objet);
                 lue.objets.add(objet);
-                lue.origines.putIfAbsent(objet, origine);
+                lue.origines.ajouter(objet, origine);
             }
         }
 

@@ -1,7 +1,6 @@
 package lancer.scene;
 
 import java.util.ArrayList;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,9 +15,7 @@ public final class SceneLue {
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
-
-    /** L'origine de chaque objet et de chaque lampe. */
-    public final Map<Object, Origine> origines = new IdentityHashMap<>();
+    public final Origines origines = new Origines();
 
     /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
     public final Map<Variante, Section> variantes = new LinkedHashMap<>();

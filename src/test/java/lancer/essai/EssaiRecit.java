@@ -25,7 +25,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.scene.Origine;
+import lancer.scene.Origines;
 
 /**
  * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
@@ -36,7 +36,7 @@ public final class EssaiRecit {
     private static final double[] BLANC = {1, 1, 1};
 
     private final Scene scene;
-    private final Map<Object, Origine> origines;
+    private final Origines origines;
     private final int largeur;
     private final int hauteur;
     private final int reflets;
@@ -62,7 +62,7 @@ public final class EssaiRecit {
     public int cachees;
     public final Map<String, Integer> arrets = new HashMap<>();
 
-    public EssaiRecit(Scene scene, Map<Object, Origine> origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k,
+    public EssaiRecit(Scene scene, Origines origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k,
             double[] air, double blinn) {
         this.scene = scene;
         this.origines = origines;
@@ -72,8 +72,8 @@ public final class EssaiRecit {
         this.k = k;
         this.air = air;
         this.blinn = blinn;
-        scene.getObjets().forEach(o -> parNom.put(String.valueOf(origines.get(o)), o));
-        scene.getLampes().forEach(l -> parNom.put(String.valueOf(origines.get(l)), l));
+        scene.getObjets().forEach(o -> parNom.put(origines.de(o), o));
+        scene.getLampes().forEach(l -> parNom.put(origines.de(l), l));
     }
 
     public void verifier(int x, int y, String sortie) {
@@ -161,7 +161,7 @@ public final class EssaiRecit {
             somme = nombres(lignes.get(suivante - 1).replaceAll(".*=", ""));
         } else {
             contacts++;
-            String debut = numero + "  " + origines.get(proche) + "  d = ";
+            String debut = numero + "  " + origines.de(proche) + "  d = ";
             assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut + d);
             proche(new double[] {d}, nombres(titre.substring(debut.length())));
             double[] X = lire("   contact = ");
@@ -260,7 +260,7 @@ public final class EssaiRecit {
     /** @return ce que cette lampe ajoute */
     private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
         String titre = lignes.get(suivante++);
-        String nom = "     " + origines.get(lampe) + "  ";
+        String nom = "     " + origines.de(lampe) + "  ";
         assertTrue(titre.startsWith(nom), titre);
         double[] S = t(lampe.getPosition());
         double[] versLampe = moins(S, X);
@@ -283,7 +283,7 @@ public final class EssaiRecit {
         }
         if (cache != null) {
             cachees++;
-            assertTrue(titre.endsWith("cachée par " + origines.get(cache)), titre);
+            assertTrue(titre.endsWith("cachée par " + origines.de(cache)), titre);
             return new double[3];
         }
         double[] kl = t(lampe.getCouleur());

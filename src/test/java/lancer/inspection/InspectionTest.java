@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.stream.Collectors;
 import lancer.Camera;
@@ -32,7 +31,7 @@ import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
 import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
-import lancer.scene.Origine;
+import lancer.scene.Origines;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,7 +52,7 @@ class InspectionTest {
         SceneLue lue = LecteurScene.lire(fichier, part -> { });
         Scene scene = new Scene(lue.objets, lue.lampes);
         scene.getModele().setSeuil(seuil);
-        Map<Object, Origine> origines = lue.origines;
+        Origines origines = lue.origines;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
@@ -104,7 +103,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
         List<Integer> etapes = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
-            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), reflets, 40, 30);
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
             pixel.faire();
             etapes.add(pixel.getEtapes().size());
             List<String> lignes = new Recit(pixel, Double::toString).lignes();
@@ -120,7 +119,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int reflets = 0;
         for (int x = 5; x < 80; x += 3) {
-            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), 2, x, 30);
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
             pixel.faire();
             for (Etape etape : pixel.getEtapes()) {
                 for (Eclairage lampe : etape.lampes) {
@@ -140,7 +139,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int negatives = 0;
         for (int x = 0; x < 80; x++) {
-            Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(80, 60), 2, x, 30);
+            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
             pixel.faire();
             for (String ligne : new Recit(pixel, Double::toString).lignes()) {
                 if (ligne.contains("R·L -")) {
@@ -160,7 +159,7 @@ class InspectionTest {
         for (double vert : new double[] {1, 0.5}) {
             List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
                     new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), Collections.emptyMap(),
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
@@ -201,7 +200,7 @@ class InspectionTest {
             for (int k = 0; k < 5; k++) {
                 lampes.add(new Lampe(new Point(0, 0, k < 4 ? 20 : loin), new Couleur(1)));
             }
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), Collections.emptyMap(),
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
@@ -220,7 +219,7 @@ class InspectionTest {
         Depliage depliage = new Depliage();
         for (double rayon : new double[] {2, 3}) {
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), rayon)),
-                    Collections.emptyList()), Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
+                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("de rayon " + rayon, new Recit(pixel, Double::toString).raconter());
         }
@@ -235,7 +234,7 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), Collections.emptyMap(),
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(),
                 camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
@@ -250,7 +249,7 @@ class InspectionTest {
         sphere.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
+        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
@@ -280,7 +279,7 @@ class InspectionTest {
         });
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
-        Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(9, 9), 5, 4, 4);
+        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("9 échantillons", lignes.get(1));

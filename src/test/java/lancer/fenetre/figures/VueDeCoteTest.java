@@ -19,6 +19,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.inspection.Inspection;
+import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,7 +35,7 @@ class VueDeCoteTest {
         double sommet = -0.3;
         double z = 4;
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, sommet - rayon, z), rayon)), Collections.emptyList());
-        Inspection pixel = new Inspection(scene, Collections.emptyMap(), new Camera(40, 40), 0, 20, 23);
+        Inspection pixel = new Inspection(scene, new Origines(), new Camera(40, 40), 0, 20, 23);
         pixel.faire();
         assertTrue(pixel.getEtapes().get(0).contact != null);
         VueDeCote vue = new VueDeCote(numero -> { });
@@ -69,8 +70,7 @@ class VueDeCoteTest {
                 sphere.setKs(new Couleur(0.9));
                 spheres.add(sphere);
             }
-            Inspection pixel = new Inspection(new Scene(spheres, Collections.emptyList()), Collections.emptyMap(),
-                    new Camera(41, 41), 5, 20, 20);
+            Inspection pixel = new Inspection(new Scene(spheres, Collections.emptyList()), new Origines(), new Camera(41, 41), 5, 20, 20);
             pixel.faire();
             VueDeCote vue = new VueDeCote(numero -> { });
             vue.setSize(170, 50);
