@@ -1,6 +1,7 @@
 package lancer;
 
 import java.io.PrintStream;
+import java.util.function.DoubleConsumer;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
@@ -10,6 +11,7 @@ import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.fils.Traceur;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
 public class Main implements Programme {
@@ -18,7 +20,6 @@ public class Main implements Programme {
     private final PrintStream sortie;
     private final PrintStream erreur;
     protected final Dessinateur dessinateur;
-    private volatile Scene scene;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
@@ -64,13 +65,8 @@ public class Main implements Programme {
     }
 
     @Override
-    public void lireScene(String nomFichier, LecteurScene lecteur) {
-        scene = new Scene(nomFichier, lecteur);
-    }
-
-    @Override
-    public Scene getScene() {
-        return scene;
+    public SceneLue lireScene(String nomFichier, DoubleConsumer suivi) {
+        return LecteurScene.lire(nomFichier, suivi);
     }
 
     @Override

@@ -9,6 +9,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.scene.Jumelles;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
@@ -29,18 +30,11 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(nomFichier, new LecteurScene());
+        this(LecteurScene.lire(nomFichier, part -> { }));
     }
 
-    /**
-     * Lit une scène dans un fichier, ce lecteur disant où il en est, comment installer les variantes, et ce qu'il a
-     * laissé de côté.
-     *
-     * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     */
-    public Scene(String nomFichier, LecteurScene lecteur) {
-        this(new Scene(lecteur.lire(nomFichier).objets, lecteur.lampes), lecteur.modele);
+    private Scene(SceneLue lue) {
+        this(new Scene(lue.objets, lue.lampes), lue.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */

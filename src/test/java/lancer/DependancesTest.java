@@ -86,7 +86,7 @@ class DependancesTest {
     void lesClassesDuCoursNeDependentQueDesContratsEtDeLaPrecision() {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
         verifier("lancer\\.(?!Main|Scene)\\w+|lancer\\.SceneFautive", permis);
-        verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|Jumelles)");
+        verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|SceneLue|Jumelles)");
     }
 
     @Test

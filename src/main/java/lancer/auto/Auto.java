@@ -56,21 +56,21 @@ public final class Auto {
     public final Traceur traceur;
     private Tirage controle;
 
-    private Auto(Traceur prepare, double voulue, Limite[] limites, int fils, List<Variante> variantes,
+    private Auto(Traceur prepare, double voulue, Limite[] limites, int fils, Map<Variante, Section> variantes,
             Consumer<Auto> suivi) {
         this.voulue = voulue;
         this.limites = limites;
         essais = new Essais(prepare, fils);
         deLaScene = prepare.getScene().getModele().getEchantillonnage();
-        for (Variante variante : variantes) {
-            for (Barreau barreau : Objects.requireNonNull(variante.getEchelle(),
+        variantes.forEach((variante, sienne) -> {
+            for (Barreau barreau : Objects.requireNonNull(variante.getEchelle(sienne),
                     variante.getClass().getName() + ".getEchelle a rendu null")) {
                 Modele modele = new Modele();
                 variante.installer(barreau.section, modele);
                 barreau.section.verifierCles();
                 echelle.put(barreau, modele.getEchantillonnage());
             }
-        }
+        });
         if (echelle.isEmpty()) {
             echelle.put(ORDINAIRE, deLaScene);
         }
@@ -89,13 +89,13 @@ public final class Auto {
      * @param prepare la scène, prête à être dessinée
      * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
      * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
-     * @param variantes celles dont les réglages sont permis
+     * @param variantes celles dont les réglages sont permis, chacune avec sa section
      * @param suivi appelé dans ce fil après chaque essai
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
     public static Auto choisir(Traceur prepare, double voulue, Integer reflets, Double seuil, int fils,
-            List<Variante> variantes, Consumer<Auto> suivi) {
+            Map<Variante, Section> variantes, Consumer<Auto> suivi) {
         return new Auto(prepare, voulue, Limite.permises(reflets, seuil), fils, variantes, suivi);
     }
 

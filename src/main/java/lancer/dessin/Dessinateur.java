@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
@@ -22,13 +21,11 @@ import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.RechercheSimple;
-import lancer.contrat.Section;
-import lancer.contrat.Variante;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
-import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
+import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /**
@@ -48,6 +45,8 @@ public final class Dessinateur implements DoubleConsumer {
     final PrintStream erreur;
     /** La scène lue et ses réglages ; puis, une fois préparée, son image et ce qui la dessine. */
     volatile Dessin dessin = new Dessin(null, null, null, null, null);
+    /** La scène lue, {@code null} tant qu'aucune ne l'est, et le modèle selon lequel elle se dessine. */
+    private volatile Scene scene;
     private volatile Modele modele;
     private volatile double avancement;
     private Runnable entracte;
@@ -92,33 +91,24 @@ public final class Dessinateur implements DoubleConsumer {
     public List<String> lireScene(String nomFichier) {
         avancement = 0;
         long debut = System.nanoTime();
-        Lecture lecture = new Lecture();
-        programme.lireScene(nomFichier, lecture);
+        SceneLue lue = programme.lireScene(nomFichier, this);
+        ReglagesDessin lus = new ReglagesDessin(lue.variantes, options);
+        Modele installe = lus.getModele();
+        lus.verifier(options);
+        Scene neuve = new Scene(lue.objets, lue.lampes);
+        // la scène d'avant reste, si cette lecture est abandonnée
+        Recherche.obeir();
         lectureNs = System.nanoTime() - debut;
-        modele = lecture.modele;
-        remplacer(nomFichier, lecture.origines, lecture.reglages);
-        return lecture.avertissements;
+        scene = neuve;
+        modele = installe;
+        remplacer(nomFichier, lue.origines, lus);
+        return lue.avertissements;
     }
 
-    /** Une lecture, qui dit où elle en est et installe les variantes selon la ligne de commande. */
-    private final class Lecture extends LecteurScene {
-
-        private ReglagesDessin reglages;
-
-        @Override
-        public void accept(double part) {
-            Dessinateur.this.accept(part);
-        }
-
-        @Override
-        protected Modele installer(Map<Variante, Section> variantes) {
-            reglages = new ReglagesDessin(variantes, options);
-            Modele installe = reglages.getModele();
-            reglages.verifier(options);
-            // la scène d'avant reste, si cette lecture est abandonnée
-            Recherche.obeir();
-            return installe;
-        }
+    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
+    @Override
+    public void accept(double part) {
+        avancement = part;
     }
 
     /** Oublie le dessin d'avant : il n'est pas celui de cette scène ainsi réglée, même tant qu'elle n'est que lue. */
@@ -140,12 +130,6 @@ public final class Dessinateur implements DoubleConsumer {
     /** Réglages de la scène lue, tant que {@link #regler} n'en dit pas plus. */
     public ReglagesDessin getReglages() {
         return dessin.reglages;
-    }
-
-    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
-    @Override
-    public void accept(double part) {
-        avancement = part;
     }
 
     /** La part faite de la lecture, ou de la préparation, de 0 à 1. */
@@ -179,8 +163,8 @@ public final class Dessinateur implements DoubleConsumer {
     }
 
     /** Une vue de la scène lue, ainsi réglée. */
-    private Scene getScene() {
-        return programme.getScene().avec(modele);
+    Scene getScene() {
+        return scene.avec(modele);
     }
 
     /** Prépare la scène lue pour une image, qui devient celle que l'on dessine. */

@@ -1,17 +1,15 @@
 package lancer.dessin;
 
-import lancer.Scene;
+import java.util.function.DoubleConsumer;
 import lancer.contrat.Toile;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 
-/** Le programme, vu de ce qui le mène, fenêtre ou ligne de commande : une scène, et de quoi la dessiner. */
+/** Le programme, vu de ce qui le mène, fenêtre ou ligne de commande : de quoi lire une scène et la dessiner. */
 public interface Programme extends Toile {
 
-    /** Lit une scène, qui devient celle à dessiner : voir {@link Scene#Scene(String, LecteurScene)}. */
-    void lireScene(String nomFichier, LecteurScene lecteur);
-
-    /** La scène lue, {@code null} tant qu'aucune ne l'est. */
-    Scene getScene();
+    /** Lit une scène à dessiner : voir {@link LecteurScene#lire}. */
+    SceneLue lireScene(String nomFichier, DoubleConsumer suivi);
 
     /**
      * Dessine la scène, brouillon puis image : le travail du SwingWorker de la fenêtre.

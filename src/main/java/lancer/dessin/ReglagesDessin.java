@@ -1,6 +1,7 @@
 package lancer.dessin;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -114,15 +115,17 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** Variantes branchées qui ont une échelle, et dont le fichier ne dit rien : des essais peuvent les régler. */
-    public List<Variante> getEssayees() {
-        return lues.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
-                && !variante.getEchelle().isEmpty()).collect(Collectors.toList());
+    /** Variantes branchées qui ont une échelle, dont la section n'est pas dans le fichier : des essais les règlent. */
+    public Map<Variante, Section> getEssayees() {
+        Map<Variante, Section> essayees = new LinkedHashMap<>(lues);
+        essayees.entrySet().removeIf(lue -> !estBranchee(lue.getKey()) || lue.getValue().ligne != 0
+                || lue.getKey().getEchelle(lue.getValue()).isEmpty());
+        return essayees;
     }
 
     /** Section entière de la première variante que des essais règlent ; {@code null} s'il n'y en a pas. */
     public Section getSectionEssayee() {
-        return getEssayees().stream().map(this::getSectionEntiere).findFirst().orElse(null);
+        return getEssayees().keySet().stream().map(this::getSectionEntiere).findFirst().orElse(null);
     }
 
     /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */

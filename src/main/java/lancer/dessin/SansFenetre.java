@@ -155,7 +155,7 @@ public final class SansFenetre {
 
     private void dessinerUnPixel() {
         List<String> avertissements = dessinateur.lireScene(options.scene);
-        Inspection pixel = new Inspection(dessinateur.programme.getScene(), dessinateur.dessin.origines,
+        Inspection pixel = new Inspection(dessinateur.getScene(), dessinateur.dessin.origines,
                 new Camera(options.largeur, options.hauteur), options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);

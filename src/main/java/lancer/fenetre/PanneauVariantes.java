@@ -22,6 +22,7 @@ import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.scene.SectionLue;
 
 /** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y change. */
 @SuppressWarnings("serial")
@@ -114,7 +115,7 @@ final class PanneauVariantes extends JDialog {
                 regler(variante, parametre, String.format(Locale.ROOT, "%.3f %.3f %.3f", c[0], c[1], c[2]), false);
             }
         });
-        ajustements.add(() -> bouton.setBackground(new Color(Section.sansFichier("", "couleur",
+        ajustements.add(() -> bouton.setBackground(new Color(new SectionLue("", "couleur",
                 valeur(variante, parametre)).couleur("couleur", Double.MAX_VALUE).getCode())));
         return bouton;
     }

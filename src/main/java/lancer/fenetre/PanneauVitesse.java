@@ -121,7 +121,7 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
                 dessin.image.largeur, dessin.image.hauteur));
         dessin.reglages.getVariantes().stream().filter(dessin.reglages::estBranchee).forEach(variante -> scene.add(
-                dessin.reglages.getEssayees().contains(variante) ? variante.getSection()
+                dessin.reglages.getEssayees().containsKey(variante) ? variante.getSection()
                 : dessin.reglages.getSection(variante).toString()));
         return scene;
     }

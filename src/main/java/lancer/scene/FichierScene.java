@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
 import lancer.SceneFautive;
-import lancer.contrat.Section;
 import lancer.texte.Texte;
 
 /** Recherche du fichier d'une scène, et raisons de ne pouvoir le lire. */
@@ -70,7 +69,7 @@ public final class FichierScene {
     }
 
     static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
-        return new SceneFautive(Section.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
+        return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
     }
 
     /** Raison pour laquelle ce chemin ne mène à rien, et d'où il a été suivi. */

@@ -8,7 +8,6 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -19,10 +18,8 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
-import lancer.contrat.Modele;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.texte.Nombre;
+import lancer.scene.Origines.Origine;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
@@ -30,10 +27,10 @@ import org.ini4j.spi.IniHandler;
 import org.ini4j.spi.IniParser;
 
 /**
- * Lecture d'un fichier INI : objets, lampes, sections des variantes. ini4j ne sert ici qu'à découper les lignes
- * ({@code IniParser}) ; ses substitutions, par où passe la CVE-2022-41404, ne sont jamais appelées.
+ * Lecture d'un fichier INI. ini4j ne sert ici qu'à découper les lignes ({@code IniParser}) ; ses substitutions, par
+ * où passe la CVE-2022-41404, ne sont jamais appelées.
  */
-public class LecteurScene implements DoubleConsumer {
+public final class LecteurScene {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
@@ -41,48 +38,51 @@ public class LecteurScene implements DoubleConsumer {
     /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
     private static final int PALETTE_MAX = 256;
 
-    private static final String[] CLES_LAMPE = {"position", "couleur"};
     private static final List<String> CLES_MATIERE = Arrays.asList("Kd", "Ks", "Kr", "ns");
 
-    public final List<Objet3D> objets = new ArrayList<>();
-    public final List<Lampe> lampes = new ArrayList<>();
-    public final Origines origines = new Origines();
-
-    /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
-    public final List<String> avertissements = new ArrayList<>();
-
-    /** Modèle de la scène lue, qu'a rendu {@link #installer}. */
-    public Modele modele;
-
+    private final Path chemin;
     /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
-    private String fichier;
-    private Services services;
-    private final Map<String, Section> sectionsVariantes = new HashMap<>();
-    /** Chaque nom de section, et sa ligne. */
-    private final Map<String, Integer> noms = new HashMap<>();
+    private final String fichier;
+    private final Services services;
+    private final SceneLue lue = new SceneLue();
+    /** Les sections de variantes, par type, et les clés de chaque type d'objets. */
+    private final Map<String, SectionLue> sectionsVariantes = new HashMap<>();
+    private final Map<String, List<String>> cles = new HashMap<>();
+    /** L'origine de chaque section, par son nom, le type écrit comme il se doit. */
+    private final Map<String, Origine> noms = new HashMap<>();
     /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private Lignes lignes;
-    private Section courante;
+    private SectionLue courante;
+    private Origine origine;
+    /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+    private Forme forme;
+    private boolean lampe;
+
+    private LecteurScene(String nomFichier) {
+        chemin = FichierScene.trouver(nomFichier);
+        fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
+        services = new Services();
+        cles.put("lampe", Arrays.asList("position", "couleur"));
+    }
 
     /**
-     * Lit un fichier en entier. Un lecteur ne lit qu'une scène.
+     * Lit un fichier en entier.
      *
-     * @return ce lecteur
+     * @param nomFichier voir {@link FichierScene#trouver}
+     * @param suivi appelé à mesure, avec la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public LecteurScene lire(String nomFichier) {
-        fichier = nomFichier;
-        Path chemin = FichierScene.trouver(fichier);
-        if (!chemin.equals(Paths.get(fichier))) {
-            fichier = chemin.toString();
-        }
-        services = new Services();
+    public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
+        return new LecteurScene(nomFichier).lire(suivi);
+    }
+
+    private SceneLue lire(DoubleConsumer suivi) {
         try (InputStream entree = FichierScene.ouvrir(chemin)) {
-            lignes = new Lignes(entree, chemin.toFile().length(), this);
-            Sections sections = new Sections();
-            sections.parse(lignes, sections);
+            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
+            Decoupage decoupage = new Decoupage();
+            decoupage.parse(lignes, decoupage);
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
@@ -90,50 +90,25 @@ public class LecteurScene implements DoubleConsumer {
                     : "octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
-            throw new SceneFautive(Section.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
+            throw new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
             throw FichierScene.inutilisable(fichier,
                     FichierScene.pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
         }
-        Map<Variante, Section> variantes = new LinkedHashMap<>();
         for (Map.Entry<String, Variante> presente : services.variantes.entrySet()) {
-            Section donnee = sectionsVariantes.get(presente.getKey());
-            variantes.put(presente.getValue(), donnee != null ? donnee
-                    : new Section(fichier, presente.getValue().getSection(), 0));
+            SectionLue donnee = sectionsVariantes.get(presente.getKey());
+            lue.variantes.put(presente.getValue(), donnee != null ? donnee
+                    : new SectionLue(fichier, presente.getValue().getSection(), 0, null));
         }
-        modele = installer(variantes);
-        return this;
-    }
-
-    /** Appelé à mesure de la lecture, avec la part lue du fichier, de 0 à 1. */
-    @Override
-    public void accept(double part) {
-    }
-
-    /**
-     * Installe les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas.
-     *
-     * @throws SceneFautive si une section ne va pas, ou si deux variantes veulent le même contrat
-     */
-    protected Modele installer(Map<Variante, Section> variantes) {
-        Modele modele = new Modele();
-        for (Map.Entry<Variante, Section> presente : variantes.entrySet()) {
-            presente.getKey().installer(presente.getValue(), modele);
-            presente.getValue().verifierCles();
-        }
-        return modele;
+        return lue;
     }
 
     /** Découpage d'ini4j, sans ses échappements, et suite donnée à chaque ligne. */
-    private final class Sections extends IniParser implements IniHandler {
-
-        /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
-        private Forme forme;
-        private boolean lampe;
+    private final class Decoupage extends IniParser implements IniHandler {
 
         /** Évite la recherche de services que fait ini4j. */
-        Sections() {
+        Decoupage() {
             Config config = new Config();
             config.setInclude(false);
             config.setEscape(false);
@@ -152,36 +127,30 @@ public class LecteurScene implements DoubleConsumer {
             String type = Texte.minuscules(mot);
             int ligne = lignes.getNumero();
             lampe = type.equals("lampe");
-            forme = lampe ? null : services.formes.get(type);
-            courante = new Section(fichier, nom, ligne, cles());
-            boolean presente = lampe || forme != null || services.variantes.containsKey(type);
+            forme = services.formes.get(type);
+            boolean variante = !lampe && forme == null;
+            courante = new SectionLue(fichier, nom, ligne, cles(type));
+            boolean presente = !variante || services.variantes.containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
                 throw courante.fautive(ligne, null, "type de section inconnu", services.types());
             }
-            Integer deja = noms.putIfAbsent(type + nom.substring(mot.length()), ligne);
+            origine = new Origine(nom, ligne);
+            String ordinaire = forme == null ? type : forme.getSection();
+            Origine deja = noms.putIfAbsent(
+                    mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), origine);
             if (deja != null) {
-                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
+                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja.ligne,
                         "un nom différent pour chaque section");
             }
-            Section premiere = lampe || forme != null ? null : sectionsVariantes.put(type, courante);
+            SectionLue premiere = variante ? sectionsVariantes.put(type, courante) : null;
             if (premiere != null) {
                 throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne "
                         + premiere.ligne, "une seule section " + mot);
             }
             if (!presente) {
-                avertissements.add(Section.message(fichier, ligne, nom, null, "section laissée de côté",
+                lue.avertissements.add(SectionLue.message(fichier, ligne, nom, null, "section laissée de côté",
                         "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
             }
-        }
-
-        private String[] cles() {
-            if (forme == null) {
-                return lampe ? CLES_LAMPE : new String[0];
-            }
-            List<String> siennes = new ArrayList<>(Arrays.asList(Objects.requireNonNull(forme.getCles(),
-                    forme.getClass().getName() + ".getCles a rendu null")));
-            siennes.addAll(CLES_MATIERE);
-            return siennes.toArray(new String[0]);
         }
 
         @Override
@@ -192,12 +161,13 @@ public class LecteurScene implements DoubleConsumer {
         @Override
         public void endSection() {
             if (lampe) {
-                lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
-                origines.ajouter(lampes.get(lampes.size() - 1), courante);
+                lue.lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
+                lue.origines.ajouter(lue.lampes.get(lue.lampes.size() - 1), origine);
             } else if (forme != null) {
-                objets.add(lireForme(forme));
-                lireMatiere(objets.get(objets.size() - 1));
-                origines.ajouter(objets.get(objets.size() - 1), courante);
+                Objet3D objet = lireForme();
+                lireMatiere(objet);
+                lue.objets.add(objet);
+                lue.origines.ajouter(objet, origine);
             }
         }
 
@@ -214,8 +184,18 @@ public class LecteurScene implements DoubleConsumer {
         }
     }
 
+    private List<String> cles(String type) {
+        if (forme != null && !cles.containsKey(type)) {
+            List<String> siennes = new ArrayList<>(Arrays.asList(Objects.requireNonNull(forme.getCles(),
+                    forme.getClass().getName() + ".getCles a rendu null")));
+            siennes.addAll(CLES_MATIERE);
+            cles.put(type, siennes);
+        }
+        return cles.get(type);
+    }
+
     /** L'objet de la section, encore sans matière. Une exception de la forme est une section refusée. */
-    private Objet3D lireForme(Forme forme) {
+    private Objet3D lireForme() {
         try {
             Objet3D objet = forme.lire(courante);
             if (objet == null || objet == forme) {
@@ -270,6 +250,6 @@ public class LecteurScene implements DoubleConsumer {
     /** Refuse la ligne en cours, qui est de la section en cours si elle n'en commence pas une autre. */
     private SceneFautive refus(String faute, String attendu) {
         String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.nom;
-        return new SceneFautive(Section.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
+        return new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
     }
 }

@@ -1,14 +1,13 @@
 package lancer.scene;
 
-import java.io.BufferedReader;
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.Reader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CharsetDecoder;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
@@ -24,53 +23,45 @@ final class Lignes extends Reader {
     /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant {@code /dev/zero}, qui n'en a pas. */
     static final int LIGNE_MAX = 1 << 23;
 
-    /** Un caractère par octet : les lignes se coupent avant de se décoder, et chacune est jugée à son tour. */
-    private final BufferedReader octets;
-    private String brute = "";
-    private String ligne = "";
-    private int donnes;
+    private final InputStream entree;
+    private final long aLire;
+    private final DoubleConsumer suivi;
+    private final CharsetDecoder utf8 = StandardCharsets.UTF_8.newDecoder();
+    /** Tampon et octets lus, dont ceux de la ligne en cours, sans puis avec sa fin. */
+    private byte[] octets = new byte[1 << 14];
+    private int lus;
+    private int debut;
+    private int longueur;
+    private int occupes;
+    /** Vrai si la ligne en cours contient un caractère de contrôle. */
+    private boolean controles;
+    private CharBuffer ligne = CharBuffer.allocate(0);
     private int numero;
-    /** Octets que la ligne en cours a fait lire. */
-    private int lusPourElle;
+    private long total;
 
     /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
     Lignes(InputStream entree, long aLire, DoubleConsumer suivi) {
-        InputStream suivie = new FilterInputStream(entree) {
-            private long total;
-
-            @Override
-            public int read(byte[] cible, int position, int nombre) throws IOException {
-                if (Thread.currentThread().isInterrupted()) {
-                    throw new CancellationException("lecture interrompue");
-                }
-                if (lusPourElle > LIGNE_MAX) {
-                    throw new LigneTropLongue();
-                }
-                int lus = super.read(cible, position, nombre);
-                lusPourElle += Math.max(0, lus);
-                total += Math.max(0, lus);
-                suivi.accept(Math.min(1, (double) total / Math.max(1, aLire)));
-                return lus;
-            }
-        };
-        octets = new BufferedReader(new InputStreamReader(suivie, StandardCharsets.ISO_8859_1));
+        this.entree = entree;
+        this.aLire = aLire;
+        this.suivi = suivi;
     }
 
-    /** Le numéro de la dernière ligne donnée, à partir de 1. */
+    /** Le numéro de la ligne donnée, à partir de 1. */
     int getNumero() {
         return numero;
     }
 
-    /** La dernière ligne donnée, telle que le fichier l'écrit ; ce qui n'y est pas de l'UTF-8 est remplacé. */
+    /** La ligne donnée, telle que le fichier l'écrit ; ce qui n'y est pas de l'UTF-8 est remplacé. */
     String getTexte() {
-        return ligne.replace("\n", "");
+        return ligne.duplicate().rewind().toString().replace("\n", "");
     }
 
     /**
-     * L'autre codage que trahit la dernière ligne donnée, {@code null} si elle peut être de l'UTF-8 : sa marque, au
+     * L'autre codage que trahit la ligne donnée, {@code null} si elle peut être de l'UTF-8 : sa marque, au
      * début du fichier, ou les octets nuls de ses lettres, un sur deux en UTF-16, trois sur quatre en UTF-32.
      */
     String autreCodage() {
+        String brute = new String(octets, debut, longueur, StandardCharsets.ISO_8859_1);
         boolean marque16 = brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE");
         boolean marque32 = brute.startsWith("\u00FF\u00FE\0\0") || brute.startsWith("\0\0\u00FE\u00FF");
         int nuls = brute.length() - brute.replace("\0", "").length();
@@ -82,62 +73,91 @@ final class Lignes extends Reader {
 
     @Override
     public int read(char[] cible, int position, int nombre) throws IOException {
-        if (donnes == ligne.length() && !avancer()) {
+        if (!ligne.hasRemaining() && !avancer()) {
             return -1;
         }
-        int n = Math.min(nombre, ligne.length() - donnes);
-        ligne.getChars(donnes, donnes + n, cible, position);
-        donnes += n;
+        int n = Math.min(nombre, ligne.remaining());
+        ligne.get(cible, position, n);
         return n;
     }
 
-    /** Passe à la ligne suivante, fin de ligne comprise (CR, LF ou CRLF, rendue par LF). */
+    /** Passe à la ligne suivante, la décode, et la finit par LF. */
     private boolean avancer() throws IOException {
         numero++;
-        lusPourElle = 0;
-        String lue = octets.readLine();
-        if (lue == null) {
-            numero--;
+        if (!couper()) {
             return false;
         }
-        brute = lue;
-        String texte = estSimple(lue) ? lue : decoder(lue.getBytes(StandardCharsets.ISO_8859_1));
-        if (texte.length() > LIGNE_MAX) {
+        if (ligne.capacity() <= longueur) {
+            ligne = CharBuffer.allocate(longueur + 1);
+        }
+        ligne.clear();
+        boolean fausse = utf8.reset().decode(ByteBuffer.wrap(octets, debut, longueur), ligne, true).isError();
+        ligne.put('\n').flip();
+        if (fausse) {
+            ligne = CharBuffer.wrap(new String(octets, debut, longueur, StandardCharsets.UTF_8));
+        }
+        if (numero == 1 && ligne.get(0) == '\uFEFF') {
+            ligne.get();
+            ligne = ligne.slice();
+        }
+        if (fausse || controles && autreCodage() != null) {
+            throw new CharacterCodingException();
+        }
+        if (controles) {
+            StringBuilder s = new StringBuilder();
+            for (char c : getTexte().toCharArray()) {
+                s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
+            }
+            ligne = CharBuffer.wrap(s.append('\n').toString().toCharArray());
+        }
+        if (ligne.length() > LIGNE_MAX + 1) {
             throw new LigneTropLongue();
         }
         int mot = 0;
-        while (mot < texte.length() && (texte.charAt(mot) == ' ' || texte.charAt(mot) == '\t')) {
+        while (ligne.get(mot) == ' ' || ligne.get(mot) == '\t') {
             mot++;
         }
-        boolean commentaire = texte.startsWith(";", mot) || texte.startsWith("#", mot);
-        ligne = commentaire ? "\n" : texte + '\n';
-        donnes = 0;
-        return true;
-    }
-
-    /** Dit si cette ligne est toute en ASCII visible. */
-    private static boolean estSimple(String lue) {
-        for (int i = 0; i < lue.length(); i++) {
-            char c = lue.charAt(i);
-            if (c < ' ' && c != '\t' || c >= 0x80) {
-                return false;
-            }
+        if (ligne.get(mot) == ';' || ligne.get(mot) == '#') {
+            ligne.position(ligne.limit() - 1);
         }
         return true;
     }
 
-    private String decoder(byte[] lue) throws IOException {
-        String texte = new String(lue, StandardCharsets.UTF_8);
-        ligne = numero == 1 && texte.startsWith("\uFEFF") ? texte.substring(1) : texte;
-        donnes = ligne.length();
-        if (!Arrays.equals(texte.getBytes(StandardCharsets.UTF_8), lue) || autreCodage() != null) {
-            throw new CharacterCodingException();
+    /** Cherche où finit la ligne suivante, par CR, LF ou CRLF. */
+    private boolean couper() throws IOException {
+        debut += occupes;
+        controles = false;
+        int n = 0;
+        for (; (debut + n < lus || remplir()) && octets[debut + n] != '\n' && octets[debut + n] != '\r'; n++) {
+            controles |= octets[debut + n] >= 0 && octets[debut + n] < ' ' && octets[debut + n] != '\t';
         }
-        StringBuilder s = new StringBuilder();
-        for (char c : ligne.toCharArray()) {
-            s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
+        longueur = n;
+        if (debut + n < lus && octets[debut + n++] == '\r' && (debut + n < lus || remplir())
+                && octets[debut + n] == '\n') {
+            n++;
         }
-        return s.toString();
+        occupes = n;
+        return n > 0;
+    }
+
+    /** Lit la suite du fichier, après la ligne en cours, portée au début du tampon. */
+    private boolean remplir() throws IOException {
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("lecture interrompue");
+        }
+        lus -= debut;
+        if (lus > LIGNE_MAX) {
+            throw new LigneTropLongue();
+        }
+        byte[] place = lus < octets.length ? octets : new byte[2 * lus];
+        System.arraycopy(octets, debut, place, 0, lus);
+        octets = place;
+        debut = 0;
+        int n = Math.max(0, entree.read(octets, lus, octets.length - lus));
+        lus += n;
+        total += n;
+        suivi.accept(Math.min(1, (double) total / Math.max(1, aLire)));
+        return n > 0;
     }
 
     /** Une ligne que personne n'a pu vouloir. */
@@ -147,6 +167,6 @@ final class Lignes extends Reader {
 
     @Override
     public void close() throws IOException {
-        octets.close();
+        entree.close();
     }
 }

@@ -1,27 +1,44 @@
 package lancer.scene;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
-import lancer.contrat.Section;
+import java.util.Map;
 
-/** Origine de chaque objet et de chaque lampe d'un fichier : le nom de sa section, et sa ligne. */
+/** Origine de chaque objet et de chaque lampe d'un fichier. */
 public final class Origines {
 
     private final List<Object> choses = new ArrayList<>();
-    private final List<String> textes = new ArrayList<>();
+    private final List<Origine> lues = new ArrayList<>();
+    /** Les origines, par objet ou lampe : rangées à la première question, qu'une image sans fenêtre ne pose pas. */
+    private Map<Object, Origine> rangees;
 
-    void ajouter(Object chose, Section section) {
+    /** Le nom d'une section, et sa ligne. */
+    static final class Origine {
+
+        final String nom;
+        final int ligne;
+
+        Origine(String nom, int ligne) {
+            this.nom = nom;
+            this.ligne = ligne;
+        }
+    }
+
+    void ajouter(Object chose, Origine origine) {
         choses.add(chose);
-        textes.add("[" + section.nom + "] ligne " + section.ligne);
+        lues.add(origine);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
-    public String de(Object chose) {
-        for (int k = 0; k < choses.size(); k++) {
-            if (choses.get(k) == chose) {
-                return textes.get(k);
+    public synchronized String de(Object chose) {
+        if (rangees == null) {
+            rangees = new IdentityHashMap<>(choses.size());
+            for (int k = 0; k < choses.size(); k++) {
+                rangees.putIfAbsent(choses.get(k), lues.get(k));
             }
         }
-        return null;
+        Origine origine = rangees.get(chose);
+        return origine == null ? null : "[" + origine.nom + "] ligne " + origine.ligne;
     }
 }

@@ -9,7 +9,7 @@ import java.util.Locale;
  */
 public final class Nombre {
 
-    private static final String CARACTERES = "0123456789.eE+-";
+    private static final String AUTRES = ".eE+-";
 
     private Nombre() {
     }
@@ -24,7 +24,8 @@ public final class Nombre {
     /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */
     public static double lire(String s) {
         for (int i = 0; i < s.length(); i++) {
-            if (CARACTERES.indexOf(s.charAt(i)) < 0) {
+            char c = s.charAt(i);
+            if ((c < '0' || c > '9') && AUTRES.indexOf(c) < 0) {
                 return Double.NaN;
             }
         }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
@@ -25,8 +26,9 @@ import lancer.Vecteur;
 import lancer.contrat.Barreau;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.fils.Traceur;
 import lancer.dessin.Dessinateur;
+import lancer.fils.Traceur;
+import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,10 +43,10 @@ class AutoTest {
     private static final int HAUTEUR = 30;
     private static final int LARGEUR = 40;
 
-    private static final List<Variante> SANS = Collections.emptyList();
-    private static final List<Variante> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
+    private static final Map<Variante, Section> SANS = Collections.emptyMap();
+    private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
-    private static Auto auto(Scene scene, int largeur, int hauteur, List<Variante> variantes, double voulue) {
+    private static Auto auto(Scene scene, int largeur, int hauteur, Map<Variante, Section> variantes, double voulue) {
         return Auto.choisir(Dessinateur.traceur(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
     }
 
@@ -314,8 +316,8 @@ class AutoTest {
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
         Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        List<Variante> fautive = Collections.singletonList(
-                new GrilleDEssai(Collections.singletonList(new Barreau(Section.sansFichier("Grille", "m", "3"), 1, 1))));
+        Map<Variante, Section> fautive = GrilleDEssai.avec(
+                Collections.singletonList(new Barreau(new SectionLue("Grille", "m", "3"), 1, 1)));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, 1, null, null, 1, fautive, enCours -> { }));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
@@ -323,9 +325,9 @@ class AutoTest {
     @Test
     void uneVarianteSansEchelleEstNommee() {
         Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
-        List<Variante> muette = Collections.singletonList(new GrilleDEssai(null));
+        Map<Variante, Section> muette = GrilleDEssai.avec(null);
         NullPointerException e = assertThrows(NullPointerException.class,
                 () -> Auto.choisir(lancer, 1, null, null, 1, muette, enCours -> { }));
-        assertEquals(muette.get(0).getClass().getName() + ".getEchelle a rendu null", e.getMessage());
+        assertEquals(GrilleDEssai.class.getName() + ".getEchelle a rendu null", e.getMessage());
     }
 }

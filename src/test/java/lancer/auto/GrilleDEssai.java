@@ -3,6 +3,7 @@ package lancer.auto;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.Couleur;
 import lancer.contrat.Barreau;
@@ -13,6 +14,7 @@ import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 import lancer.contrat.Vue;
+import lancer.scene.SectionLue;
 
 /** Une quatrième variante, d'étudiant : n × n sous-pixels. */
 final class GrilleDEssai implements Variante {
@@ -25,15 +27,19 @@ final class GrilleDEssai implements Variante {
     }
 
     /** Elle seule, à essayer avec ces n. */
-    static List<Variante> seule(String... n) {
-        return Collections.singletonList(new GrilleDEssai(
-                Arrays.stream(n).map(GrilleDEssai::barreau).collect(Collectors.toList())));
+    static Map<Variante, Section> seule(String... n) {
+        return avec(Arrays.stream(n).map(GrilleDEssai::barreau).collect(Collectors.toList()));
+    }
+
+    /** Elle seule, à essayer selon cette échelle. */
+    static Map<Variante, Section> avec(List<Barreau> echelle) {
+        return Collections.singletonMap(new GrilleDEssai(echelle), new SectionLue("Grille"));
     }
 
     /** Une grille pleine de n × n gagne un facteur n^(4/3) pour n² fois le prix, à peu près. */
     static Barreau barreau(String n) {
         double cote = Double.parseDouble(n);
-        return new Barreau(Section.sansFichier("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
+        return new Barreau(new SectionLue("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
     }
 
     @Override
@@ -47,7 +53,7 @@ final class GrilleDEssai implements Variante {
     }
 
     @Override
-    public List<Barreau> getEchelle() {
+    public List<Barreau> getEchelle(Section sienne) {
         return echelle;
     }
 

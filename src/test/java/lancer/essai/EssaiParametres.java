@@ -10,6 +10,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.scene.SectionLue;
 
 /** Ce qu'une variante laisse régler à la souris. */
 public final class EssaiParametres {
@@ -32,7 +33,7 @@ public final class EssaiParametres {
                 }
             }
             for (String valeur : valeurs) {
-                Section section = Section.sansFichier(variante.getSection(), p.cle, valeur);
+                Section section = new SectionLue(variante.getSection(), p.cle, valeur);
                 variante.installer(section, new Modele());
                 section.verifierCles();
             }

@@ -20,13 +20,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.DoubleConsumer;
 import javax.swing.AbstractButton;
-import javax.swing.JTextArea;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
@@ -36,7 +36,7 @@ import lancer.SceneFautive;
 import lancer.dessin.Dessin;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
-import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */
@@ -81,9 +81,9 @@ class FenetreDessinTest extends EssaiFenetre {
             }
 
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 premiere = getDessinateur().getImage() == null;
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         });
         banc.imageAchevee();
@@ -161,12 +161,12 @@ class FenetreDessinTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(lecture);
                 }
                 premiere = false;
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getTraceur() != null);
@@ -194,22 +194,22 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
-        LecteurScene[] lecteurs = new LecteurScene[1];
+        DoubleConsumer[] suivis = new DoubleConsumer[1];
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 if (getDessinateur().getImage() != null) {
-                    lecteurs[0] = lecteur;
-                    lecteur.accept(0.42);
+                    suivis[0] = suivi;
+                    suivi.accept(0.42);
                     attendreSansEtreInterrompu(lecture);
                 }
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         });
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
         attendre("la part lue", () -> banc.avancement.getString().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
-        lecteurs[0].accept(0.73);
+        suivis[0].accept(0.73);
         attendre("elle avance", () -> banc.avancement.getString().startsWith("lecture 73 % — "));
         lecture.countDown();
         banc.imageAchevee();
@@ -219,15 +219,15 @@ class FenetreDessinTest extends EssaiFenetre {
     private MainLent lectureVue() {
         return new MainLent(args()) {
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
-                lecteur.accept(0.42);
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                suivi.accept(0.42);
                 try {
                     composant("avancement", JProgressBar.class);
                     attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));
                 } catch (Exception e) {
                     throw new IllegalStateException(e);
                 }
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         };
     }
@@ -248,7 +248,7 @@ class FenetreDessinTest extends EssaiFenetre {
         AtomicBoolean arretee = new AtomicBoolean();
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 if (arretee.compareAndSet(false, true)) {
                     try {
                         Window fenetre = SwingUtilities.getWindowAncestor(composant("avancement", JProgressBar.class));
@@ -260,7 +260,7 @@ class FenetreDessinTest extends EssaiFenetre {
                         throw new CancellationException("arrêtée, comme une vraie lecture");
                     }
                 }
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         });
         attendre("la fenêtre le dit", () -> banc.panneau.ligne.startsWith("F5 pour lire la scène"));
@@ -284,11 +284,11 @@ class FenetreDessinTest extends EssaiFenetre {
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 if (fichier.equals(longue.toString())) {
                     attendreSansEtreInterrompu(lecture);
                 }
-                super.lireScene(fichier, lecteur);
+                return super.lireScene(fichier, suivi);
             }
         });
         banc.imageAchevee();

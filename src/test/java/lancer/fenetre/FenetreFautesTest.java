@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import javax.swing.JDialog;
 import javax.swing.JTextArea;
@@ -22,7 +23,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.image.ImageMemoire;
-import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui manque au dessin : une scène devenue fautive, un pixel qu'une classe ne sait pas calculer. */
@@ -63,20 +64,11 @@ class FenetreFautesTest extends EssaiFenetre {
 
     private void ouvrirAvecUnMur(boolean partout) throws Exception {
         banc = new BancFenetre(new MainLent(args()) {
-            private Scene avecMur;
-
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
-                super.lireScene(fichier, lecteur);
-                Scene lue = super.getScene();
-                java.util.List<Objet3D> objets = new java.util.ArrayList<>(lue.getObjets());
-                objets.add(new Mur(partout));
-                avecMur = new Scene(objets, lue.getLampes()).avec(lue.getModele());
-            }
-
-            @Override
-            public Scene getScene() {
-                return avecMur;
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                SceneLue lue = super.lireScene(fichier, suivi);
+                lue.objets.add(new Mur(partout));
+                return lue;
             }
         });
     }

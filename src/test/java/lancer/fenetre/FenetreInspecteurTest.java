@@ -14,18 +14,16 @@ import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.DoubleConsumer;
 import javax.swing.JTextPane;
 import lancer.Objet3D;
 import lancer.Rayon;
-import lancer.Scene;
 import lancer.Vecteur;
 import lancer.essai.Essai;
-import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image. */
@@ -260,19 +258,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     void pendantUnLongPixelLeTexteDAvantResteEnGrisEtCalculSeDit() throws Exception {
         AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
         banc = new BancFenetre(new MainLent(args()) {
-            private Scene avecMur;
-
             @Override
-            public void lireScene(String fichier, LecteurScene lecteur) {
-                super.lireScene(fichier, lecteur);
-                List<Objet3D> objets = new ArrayList<>(super.getScene().getObjets());
-                objets.add(new Lent(lenteur));
-                avecMur = new Scene(objets, super.getScene().getLampes()).avec(super.getScene().getModele());
-            }
-
-            @Override
-            public Scene getScene() {
-                return avecMur;
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                SceneLue lue = super.lireScene(fichier, suivi);
+                lue.objets.add(new Lent(lenteur));
+                return lue;
             }
         });
         banc.imageAchevee();

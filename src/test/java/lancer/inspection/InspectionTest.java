@@ -32,11 +32,11 @@ import lancer.essai.Ressources;
 import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
 import lancer.scene.Origines;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
 class InspectionTest {
@@ -49,10 +49,10 @@ class InspectionTest {
         "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
     void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
         String fichier = Ressources.chemin("reference/" + nom + ".ini");
-        LecteurScene lecteur = new LecteurScene();
-        Scene scene = new Scene(fichier, lecteur);
+        SceneLue lue = LecteurScene.lire(fichier, part -> { });
+        Scene scene = new Scene(lue.objets, lue.lampes);
         scene.getModele().setSeuil(seuil);
-        Origines origines = lecteur.origines;
+        Origines origines = lue.origines;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
@@ -72,11 +72,11 @@ class InspectionTest {
     @Test
     void laLigneDeCommandeDitLaMemeChoseQueLaRechercheSoitRapideOuNon() {
         String fichier = Ressources.chemin("reference/p4-foule.ini");
-        LecteurScene lecteur = new LecteurScene();
-        Scene rapide = new Scene(fichier, lecteur);
+        SceneLue lue = LecteurScene.lire(fichier, part -> { });
+        Scene rapide = new Scene(lue.objets, lue.lampes);
         rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = new Inspection(rapide, lecteur.origines, new Camera(80, 60), 5, x, 30);
+            Inspection pixel = new Inspection(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
             pixel.faire();
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
             assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
@@ -180,8 +180,8 @@ class InspectionTest {
         Depliage depliage = new Depliage();
         for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
             Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
-            LecteurScene lecteur = new LecteurScene();
-            Inspection pixel = new Inspection(new Scene(fichier.toString(), lecteur), lecteur.origines, new Camera(9, 9), 5, 4, 4);
+            SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
+            Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4);
             pixel.faire();
             depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
         }
@@ -234,7 +234,8 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(), camera, 5, 4, 4);
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(),
+                camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("pixel 4, 4", lignes.get(0));

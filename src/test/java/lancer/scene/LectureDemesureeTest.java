@@ -117,12 +117,7 @@ class LectureDemesureeTest {
     void laPartLueSeDitDuDebutALaFin() throws IOException {
         Path fichier = ecrire(DEBUT + "rayon=1\n", ";\n", 200_000, "");
         List<Double> parts = new ArrayList<>();
-        new LecteurScene() {
-            @Override
-            public void accept(double part) {
-                parts.add(part);
-            }
-        }.lire(fichier.toString());
+        LecteurScene.lire(fichier.toString(), parts::add);
         assertTrue(parts.size() >= 6, parts.toString());
         assertTrue(parts.get(0) > 0 && parts.get(0) <= 65536.0 / Files.size(fichier), parts.toString());
         assertEquals(1, parts.get(parts.size() - 1));

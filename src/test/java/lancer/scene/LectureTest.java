@@ -3,6 +3,7 @@ package lancer.scene;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -140,6 +141,19 @@ class LectureTest {
         Lampe lampe = scene.getLampes().get(0);
         assertEquals(new Point(-4, 6, -3), lampe.getPosition());
         assertEquals(new Couleur(0.8, 0.8, 0.75), lampe.getCouleur());
+    }
+
+    @Test
+    void laLectureDitDOuVientChaqueObjetEtChaqueLampe() throws IOException {
+        Path fichier = dossier.resolve("s.ini");
+        Files.write(fichier, Arrays.asList("; un commentaire", "[SPHERE  \t a]", "centre=0 0 6", "rayon=1", "", "[Lampe]",
+                "position=1 2 3", "couleur=1 1 1", "[Sphere é b]", "centre=0 0 6", "rayon=1"));
+        SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
+        assertEquals("[SPHERE a] ligne 2", lue.origines.de(lue.objets.get(0)));
+        assertEquals("[Lampe] ligne 6", lue.origines.de(lue.lampes.get(0)));
+        // sa jumelle : seule la scène la laisse de côté
+        assertEquals("[Sphere é b] ligne 9", lue.origines.de(lue.objets.get(1)));
+        assertNull(lue.origines.de(new Sphere(new Point(0, 0, 6), 1)));
     }
 
     @Test

@@ -60,11 +60,11 @@ public final class Antialias implements Variante {
     }
 
     @Override
-    public List<Barreau> getEchelle() {
+    public List<Barreau> getEchelle(Section sienne) {
         List<Barreau> echelle = new ArrayList<>();
         for (String barreau : ECHELLE) {
             String[] mots = barreau.split(" ");
-            Section section = Section.sansFichier("Antialias", "n", mots[0], "methode", mots[1], "seuil", mots[2]);
+            Section section = sienne.sansFichier("n", mots[0], "methode", mots[1], "seuil", mots[2]);
             echelle.add(new Barreau(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
         }
         return echelle;

@@ -8,12 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import lancer.Couleur;
+import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
-import lancer.contrat.Barreau;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
 
 /** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. Voir outils/mutants.md. */
@@ -114,7 +115,7 @@ class CasesTest {
     @Test
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
-        List<Barreau> echelle = antialias.getEchelle();
+        List<Barreau> echelle = antialias.getEchelle(new SectionLue("Antialias"));
         assertEquals(12, echelle.size());
         double prix = 0;
         for (Barreau barreau : echelle) {

@@ -13,14 +13,13 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.contrat.Variante;
+import lancer.dessin.Dessinateur;
 import lancer.essai.Essai;
 import lancer.fils.Traceur;
-import lancer.dessin.Dessinateur;
+import lancer.scene.SectionLue;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -55,8 +54,9 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstAttenduDeLEchelleEstCeQuOnEnDessine() {
         Traceur prepare = Dessinateur.traceur(new Scene(scene.toString()), 80, 60, false);
-        Auto auto = Auto.choisir(prepare, 0, null, null, 2, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
-        assertEquals(new Antialias().getEchelle().size(), auto.essayes.size());
+        Auto auto = Auto.choisir(prepare, 0, null, null, 2,
+                Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
+        assertEquals(new Antialias().getEchelle(new SectionLue("Antialias")).size(), auto.essayes.size());
         double[][] juste = image(prepare.avec(Antialias.coins(16, 0), 0), 1000);
         for (Candidat reglage : auto.essayes) {
             Traceur lancer = prepare.avec(reglage.echantillonnage, reglage.seuil);

@@ -8,14 +8,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
+import java.util.function.DoubleConsumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import javax.swing.SwingUtilities;
-import lancer.Scene;
 import lancer.contrat.Section;
 import lancer.dessin.ReglagesDessin;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
@@ -81,9 +82,10 @@ class FenetreEchantillonsTest extends EssaiFenetre {
     void unEchecDUneClasseDuCoursEstSitueDansLeCoursEtNonDansLAnticrenelage() throws Exception {
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public Scene getScene() {
-                super.getScene().getObjets().get(0).setKd(null);
-                return super.getScene();
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                SceneLue lue = super.lireScene(fichier, suivi);
+                lue.objets.get(0).setKd(null);
+                return lue;
             }
         });
         attendre("l'échec se dit", () -> banc.panneau.bandeau.getText().contains(" pixels n'ont pu être calculés"));

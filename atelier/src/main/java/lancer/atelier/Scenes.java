@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.scene.FichierScene;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 
 /**
  * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 »). Telles que
@@ -32,7 +33,7 @@ public final class Scenes {
 
     /** Une scène, sans variante. @throws lancer.SceneFautive si le fichier ne peut être utilisé */
     public static Scene lire(Path fichier) {
-        LecteurScene lu = new LecteurScene().lire(fichier.toString());
+        SceneLue lu = LecteurScene.lire(fichier.toString(), part -> { });
         return new Scene(lu.objets, lu.lampes);
     }
 

@@ -9,15 +9,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Point;
-import lancer.Scene;
 import lancer.Sphere;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,7 +39,7 @@ class FouleTest {
     void lesBoulesDevantLOeilNeSeTouchentPas(int n) throws IOException {
         Path fichier = dossier.resolve("scene.ini");
         Files.write(fichier, engendrer(n).getBytes(StandardCharsets.UTF_8));
-        LecteurScene lu = new LecteurScene().lire(fichier.toString());
+        SceneLue lu = LecteurScene.lire(fichier.toString(), part -> { });
         assertEquals(2, lu.lampes.size());
         assertTrue(lu.avertissements.isEmpty());
         List<Sphere> boules = lu.objets.stream().map(Sphere.class::cast).collect(Collectors.toList());

@@ -27,11 +27,11 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.auto.Auto;
-import lancer.contrat.Variante;
 import lancer.dessin.Dessinateur;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
+import lancer.scene.SectionLue;
 
 /**
  * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de
@@ -143,7 +143,7 @@ public final class MesureAuto {
 
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
         Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
-                taille.fils, Collections.<Variante>singletonList(new Antialias()), enCours -> { });
+                taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
         auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
         return auto;
     }
