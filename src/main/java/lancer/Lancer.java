@@ -1,17 +1,193 @@
 package lancer;
 
-import lancer.contrat.Boucle;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntConsumer;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
+import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
+import lancer.contrat.Vue;
+import lancer.fils.Equipe;
+import lancer.fils.Fautes;
 
-/** L'algorithme : de la scène à l'image (cours, « Algorithme général »). */
+/**
+ * L'algorithme : de la scène à l'image (cours, « Algorithme général »). Des fils se partagent l'image, pavé par pavé ;
+ * elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
+ */
 public final class Lancer {
 
     private final Scene scene;
     private final Camera camera;
+    private final Equipe equipe;
+    private final Fautes fautes;
+    private Compteurs compteurs = new Compteurs();
+    private long dureeNs;
 
     public Lancer(Scene scene, Camera camera) {
+        this(scene, camera, new Equipe("lancer"), new Fautes(camera.getLargeur()));
+    }
+
+    private Lancer(Scene scene, Camera camera, Equipe equipe, Fautes fautes) {
         this.scene = scene;
         this.camera = camera;
+        this.equipe = equipe;
+        this.fautes = fautes;
+    }
+
+    /**
+     * Dessine un brouillon, un rayon pour 4 × 4 pixels et une réflexion au plus, puis tous les pixels.
+     *
+     * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils d'exécution, au moins 1
+     * @throws CancellationException si {@link #arreter()} a été appelé
+     * @throws PixelFautif si un pixel ne peut être calculé
+     */
+    public void TracerImage(Toile toile, int profondeur, int fils) {
+        TracerBrouillon(toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        toile.finirBrouillon();
+        TracerPixels(toile, profondeur, fils);
+    }
+
+    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre. */
+    public void TracerBrouillon(Toile toile, int profondeur, int fils) {
+        partager(fils, true, null, toile, profondeur);
+    }
+
+    /** Dessine tous les pixels, comme le veut l'échantillonnage de la scène. */
+    public void TracerPixels(Toile toile, int profondeur, int fils) {
+        Echantillonnage choisi = scene.getModele().getEchantillonnage();
+        partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
+    }
+
+    /** Le brouillon d'un pavé. */
+    void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
+        for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
+            int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
+            for (int i = pave.i0; i < pave.i1; i += Constantes.PAS_BROUILLON) {
+                int iFin = Math.min(i + Constantes.PAS_BROUILLON, pave.i1);
+                Couleur couleur = getCouleurPixel((i + iFin) / 2.0, (j + jFin) / 2.0, profondeur);
+                for (int y = j; y < jFin; y++) {
+                    for (int x = i; x < iFin; x++) {
+                        toile.drawPixel(couleur, x, y);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Les pixels d'un pavé, un rayon au centre de chacun. */
+    void TracerPixels(Pave pave, Toile toile, int profondeur) {
+        for (int j = pave.j0; j < pave.j1; j++) {
+            for (int i = pave.i0; i < pave.i1; i++) {
+                toile.drawPixel(getCouleurPixel(i + 0.5, j + 0.5, profondeur), i, j);
+            }
+        }
+    }
+
+    /**
+     * La couleur vue à travers un point de l'écran ({@link Camera#getRayon}), non limitée.
+     *
+     * @param profondeur nombre de réflexions permises
+     * @throws PixelFautif si ce calcul échoue, ou n'est pas une couleur finie, et que c'est refusé
+     * @throws CancellationException si {@link #arreter()} a été appelé
+     */
+    public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
+        scene.getCompteurs().primaires++;
+        try {
+            Rayon initial = camera.getRayon(xe, ye);
+            Couleur vue = scene.getCouleurVue(initial, null, profondeur);
+            equipe.verifier();
+            return fautes.verifier(vue, xe, ye);
+        } catch (RuntimeException | Error e) {
+            return fautes.noter(e, xe, ye);
+        }
+    }
+
+    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        Recherche recherche = scene.getModele().getRecherche();
+        long construit = recherche == null ? 0 : recherche.getConstructionNs();
+        long debut = System.nanoTime();
+        int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+        List<Fil> ouvriers = new ArrayList<>();
+        for (int k = 0; k < Math.min(fils, nombre); k++) {
+            ouvriers.add(new Fil(brouillon, choisi, toile, profondeur));
+        }
+        equipe.faire(nombre, ouvriers);
+        Compteurs total = new Compteurs();
+        for (Fil fil : ouvriers) {
+            total.ajouter(fil.sien.scene.getCompteurs());
+        }
+        compteurs = total;
+        dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
+    }
+
+    /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
+    private final class Fil implements IntConsumer, Vue {
+
+        private final Lancer sien = new Lancer(scene.avec(scene.getModele()), camera, equipe, fautes);
+        private final boolean brouillon;
+        private final Echantillonnage choisi;
+        private final Toile toile;
+        private final int profondeur;
+
+        Fil(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+            this.brouillon = brouillon;
+            this.choisi = choisi;
+            this.toile = toile;
+            this.profondeur = profondeur;
+        }
+
+        @Override
+        public void accept(int rang) {
+            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+            if (brouillon) {
+                sien.TracerBrouillon(pave, toile, profondeur);
+            } else if (choisi == null) {
+                sien.TracerPixels(pave, toile, profondeur);
+            } else {
+                sien.scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+            }
+            fautes.peindre(pave, toile);
+        }
+
+        @Override
+        public Couleur couleur(double xe, double ye) {
+            return sien.getCouleurPixel(xe, ye, profondeur);
+        }
+
+        @Override
+        public long rayons() {
+            return sien.scene.getCompteurs().rayons();
+        }
+    }
+
+    /** Abandonne le dessin en cours, dans les 50 millisecondes, et tous les suivants. */
+    public void arreter() {
+        equipe.arreter();
+    }
+
+    /** La part faite de l'image (ou du brouillon) en cours, de 0 à 1. */
+    public double getAvancement() {
+        return (double) equipe.getFaites() / Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+    }
+
+    /** Les pixels qui ont échoué, s'ils sont tolérés. */
+    public Fautes getFautes() {
+        return fautes;
+    }
+
+    /** Comptes du dernier dessin achevé, tous fils ensemble. */
+    public Compteurs getCompteurs() {
+        return compteurs;
+    }
+
+    /** Le temps du dernier dessin achevé, en nanosecondes. */
+    public long getDureeNs() {
+        return dureeNs;
     }
 
     public Scene getScene() {
@@ -20,28 +196,5 @@ public final class Lancer {
 
     public Camera getCamera() {
         return camera;
-    }
-
-    /**
-     * La couleur vue à travers un point de l'écran ({@link Camera#getRayon}), non limitée.
-     *
-     * @param profondeur nombre de réflexions permises
-     */
-    public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
-        scene.getCompteurs().primaires++;
-        Rayon initial = camera.getRayon(xe, ye);
-        return scene.getCouleurVue(initial, null, profondeur);
-    }
-
-    /**
-     * Dessine un brouillon, un rayon pour 4 × 4 pixels et une réflexion au plus, puis tous les pixels.
-     *
-     * @param image la boucle sur l'image, que se partagent des fils : {@link lancer.fils.Traceur}
-     * @param profondeur nombre de réflexions permises
-     * @param fils nombre de fils d'exécution, au moins 1 ; l'image n'en dépend pas
-     */
-    public void TracerImage(Boucle image, Toile toile, int profondeur, int fils) {
-        image.TracerBrouillon(toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
-        image.TracerPixels(toile, profondeur, fils);
     }
 }

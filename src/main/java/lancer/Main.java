@@ -5,27 +5,28 @@ import java.util.function.DoubleConsumer;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
-import lancer.dessin.Dessinateur;
-import lancer.dessin.Programme;
+import lancer.contrat.Toile;
+import lancer.dessin.Dessin;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
-import lancer.fils.Traceur;
 import lancer.scene.LecteurScene;
+import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
-public class Main implements Programme {
+public class Main implements Toile, Lecture {
 
     private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    protected final Dessinateur dessinateur;
+    /** Ce qui se dessine, ou s'est dessiné en dernier. */
+    private volatile Dessin dessin;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        dessinateur = new Dessinateur(this, options, sortie, erreur);
+        dessin = new Dessin(options, this, options.scene, options.largeur, options.hauteur);
     }
 
     /** @param args voir {@code --aide} */
@@ -50,18 +51,19 @@ public class Main implements Programme {
     }
 
     private int executer() {
-        try {
-            if (options.aide || options.version) {
-                Pannes.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
-            } else if (options.sansFenetre()) {
-                return SansFenetre.faire(dessinateur);
-            } else {
-                Ouverture.ouvrir(dessinateur, options, erreur, () -> System.exit(0));
-            }
-            return 0;
-        } catch (PixelFautif e) {
-            throw dessinateur.nommer(e);
+        if (options.aide || options.version) {
+            Pannes.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
+        } else if (options.sansFenetre()) {
+            return SansFenetre.faire(options, dessin, this, sortie, erreur);
+        } else {
+            Ouverture.ouvrir(options, dessin, this::dessiner, erreur, () -> System.exit(0));
         }
+        return 0;
+    }
+
+    /** Ce qui se dessine, ou s'est dessiné en dernier. */
+    protected Dessin getDessin() {
+        return dessin;
     }
 
     @Override
@@ -69,21 +71,40 @@ public class Main implements Programme {
         return LecteurScene.lire(nomFichier, suivi);
     }
 
-    @Override
+    /** Dessine ceci, dont la scène est lue : le travail du SwingWorker de la fenêtre. */
+    protected void dessiner(Dessin voulu) {
+        dessin = voulu;
+        doTracerImage(voulu.largeur, voulu.hauteur);
+    }
+
+    /**
+     * Dessine la scène lue, brouillon puis image.
+     *
+     * @param largeur celle de l'image, en pixels
+     */
     public void doTracerImage(int largeur, int hauteur) {
-        Traceur traceur = dessinateur.preparer(largeur, hauteur);
-        traceur.tolerer();
+        Lancer lancer = dessin.preparer(largeur, hauteur);
+        lancer.getFautes().tolerer();
         try {
-            traceur.TracerImage(this, dessinateur.getReglages().getReflets(), options.fils);
+            lancer.TracerImage(this, dessin.getReglages().getReflets(), options.fils);
         } catch (PixelFautif e) {
-            throw dessinateur.nommer(e);
+            throw dessin.nommer(e);
         }
-        dessinateur.rapporter(traceur);
+        dessin.direEcart(erreur);
+        if (options.statistiques) {
+            sortie.println(dessin.statistiques(lancer, lancer.getDureeNs()));
+            sortie.flush();
+        }
     }
 
     /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        dessinateur.getImage().drawPixel(PixelFautif.verifier(coul, xe + 0.5, ye + 0.5), xe, ye);
+        dessin.getImage().drawPixel(coul, xe, ye);
+    }
+
+    @Override
+    public void finirBrouillon() {
+        dessin.finirBrouillon();
     }
 }

@@ -17,6 +17,12 @@ import lancer.scene.SceneLue;
  */
 public final class Scene {
 
+    /** Écart permis entre 1 et le carré de la longueur d'une direction, pour qu'une recherche y réponde. */
+    private static final double UNITE = 1e-10;
+
+    /** Objets demandés, moins un, entre deux regards à l'interruption du fil : un dixième de milliseconde. */
+    private static final long PAS = (1 << 14) - 1;
+
     private final List<Objet3D> objets;
     /** Lampes, en tableau, que chaque contact parcourt. */
     final Lampe[] lampes;
@@ -41,13 +47,13 @@ public final class Scene {
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
         this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
         this.lampes = lampes.toArray(new Lampe[0]);
-        modele = new Modele().pourUnFil(this.objets, compteurs);
+        modele = new Modele();
     }
 
     private Scene(Scene autre, Modele modele) {
         objets = autre.objets;
         lampes = autre.lampes;
-        this.modele = modele.pourUnFil(objets, compteurs);
+        this.modele = modele.pourUnFil(compteurs);
     }
 
     /** Une vue de plus sur cette scène, pour un fil, avec ses propres compteurs, dessinée selon ce modèle. */
@@ -67,7 +73,22 @@ public final class Scene {
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
-        modele.getRecherche().plusProche(incident, saufLui);
+        if (seCherche(incident.getV())) {
+            modele.getRecherche().plusProche(incident, saufLui);
+        } else {
+            Objet3D plusProche = null;
+            double distance = Constantes.INFINI;
+            for (Objet3D objet : objets) {
+                if (objet != saufLui) {
+                    double d = demander(objet, incident);
+                    if (d < distance) {
+                        plusProche = objet;
+                        distance = d;
+                    }
+                }
+            }
+            incident.setContact(plusProche, distance);
+        }
         return incident.calcContact();
     }
 
@@ -82,13 +103,39 @@ public final class Scene {
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
         Ecoute.ombre(modele.getEcoute(), L, distance);
-        Recherche recherche = modele.getRecherche();
         if (estLointaine(lampe)) {
             double milieu = distance / 2;
-            return recherche.estCachee(lampe, contact, L, milieu, objet)
-                    || recherche.estCachee(lampe, lampe.getPosition(), L.neg(), milieu, objet);
+            return estCacheeDe(contact, L, milieu, objet, lampe)
+                    || estCacheeDe(lampe.getPosition(), L.neg(), milieu, objet, lampe);
         }
-        return recherche.estCachee(lampe, lampe.getPosition(), L.neg(), distance, objet);
+        return estCacheeDe(lampe.getPosition(), L.neg(), distance, objet, lampe);
+    }
+
+    /** Dit si le rayon d'ombre qui part de P dans la direction V rencontre un autre objet avant cette distance. */
+    private boolean estCacheeDe(Point P, Vecteur V, double distance, Objet3D objet, Lampe lampe) {
+        if (seCherche(V)) {
+            return modele.getRecherche().estCachee(lampe, P, V, distance, objet);
+        }
+        Rayon ombre = Rayon.dOmbre(P, V);
+        for (Objet3D autre : objets) {
+            if (autre != objet && demander(autre, ombre) < distance) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Dit si une recherche répond à ce rayon : elle ne sait que les directions de longueur 1. */
+    private boolean seCherche(Vecteur V) {
+        return modele.getRecherche() != null && Math.abs(V.x * V.x + V.y * V.y + V.z * V.z - 1) < UNITE;
+    }
+
+    /** La distance où cet objet dit que ce rayon le rencontre. Le fil obéit de temps en temps. */
+    private double demander(Objet3D objet, Rayon rayon) {
+        if ((++compteurs.testsSpheres & PAS) == 0) {
+            Recherche.obeir();
+        }
+        return Recherche.verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
     /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */

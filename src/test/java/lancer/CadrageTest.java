@@ -2,10 +2,9 @@ package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.Set;
-import lancer.contrat.Echantillonnage;
-import lancer.contrat.Pave;
 import org.junit.jupiter.api.Test;
 
 /** Où passe le rayon d'un pixel, au bit près. */
@@ -39,10 +38,12 @@ class CadrageTest {
     @Test
     void unPixelEstVuEnSonCentre() {
         Set<String> vus = new HashSet<>();
-        Echantillonnage.CENTRE.tracer(new Pave(3, 5, 7, 8), new Pave(3, 5, 7, 8), (xe, ye) -> new Couleur(xe, ye, 0), (couleur, i, j) -> {
-            assertEquals(new Couleur(i + 0.5, j + 0.5, 0), couleur);
+        Camera camera = new Camera(4, 3);
+        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        new Lancer(ciel, camera).TracerPixels((couleur, i, j) -> {
+            assertEquals(camera.getRayon(i + 0.5, j + 0.5).getSkyColor(), couleur);
             vus.add(i + " " + j);
-        });
+        }, 0, 1);
         assertEquals(4 * 3, vus.size());
     }
 

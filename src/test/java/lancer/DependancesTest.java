@@ -85,7 +85,8 @@ class DependancesTest {
     @Test
     void lesClassesDuCoursNeDependentQueDesContratsEtDeLaPrecision() {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
-        verifier("lancer\\.(?!Main|Scene)\\w+|lancer\\.SceneFautive", permis);
+        verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
+        verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\.(Equipe|Fautes)");
         verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|SceneLue|Jumelles)");
     }
 

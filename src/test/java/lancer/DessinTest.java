@@ -4,6 +4,7 @@ import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.memesBits;
 import static lancer.essai.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,10 +13,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import lancer.contrat.Boucle;
 import lancer.contrat.Toile;
 import lancer.essai.Ressources;
-import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui ne doit changer l'image d'aucun bit, et ce qu'en font le brouillon et l'arrêt. */
@@ -65,7 +64,7 @@ class DessinTest {
         long[] comptes = null;
         for (int fils : new int[] {1, 2, 3, 7, 64}) {
             Ressources.Image image = new Ressources.Image(100, 75);
-            Traceur lancer = new Traceur(scene, camera);
+            Lancer lancer = new Lancer(scene, camera);
             lancer.TracerPixels(image, 5, fils);
             long[] obtenus = {lancer.getCompteurs().primaires, lancer.getCompteurs().ombre, lancer.getCompteurs().reflechis,
                 lancer.getCompteurs().testsSpheres, lancer.getCompteurs().noeudsVisites};
@@ -87,17 +86,22 @@ class DessinTest {
         Camera camera = new Camera(largeur, hauteur);
         Ressources.Image brouillon = new Ressources.Image(largeur, hauteur);
         Lancer temoin = new Lancer(scene, camera);
-        temoin.TracerImage(new Boucle() {
+        Ressources.Image image = new Ressources.Image(largeur, hauteur);
+        boolean[] fini = new boolean[1];
+        temoin.TracerImage(new Toile() {
             @Override
-            public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-                new Traceur(scene, camera).TracerBrouillon(toile, profondeur, fils);
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                (fini[0] ? image : brouillon).drawPixel(coul, xe, ye);
             }
 
             @Override
-            public void TracerPixels(Toile toile, int profondeur, int fils) {
-                assertEquals(5, profondeur, "l'image vient après, avec toutes ses réflexions");
+            public void finirBrouillon() {
+                fini[0] = true;
             }
-        }, brouillon, 5, 2);
+        }, 5, 2);
+        Ressources.Image attendueEntiere = new Ressources.Image(largeur, hauteur);
+        new Lancer(scene, camera).TracerPixels(attendueEntiere, 5, 1);
+        assertArrayEquals(attendueEntiere.composantes, image.composantes, "l'image vient après, avec toutes ses réflexions");
         for (int j = 0; j < hauteur; j++) {
             for (int i = 0; i < largeur; i++) {
                 double xe = (i / 4 * 4 + Math.min(i / 4 * 4 + 4, largeur)) / 2.0;
@@ -112,7 +116,7 @@ class DessinTest {
     void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
         Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
         for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
-            Traceur lancer = new Traceur(ciel, new Camera(taille[0], taille[1]));
+            Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
             int[] peints = new int[1];
             lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
             assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getCompteurs().primaires, taille[0] + " × " + taille[1]);
@@ -123,7 +127,7 @@ class DessinTest {
     @Test
     void unDessinArreteNeFinitPas() {
         Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
-        Traceur lancer = new Traceur(scene, new Camera(64, 64));
+        Lancer lancer = new Lancer(scene, new Camera(64, 64));
         int[] pixels = new int[1];
         boolean arrete = false;
         try {

@@ -13,11 +13,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
-import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -79,7 +77,7 @@ class EgalitesTest {
                 Camera camera = new CameraAgrandie(Math.scalb(1.0, k));
                 Scene grosse = agrandie(scene, Math.scalb(1.0, k));
                 Ressources.Image lisible = new Ressources.Image(64, 48);
-                new Traceur(grosse, camera).TracerPixels(lisible, 5, 2);
+                new Lancer(grosse, camera).TracerPixels(lisible, 5, 2);
                 assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);
                 assertTrue(memesBits(attendue, imageRapide(grosse, camera, 5)), nom + " fois 2^" + k + ", recherche rapide");
             }
@@ -150,7 +148,11 @@ class EgalitesTest {
                 for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
                     for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
                         Pave petit = new Pave(Math.max(pave.i0, i - pas[0]), Math.max(pave.j0, j - pas[1]), i, j);
-                        Echantillonnage.CENTRE.tracer(petit, petit, vue, toile);
+                        for (int p = petit.i0; p < petit.i1; p++) {
+                            for (int q = petit.j0; q < petit.j1; q++) {
+                                toile.drawPixel(vue.couleur(p + 0.5, q + 0.5), p, q);
+                            }
+                        }
                     }
                 }
                 return 0;

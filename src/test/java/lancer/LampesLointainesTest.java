@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import lancer.contrat.RechercheSimple;
+import lancer.essai.RechercheSimple;
 import lancer.essai.Ombre;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.params.ParameterizedTest;

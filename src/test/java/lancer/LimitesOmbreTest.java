@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
+import lancer.essai.RechercheSimple;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheNaive;
 import lancer.essai.Ressources;

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
 import lancer.essai.Ressources;
-import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est vrai de tous les vecteurs, de tous les rayons, de toutes les sphères : tirages à graine fixe. */
@@ -160,7 +159,7 @@ class ProprietesTest {
                     Arrays.asList(new Lampe(point(Math.pow(10, 200 * hasard.nextDouble() - 100)), new Couleur(1e6)),
                             new Lampe(boules[1].getCentre(), new Couleur(1e6))));
             Ressources.Image image = new Ressources.Image(9, 9);
-            new Traceur(scene, new Camera(9, 9)).TracerPixels(image, 20, 1);
+            new Lancer(scene, new Camera(9, 9)).TracerPixels(image, 20, 1);
             assertEquals(0, image.ecart(image), "tirage " + k);
         }
     }

@@ -8,13 +8,13 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 import lancer.Camera;
+import lancer.Lancer;
 import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.fils.Traceur;
 
 /**
  * {@code --auto} : choisit le réglage le moins cher qui tient l'erreur voulue, en montant une échelle essayée sur
@@ -53,10 +53,10 @@ public final class Auto {
 
     /** Le candidat choisi, et de quoi dessiner la scène comme lui, à la profondeur qu'il dit. */
     public final Candidat choisi;
-    public final Traceur traceur;
+    public final Lancer lancer;
     private Tirage controle;
 
-    private Auto(Traceur prepare, double voulue, Limite[] limites, int fils, Map<Variante, Section> variantes,
+    private Auto(Lancer prepare, double voulue, Limite[] limites, int fils, Map<Variante, Section> variantes,
             Consumer<Auto> suivi) {
         this.voulue = voulue;
         this.limites = limites;
@@ -80,7 +80,8 @@ public final class Auto {
         }
         tirage = new Tirage(essais, semis, 0, voulue, reste(TIRER, semis.prix));
         choisi = monter(suivi);
-        traceur = prepare.avec(choisi.echantillonnage, choisi.seuil);
+        Modele modele = prepare.getScene().getModele().avec(choisi.echantillonnage, choisi.seuil);
+        lancer = new Lancer(prepare.getScene().avec(modele), prepare.getCamera());
     }
 
     /**
@@ -94,7 +95,7 @@ public final class Auto {
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
-    public static Auto choisir(Traceur prepare, double voulue, Integer reflets, Double seuil, int fils,
+    public static Auto choisir(Lancer prepare, double voulue, Integer reflets, Double seuil, int fils,
             Map<Variante, Section> variantes, Consumer<Auto> suivi) {
         return new Auto(prepare, voulue, Limite.permises(reflets, seuil), fils, variantes, suivi);
     }
@@ -143,7 +144,7 @@ public final class Auto {
     }
 
     /** Candidat que fait ce dessin de la scène, de cette section, à tant de réflexions ; une fois choisi. */
-    public Candidat evaluer(Section section, Traceur dessin, int reflets) {
+    public Candidat evaluer(Section section, Lancer dessin, int reflets) {
         Modele modele = dessin.getScene().getModele();
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
         presente.essayer(essais, semis, Double.MAX_VALUE);
@@ -184,7 +185,7 @@ public final class Auto {
         // un contrôle que trop peu de pixels portent ne dément pas des essais qui ne promettaient rien
         if (mesuree().plus(0) > voulue || mesuree().plus(-2) == 0 && choisi.auPlus > voulue) {
             return "erreur voulue dépassée" + (mesuree().plus(-2) > voulue ? "" : " sans doute")
-                    + (echelle.size() == 1 && deLaScene == Echantillonnage.CENTRE
+                    + (echelle.size() == 1 && deLaScene == null
                     ? " : il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
                     : choisi.auPlus > voulue ? " : il faudrait un échantillonnage plus fin, n=64 et seuil=0 au plus"
                     : " : demander deux fois moins d'erreur aiderait");

@@ -44,7 +44,7 @@ public final class Candidat {
     /** Demande de ce réglage : la section à écrire dans la scène, et les options. */
     @Override
     public String toString() {
-        return (section != null ? section.toString() : echantillonnage == Echantillonnage.CENTRE ? "un rayon par pixel"
+        return (section != null ? section.toString() : echantillonnage == null ? "un rayon par pixel"
                 : "l'échantillonnage de la scène") + ", " + limite;
     }
 }

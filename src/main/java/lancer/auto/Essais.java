@@ -10,8 +10,6 @@ import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
-import lancer.fils.Regard;
-import lancer.fils.Traceur;
 
 /** Essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
 final class Essais {
@@ -24,14 +22,14 @@ final class Essais {
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 
-    final Traceur prepare;
+    final Lancer prepare;
     private final int fils;
 
     /** Les rayons de toutes sortes lancés jusqu'ici, et ceux qu'une passe ne doit pas faire dépasser. */
     final AtomicLong rayons = new AtomicLong();
     private long borne;
 
-    Essais(Traceur prepare, int fils) {
+    Essais(Lancer prepare, int fils) {
         this.prepare = prepare;
         this.fils = fils;
     }
@@ -78,15 +76,21 @@ final class Essais {
     private Vue vue(Equipe equipe, int reflets, double seuil) {
         Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
         sien.getScene().getModele().setSeuil(seuil);
-        return new Regard(equipe, sien, reflets, null) {
+        return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
+                equipe.verifier();
                 long avant = rayons();
-                Couleur couleur = super.couleur(xe, ye);
+                Couleur couleur = sien.getCouleurPixel(xe, ye, reflets);
                 if (rayons.addAndGet(rayons() - avant) > borne) {
                     equipe.arreter();
                 }
                 return couleur;
+            }
+
+            @Override
+            public long rayons() {
+                return sien.getScene().getCompteurs().rayons();
             }
         };
     }

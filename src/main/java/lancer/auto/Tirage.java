@@ -125,7 +125,8 @@ final class Tirage {
     /** Dessine ces pixels, ou les premiers si ces rayons n'y suffisent pas. */
     void dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
         Camera camera = essais.prepare.getCamera();
-        Echantillonnage prepare = echantillonnage.pour(essais.prepare.getScene().getObjets(), camera);
+        Echantillonnage prepare = echantillonnage == null ? null
+                : echantillonnage.pour(essais.prepare.getScene().getObjets(), camera);
         dessines = essais.passer(justes, limite.reflets, limite.seuil, permis, (k, vue) -> {
             Pixel pixel = pixels.get(k);
             int i = pixel.rang % semis.largeur;
@@ -139,8 +140,12 @@ final class Tirage {
                 pixel.lances += Math.floor(xe) == i && Math.floor(ye) == j ? vue.rayons() - avant : 0;
                 return couleur;
             };
-            prepare.tracer(pave, new Pave(i, j, i + 1, j + 1), comptee, (couleur, x, y) ->
-                    pixel.dessine = x == i && y == j ? Semis.niveaux(couleur) : pixel.dessine);
+            if (prepare == null) {
+                pixel.dessine = Semis.niveaux(comptee.couleur(i + 0.5, j + 0.5));
+            } else {
+                prepare.tracer(pave, new Pave(i, j, i + 1, j + 1), comptee, (couleur, x, y) ->
+                        pixel.dessine = x == i && y == j ? Semis.niveaux(couleur) : pixel.dessine);
+            }
         });
     }
 

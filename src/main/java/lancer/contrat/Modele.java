@@ -1,8 +1,6 @@
 package lancer.contrat;
 
-import java.util.List;
 import lancer.Constantes;
-import lancer.Objet3D;
 import lancer.SceneFautive;
 
 /**
@@ -14,12 +12,12 @@ public final class Modele {
 
     private Atmosphere atmosphere = Atmosphere.CLAIRE;
     private Specularite specularite = Specularite.PHONG;
-    private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
+    private Echantillonnage echantillonnage;
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
     private Ecoute ecoute;
 
-    /** Le modèle de la base, dont la recherche est celle des boucles du cours. */
+    /** Le modèle de la base : un rayon par pixel, les boucles du cours. */
     public Modele() {
     }
 
@@ -32,10 +30,10 @@ public final class Modele {
         ecoute = autre.ecoute;
     }
 
-    /** Modèle d'un fil de plus, identique, dont la recherche, dans ces objets, comptera dans {@code compteurs}. */
-    public Modele pourUnFil(List<Objet3D> objets, Compteurs compteurs) {
+    /** Modèle d'un fil de plus, identique, dont la recherche comptera dans {@code compteurs}. */
+    public Modele pourUnFil(Compteurs compteurs) {
         Modele sien = new Modele(this);
-        sien.recherche = recherche == null ? new RechercheSimple(objets, compteurs) : recherche.pourUnFil(compteurs);
+        sien.recherche = recherche == null ? null : recherche.pourUnFil(compteurs);
         return sien;
     }
 
@@ -72,14 +70,14 @@ public final class Modele {
         this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
     }
 
+    /** Échantillonnage de l'image ; {@code null} : un rayon au centre de chaque pixel. */
     public Echantillonnage getEchantillonnage() {
         return echantillonnage;
     }
 
     /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
     public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRE, echantillonnage,
-                "l'échantillonnage");
+        this.echantillonnage = libre(this.echantillonnage, null, echantillonnage, "l'échantillonnage");
     }
 
     /** Recherche qui répond aux rayons ; {@code null} : les boucles du cours. */

@@ -8,15 +8,15 @@ import lancer.Rayon;
 import lancer.Vecteur;
 
 /**
- * La seule porte de la vitesse : ce que les rayons demandent à la scène. {@link RechercheSimple} répond par les boucles
- * du cours ; toute autre recherche doit donner la même image, au bit près.
+ * La seule porte de la vitesse : ce que les rayons demandent à une scène. Une recherche, si la scène en a une, répond
+ * à la place des deux boucles de {@link lancer.Scene}, et donne la même image au bit près.
  */
 public interface Recherche {
 
     /**
-     * Cherche quel objet ce rayon rencontre d'abord. Note le contact dans le rayon (+∞ si rien), sans égard à ce qui y
-     * était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans la scène ; {@code saufLui},
-     * ou {@code null}, n'en est pas.
+     * Cherche quel objet ce rayon, de direction unitaire, rencontre d'abord. Note le contact dans le rayon (+∞ si
+     * rien), sans égard à ce qui y était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans
+     * la scène ; {@code saufLui}, ou {@code null}, n'en est pas.
      */
     void plusProche(Rayon incident, Objet3D saufLui);
 
@@ -32,11 +32,6 @@ public interface Recherche {
     /** Recherche d'un fil de plus, qui comptera dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
-    /** Ce qui a fait écarter une recherche plus rapide, qui ne répondait pas comme celle-ci ; {@code null} si rien. */
-    default String getEcart() {
-        return null;
-    }
-
     /** Temps qu'une recherche a mis à construire, préparation et demandes des rayons comprises, en nanosecondes. */
     default long getConstructionNs() {
         return 0;
@@ -47,5 +42,13 @@ public interface Recherche {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("travail interrompu");
         }
+    }
+
+    /** @throws ArithmeticException si cette distance, qu'a rendue cet objet, n'est pas un nombre */
+    static double verifier(double d, Objet3D objet) {
+        if (Double.isNaN(d)) {
+            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
+        }
+        return d;
     }
 }

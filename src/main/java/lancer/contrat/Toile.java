@@ -11,4 +11,8 @@ public interface Toile {
      * @param ye ligne, de 0 (en haut) à hauteur − 1
      */
     void drawPixel(Couleur coul, int xe, int ye);
+
+    /** Appelé une fois le brouillon fini : chaque pixel a une couleur. */
+    default void finirBrouillon() {
+    }
 }

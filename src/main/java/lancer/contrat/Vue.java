@@ -2,7 +2,7 @@ package lancer.contrat;
 
 import lancer.Couleur;
 
-/** Regard d'un fil à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
+/** Ce que voit un fil à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
 public interface Vue {
 
     /**

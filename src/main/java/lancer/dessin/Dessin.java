@@ -1,39 +1,266 @@
 package lancer.dessin;
 
+import java.io.PrintStream;
 import java.text.NumberFormat;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
-import lancer.fils.Traceur;
+import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lancer.Camera;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.commande.Echec;
+import lancer.commande.Options;
+import lancer.commande.Pannes;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Modele;
+import lancer.contrat.PixelFautif;
 import lancer.image.ImageMemoire;
-import lancer.scene.Origines;
+import lancer.rapide.Preparation;
+import lancer.rapide.RechercheRapide;
+import lancer.rapide.Sondage;
+import lancer.scene.Lecture;
+import lancer.scene.SceneLue;
+import lancer.texte.Texte;
 
-/** Une image, et ce dont elle est l'image : la scène préparée, ses réglages, ce qui l'a dessinée ou la dessine. */
-public final class Dessin {
+/**
+ * Ce qui se dessine : une scène, ses réglages, une taille, puis l'image et le lancer qui la fait. Un fil lit, prépare
+ * et dessine, dans cet ordre ; d'autres regardent où il en est. Chaque dessin a son image.
+ */
+public final class Dessin implements DoubleConsumer {
 
-    /** Le fichier de la scène. */
+    /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
+    private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
+
+    private static final double NS_PAR_MS = 1e6;
+
+    private final Options options;
+    private final Lecture lecture;
     public final String fichier;
+    public final int largeur;
+    public final int hauteur;
+    private volatile SceneLue lue;
+    private volatile ReglagesDessin reglages;
+    /** La scène ainsi réglée. */
+    private volatile Scene scene;
+    private volatile ImageMemoire image;
+    private volatile Lancer lancer;
+    private volatile String ecart;
+    private volatile double avancement;
+    private volatile boolean brouillonFait;
+    private Runnable entracte;
+    private long lectureNs;
+    private long preparationNs;
+    private long construitNs;
 
-    /** Origines, dans ce fichier, des objets et des lampes de la scène. */
-    public final Origines origines;
-    public final ReglagesDessin reglages;
-    public final ImageMemoire image;
-
-    /** Traceur de l'image, avec la scène réglée et la caméra. */
-    public final Traceur traceur;
-
-    /** @param image {@code null}, comme {@code traceur}, tant que la scène n'est que lue */
-    Dessin(String fichier, Origines origines, ReglagesDessin reglages, ImageMemoire image, Traceur traceur) {
+    /** Un dessin de cette scène, qui est à lire. */
+    public Dessin(Options options, Lecture lecture, String fichier, int largeur, int hauteur) {
+        this.options = options;
+        this.lecture = lecture;
         this.fichier = fichier;
-        this.origines = origines;
-        this.reglages = reglages;
-        this.image = image;
-        this.traceur = traceur;
+        this.largeur = largeur;
+        this.hauteur = hauteur;
+    }
+
+    /** Un dessin de cette autre scène, qui est à lire. */
+    public Dessin pour(String autreFichier, int autreLargeur, int autreHauteur) {
+        return new Dessin(options, lecture, autreFichier, autreLargeur, autreHauteur);
+    }
+
+    /** Un dessin de la même scène à cette taille ; elle est lue si elle l'était. */
+    public Dessin avec(int autreLargeur, int autreHauteur) {
+        Dessin autre = pour(fichier, autreLargeur, autreHauteur);
+        autre.lue = lue;
+        autre.reglages = reglages;
+        autre.scene = scene;
+        return autre;
+    }
+
+    /**
+     * Lit la scène.
+     *
+     * @throws SceneFautive si elle ne peut être utilisée
+     * @throws CancellationException si ce fil a été interrompu
+     */
+    public void lire() {
+        long debut = System.nanoTime();
+        SceneLue nouvelle = lecture.lireScene(fichier, this);
+        scene = new Scene(nouvelle.objets, nouvelle.lampes);
+        ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
+        regler(initiaux);
+        initiaux.verifier(options);
+        lectureNs = System.nanoTime() - debut;
+        lue = nouvelle;
+    }
+
+    /**
+     * Règle la scène lue.
+     *
+     * @throws SceneFautive si ces réglages ne vont pas
+     */
+    public void regler(ReglagesDessin voulus) {
+        scene = scene.avec(voulus.getModele());
+        reglages = voulus;
+    }
+
+    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
+    @Override
+    public void accept(double part) {
+        avancement = part;
+    }
+
+    /** Prépare la scène lue pour une image de cette taille. @throws CancellationException si ce fil est interrompu */
+    public Lancer preparer(int colonnes, int lignes) {
+        return preparer(new ImageMemoire(colonnes, lignes, (long) colonnes * lignes <= PIXELS_AVEC_LINEAIRE));
+    }
+
+    /** Prépare la scène lue pour cette image. @throws CancellationException si ce fil est interrompu */
+    Lancer preparer(ImageMemoire vierge) {
+        avancement = 0;
+        long debut = System.nanoTime();
+        Camera camera = new Camera(vierge.largeur, vierge.hauteur);
+        ecart = chercher(scene, camera, options.simple, this);
+        Lancer pret = new Lancer(scene, camera);
+        construitNs = construitNs();
+        preparationNs = System.nanoTime() - debut;
+        image = vierge;
+        lancer = pret;
+        return pret;
+    }
+
+    /**
+     * Prépare une scène pour une image de cette taille, comme tout dessin du programme.
+     *
+     * @param simple vrai pour les boucles du cours
+     */
+    public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
+        Camera camera = new Camera(largeur, hauteur);
+        chercher(scene, camera, simple, part -> { });
+        return new Lancer(scene, camera);
+    }
+
+    /** Donne à la scène la recherche qui lui va. @return ce qui l'a fait écarter, en une phrase ; {@code null} si rien */
+    private static String chercher(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+        RechercheRapide recherche = simple ? null : Preparation.pour(scene, camera, suivi);
+        String ecart = recherche == null ? null : Sondage.ecart(scene, camera, recherche);
+        scene.getModele().setRecherche(ecart == null ? recherche : null);
+        return ecart;
+    }
+
+    private long construitNs() {
+        return scene.getModele().getRecherche() == null ? 0 : scene.getModele().getRecherche().getConstructionNs();
+    }
+
+    /** Note que chaque pixel de l'image a une couleur. */
+    public void finirBrouillon() {
+        brouillonFait = true;
+        if (entracte != null) {
+            entracte.run();
+        }
+    }
+
+    /** Fait faire ceci entre le brouillon et l'image ; à demander avant de dessiner. */
+    public void setEntracte(Runnable entracte) {
+        this.entracte = entracte;
+    }
+
+    public boolean isBrouillonFait() {
+        return brouillonFait;
+    }
+
+    /** La scène lue, ainsi réglée ; {@code null} tant qu'elle ne l'est pas. */
+    public Scene getScene() {
+        return scene;
+    }
+
+    /** Ce que le fichier dit ; {@code null} tant qu'il n'est pas lu. */
+    public SceneLue getLue() {
+        return lue;
+    }
+
+    /** Réglages de la scène lue. */
+    public ReglagesDessin getReglages() {
+        return reglages;
+    }
+
+    /** L'image ; {@code null} tant que la scène n'est pas préparée. */
+    public ImageMemoire getImage() {
+        return image;
+    }
+
+    /** Ce qui dessine l'image ; {@code null} tant que la scène n'est pas préparée. */
+    public Lancer getLancer() {
+        return lancer;
+    }
+
+    /** Raison pour laquelle les boucles du cours remplacent la recherche rapide, en une phrase, ou {@code null}. */
+    public String getEcart() {
+        return ecart;
+    }
+
+    /** La part faite de la lecture, de la préparation, puis, le brouillon étant fait, de l'image, de 0 à 1. */
+    public double getAvancement() {
+        return lancer == null ? avancement : lancer.getAvancement();
+    }
+
+    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
+    public void direEcart(PrintStream erreur) {
+        if (ecart != null) {
+            Pannes.avertir(Collections.singletonList(ecart), erreur);
+        }
     }
 
     /** Les rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine des nombres français manque à bien des polices
-        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(traceur.getCompteurs().rayons())
+        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", traceur.getDureeNs() / 1e9);
+        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
+    }
+
+    /**
+     * Texte de {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
+     * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
+     *
+     * @param acheve ce qui a dessiné l'image
+     * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
+     */
+    public String statistiques(Lancer acheve, long... tracesNs) {
+        Compteurs c = acheve.getCompteurs();
+        // au début, la machine virtuelle compile encore : la médiane de la seconde moitié
+        double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
+        double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
+        return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
+                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
+                + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS, (preparationNs + construitNs() - construitNs) / NS_PAR_MS,
+                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
+    }
+
+    /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
+    public Echec nommer(PixelFautif panne) {
+        return Echec.panne(Pannes.duPixel(panne, classes(scene), reglages.getOptions(), fichier,
+                image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur));
+    }
+
+    /**
+     * Classes où situer un échec, par ordre de préférence : objets, air et reflet ; le cours ; l'échantillonnage, qui
+     * demande chaque couleur, et se trouve donc dans toutes les piles ; ce qui n'est pas de Java.
+     */
+    static String[] classes(Scene scene) {
+        Modele modele = scene.getModele();
+        // ce que la base met à la place d'une variante n'est pas en cause
+        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
+                scene.getObjets().stream()).map(Modele::nom).distinct()
+                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
+        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
+                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
     }
 }

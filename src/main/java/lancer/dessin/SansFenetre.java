@@ -1,5 +1,6 @@
 package lancer.dessin;
 
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
@@ -8,14 +9,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lancer.Camera;
+import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Candidat;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
-import lancer.fils.Traceur;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -35,56 +37,71 @@ public final class SansFenetre {
 
     private static final double NS_PAR_S = 1e9;
 
-    private final Dessinateur dessinateur;
     private final Options options;
+    private final Dessin dessin;
+    private final Toile toile;
+    private final PrintStream sortie;
+    private final PrintStream erreur;
 
-    private SansFenetre(Dessinateur dessinateur) {
-        this.dessinateur = dessinateur;
-        options = dessinateur.options;
+    private SansFenetre(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
+        this.options = options;
+        this.dessin = dessin;
+        this.toile = toile;
+        this.sortie = sortie;
+        this.erreur = erreur;
     }
 
-    /** Fait ce que demandent ses options. @return le statut de sortie ; que des images diffèrent n'est pas une panne */
-    public static int faire(Dessinateur dessinateur) {
-        SansFenetre travail = new SansFenetre(dessinateur);
-        if (travail.options.comparer != null) {
-            return travail.comparer();
+    /**
+     * Fait ce que demandent ces options.
+     *
+     * @param dessin ce qui se dessine, qui est à lire
+     * @param toile où : les pixels y sont ceux de l'image du dessin
+     * @return le statut de sortie ; que des images diffèrent n'est pas une panne
+     */
+    public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
+        SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
+        try {
+            if (options.comparer != null) {
+                return travail.comparer();
+            }
+            if (options.pixel) {
+                travail.dessinerUnPixel();
+            } else {
+                travail.versFichiers();
+            }
+            return 0;
+        } catch (PixelFautif e) {
+            throw dessin.nommer(e);
         }
-        if (travail.options.pixel) {
-            travail.dessinerUnPixel();
-        } else {
-            travail.versFichiers();
-        }
-        return 0;
     }
 
     private void versFichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
-        List<String> avertissements = dessinateur.lireScene(options.scene);
-        Traceur prepare = dessinateur.preparer(new ImageMemoire(options.largeur, options.hauteur,
+        dessin.lire();
+        Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur,
                 options.image != null, options.lineaire != null));
         long debut = System.nanoTime();
         Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
                 options.estDonnee("--reflets") ? options.reflets : null,
                 options.estDonnee("--seuil") ? options.seuil : null,
-                options.fils, dessinateur.getReglages().getEssayees(), enCours -> { }) : null;
-        Traceur traceur = auto == null ? prepare : auto.traceur;
-        Toile toile = auto == null ? dessinateur.programme : auto.surveiller(dessinateur.programme);
+                options.fils, dessin.getReglages().getEssayees(), enCours -> { }) : null;
+        Lancer lancer = auto == null ? prepare : auto.lancer;
         double essais = (System.nanoTime() - debut) / NS_PAR_S;
-        long[] traces = tracer(traceur, toile, auto == null ? options.reflets : auto.choisi.reflets);
-        Ecriture.ecrire(dessinateur.getImage(), fichiers);
+        long[] traces = tracer(lancer, auto == null ? toile : auto.surveiller(toile),
+                auto == null ? options.reflets : auto.choisi.reflets);
+        Ecriture.ecrire(dessin.getImage(), fichiers);
         if (options.statistiques) {
-            String nombres = dessinateur.statistiques(traceur, traces);
+            String nombres = dessin.statistiques(lancer, traces);
             Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
                     + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
-                    auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais),
-                    dessinateur.sortie);
+                    auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         if (auto != null) {
-            Pannes.avertir(rapport(auto, essais), dessinateur.erreur);
+            Pannes.avertir(rapport(auto, essais), erreur);
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
-        Pannes.avertir(avertissements, dessinateur.erreur);
-        dessinateur.direEcart(traceur);
+        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        dessin.direEcart(erreur);
     }
 
     /**
@@ -117,14 +134,14 @@ public final class SansFenetre {
     }
 
     /** Dessine autant de fois que demandé. @return le temps de chaque dessin, en nanosecondes */
-    private long[] tracer(Traceur traceur, Toile toile, int reflets) {
+    private long[] tracer(Lancer lancer, Toile surveillee, int reflets) {
         long[] traces = new long[options.repeter];
         BarreProgression barre = !BarreProgression.surUnTerminal() ? null
-                : BarreProgression.commencer(traceur::getAvancement, dessinateur.erreur);
+                : BarreProgression.commencer(lancer::getAvancement, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
-                traceur.TracerPixels(toile, reflets, options.fils);
-                traces[k] = traceur.getDureeNs();
+                lancer.TracerPixels(surveillee, reflets, options.fils);
+                traces[k] = lancer.getDureeNs();
             }
         } finally {
             if (barre != null) {
@@ -144,7 +161,7 @@ public final class SansFenetre {
                         nombre > 1 ? "s essayés" : " essayé", choisi.auPlus <= options.erreurVoulue
                         ? "le moins cher qui promette" : "aucun ne promet", options.erreurVoulue),
                 texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s",
-                        auto.getErreurMesuree(), auto.getIncertitude(), auto.traceur.getDureeNs() / NS_PAR_S,
+                        auto.getErreurMesuree(), auto.getIncertitude(), auto.lancer.getDureeNs() / NS_PAR_S,
                         essais, auto.getVerdict()));
     }
 
@@ -154,12 +171,12 @@ public final class SansFenetre {
     }
 
     private void dessinerUnPixel() {
-        List<String> avertissements = dessinateur.lireScene(options.scene);
-        Inspection pixel = new Inspection(dessinateur.getScene(), dessinateur.dessin.origines,
+        dessin.lire();
+        Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
                 new Camera(options.largeur, options.hauteur), options.reflets, options.pixelX, options.pixelY);
         pixel.faire();
-        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), dessinateur.sortie);
-        Pannes.avertir(avertissements, dessinateur.erreur);
+        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
+        Pannes.avertir(dessin.getLue().avertissements, erreur);
     }
 
     /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */
@@ -168,15 +185,15 @@ public final class SansFenetre {
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         if (autre == null) {
-            dessinateur.lireScene(options.scene);
+            dessin.lire();
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
-            dessinateur.preparer(autre).TracerPixels(dessinateur.programme, options.reflets, options.fils);
+            dessin.preparer(autre).TracerPixels(toile, options.reflets, options.fils);
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
             Ecriture.ecrire(comparaison.getDifferences(), fichiers);
         }
-        Pannes.repondre(comparaison.toString(), dessinateur.sortie);
+        Pannes.repondre(comparaison.toString(), sortie);
         return comparaison.sontPareilles() ? 0 : 1;
     }
 }

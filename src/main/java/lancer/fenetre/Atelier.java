@@ -5,8 +5,6 @@ import java.awt.EventQueue;
 import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.WeakHashMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
@@ -18,7 +16,6 @@ import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
-import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
@@ -40,7 +37,8 @@ final class Atelier {
 
     /** Le nombre de fils d'un dessin. */
     final int fils;
-    private final Dessinateur dessinateur;
+    private final Dessin premier;
+    private final Consumer<Dessin> programme;
     private final ExecutorService dessins;
     private final PanneauImage panneau;
     private final Supplier<Dimension> taille;
@@ -53,7 +51,7 @@ final class Atelier {
      * surveillance ; {@code null} avant le premier.
      */
     String fichier;
-    /** Le dernier dessin commencé, et celui qui a lu la scène montrée ; {@code null} s'il n'y en a pas. */
+    /** Le dernier dessin commencé, et le premier de la scène montrée ; {@code null} s'il n'y en a pas. */
     Tracage courant;
     Tracage adopte;
     /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
@@ -68,18 +66,23 @@ final class Atelier {
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
-    /** Le dernier dessin qui a lu sa scène sans faute, même abandonné avant de se voir ; {@code null} si aucun. */
+    /** Le dernier dessin dont la scène s'est lue sans faute. */
     private Tracage lu;
-    /** La dernière image achevée, et ce qu'a coûté chacune de celles qu'on garde. */
+    /** La dernière image achevée. */
     private ImageMemoire complete;
-    private final Map<ImageMemoire, String> couts = new WeakHashMap<>();
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
 
-    /** @param dessins le fil où l'on dessine, une image à la fois @param taille celle où la dessiner, en pixels */
-    Atelier(Dessinateur dessinateur, ExecutorService dessins, int fils, PanneauImage panneau,
+    /**
+     * @param premier le premier dessin, dont sont faits ceux d'autres scènes
+     * @param programme ce qui dessine, dans le fil qui le demande
+     * @param dessins le fil où l'on dessine, une image à la fois
+     * @param taille celle où la dessiner, en pixels
+     */
+    Atelier(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
             Supplier<Dimension> taille) {
-        this.dessinateur = dessinateur;
+        this.premier = premier;
+        this.programme = programme;
         this.dessins = dessins;
         this.fils = fils;
         this.panneau = panneau;
@@ -128,18 +131,13 @@ final class Atelier {
         return complete == panneau.montree ? complete : null;
     }
 
-    /** Réglages et coût de cette image ; {@code null} si elle n'est pas achevée. */
-    String getCout(ImageMemoire image) {
-        return couts.get(image);
-    }
-
     /** Suit un dessin déjà commencé. */
-    void commencer(Tracage premier) {
-        courant = premier;
-        if (premier.avertissements != null) {
+    void commencer(Tracage tracage) {
+        courant = tracage;
+        if (tracage.dessin.getLue() != null) {
             adopter();
         }
-        suivre(premier);
+        suivre(tracage);
     }
 
     /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
@@ -154,7 +152,7 @@ final class Atelier {
 
     /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
     private void suivreFichier() {
-        if (!enCours || courant.fichier == null || courant.fichier.equals(fichier)) {
+        if (!enCours || !courant.aLire || courant.dessin.fichier.equals(fichier)) {
             relire();
         }
     }
@@ -165,7 +163,7 @@ final class Atelier {
         if (!suite) {
             retenir();
         }
-        if (suite && enCours && !courant.isBrouillonFait()) {
+        if (suite && enCours && !courant.dessin.isBrouillonFait()) {
             enAttente = true;
         } else {
             redessiner();
@@ -174,7 +172,8 @@ final class Atelier {
 
     /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
     void ajuster() {
-        if (adopte != null && !taille.get().equals(courant.taille)) {
+        Dimension voulue = taille.get();
+        if (adopte != null && (voulue.width != courant.dessin.largeur || voulue.height != courant.dessin.hauteur)) {
             redessiner();
         }
     }
@@ -195,21 +194,16 @@ final class Atelier {
         dessins.shutdown();
     }
 
-    /** Dit si la dernière scène lue est celle qui est montrée. */
-    private boolean estLue() {
-        return lu != null && lu.fichier.equals(fichier);
-    }
-
     private void redessiner() {
-        // une scène qui se lit se relit ; celle qui est lue n'est pas toujours celle qui se voit
-        boolean autre = enCours && courant.fichier != null && courant != adopte;
-        lancer(autre ? courant.fichier : estLue() ? null : fichier);
+        // une scène qui se lit, et ne se voit pas encore, passe avant
+        boolean autre = enCours && courant.aLire && courant != adopte;
+        lancer((autre ? courant : adopte).dessin.avec(taille.get().width, taille.get().height));
     }
 
-    /** Recommence le dessin, après avoir lu cette scène ; {@code null} : celle qui l'est déjà. */
+    /** Lit cette scène et la dessine. */
     private void dessiner(String aLire) {
         retenir();
-        lancer(aLire);
+        lancer(premier.pour(aLire, taille.get().width, taille.get().height));
     }
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
@@ -217,7 +211,7 @@ final class Atelier {
         avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
     }
 
-    private void lancer(String aLire) {
+    private void lancer(Dessin dessin) {
         enAttente = false;
         if (dessins.isShutdown()) {
             return;
@@ -225,7 +219,7 @@ final class Atelier {
         if (courant != null) {
             courant.arreter();
         }
-        Tracage tracage = new Tracage(dessinateur, aLire, taille.get(), reglages);
+        Tracage tracage = new Tracage(programme, dessin, reglages);
         dessins.execute(tracage);
         suivre(tracage);
     }
@@ -244,16 +238,17 @@ final class Atelier {
         if (panneau.peinte) {
             courant.vue.countDown();
         }
-        if (courant.avertissements != null && courant != lu) {
+        Dessin dessin = courant.dessin;
+        if (courant.aLire && dessin.getLue() != null && courant != lu) {
             lu = courant;
             // il n'y a plus de faute, même si l'image se fait attendre
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
-        Dessin dessin = courant.getDessin();
-        if (dessin != null && (dessin.image == panneau.montree || dessin.traceur.isBrouillonFait()
+        ImageMemoire image = dessin.getImage();
+        if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
                 // à défaut d'image, un morceau de brouillon vaut mieux que du gris
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
-            panneau.montrer(dessin.image);
+            panneau.montrer(image);
             if (montre != dessin) {
                 montre = dessin;
                 adopter();
@@ -262,20 +257,20 @@ final class Atelier {
         if (fini && enCours) {
             finir();
         }
-        if (enAttente && (fini || courant.isBrouillonFait())) {
+        if (enAttente && (fini || dessin.isBrouillonFait())) {
             redessiner();
         }
     }
 
     /** La scène que ce dessin a lue, s'il en a lu une, devient celle qui est montrée. */
     private void adopter() {
-        if (courant.fichier != null && courant != adopte) {
+        if (courant.aLire && courant != adopte) {
             adopte = courant;
-            reglages = courant.reglages != null ? courant.reglages : dessinateur.getReglages();
-            fichier = courant.fichier;
+            reglages = adopte.dessin.getReglages();
+            fichier = adopte.dessin.fichier;
             surveillance.suivre(fichier, courant.version);
             panneau.bandeau.dire(Sujet.DESSIN, "");
-            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", courant.avertissements));
+            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", adopte.dessin.getLue().avertissements));
         }
         prevenus.forEach(Runnable::run);
     }
@@ -285,28 +280,28 @@ final class Atelier {
         enCours = false;
         courant.vue.countDown();
         Throwable panne = courant.getPanne();
+        Fautes fautes = courant.dessin.getLancer() == null ? null : courant.dessin.getLancer().getFautes();
         if (courant.isAcheve()) {
-            complete = montre.image;
+            complete = montre.getImage();
             // les sections laissées de côté, sans le reste de leur avertissement
-            String ignorees = String.join("\n", adopte.avertissements)
+            String ignorees = String.join("\n", montre.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            couts.put(complete, montre.getCout() + ", " + courant.reglages + ignorees
-                    + (direFautes() == null ? "" : ", " + direFautes()));
-            if (montre.traceur.getEcart() != null) {
-                panneau.bandeau.dire(Sujet.AVIS, montre.traceur.getEcart());
+            complete.legende = montre.getCout() + ", " + montre.getReglages() + ignorees
+                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
+            if (montre.getEcart() != null) {
+                panneau.bandeau.dire(Sujet.AVIS, montre.getEcart());
             }
         }
-        Fautes fautes = courant.getDessin() == null ? null : courant.getDessin().traceur.getFautes();
-        if (panne instanceof SceneFautive && courant.fichier != null) {
+        if (panne instanceof SceneFautive && courant.aLire) {
             refuser(Pannes.message(panne));
         } else if (fautes != null && fautes.enMots() != null && !(panne instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (panne == null ? "" : ", et aucun n'a pu l'être")
-                    + " ; le premier : " + dessinateur.nommer(fautes.getPremiere()).getMessage());
+                    + " ; le premier : " + courant.dessin.nommer(fautes.getPremiere()).getMessage());
         } else if (panne != null || courant.isAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, panne == null ? "" : Pannes.message(panne));
         }
         if (fichier == null) {
-            fichier = courant.fichier;
+            fichier = courant.dessin.fichier;
             panneau.dire("F5 pour lire la scène et la dessiner", true);
         }
         prevenus.forEach(Runnable::run);
@@ -314,20 +309,20 @@ final class Atelier {
 
     /** Phrase qui dit combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
     String direFautes() {
-        Fautes fautes = montre == null ? null : montre.traceur.getFautes();
-        return fautes == null ? null : fautes.enMots();
+        return montre == null ? null : montre.getLancer().getFautes().enMots();
     }
 
     /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
     private void refuser(String message) {
         panneau.bandeau.dire(Sujet.SCENE, message);
-        if (fichier == null || courant.fichier.equals(fichier)) {
-            fichier = courant.fichier;
+        if (fichier == null || courant.dessin.fichier.equals(fichier)) {
+            fichier = courant.dessin.fichier;
             surveillance.suivre(fichier, courant.version);
         }
-        if (adopte != null && estLue() && getImageComplete() == null) {
+        if (adopte != null && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
-            dessiner(null);
+            retenir();
+            redessiner();
         }
     }
 }

@@ -25,6 +25,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
@@ -42,7 +43,7 @@ import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
 import lancer.commande.Options;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
@@ -82,13 +83,14 @@ public final class Fenetre {
     private Inspecteur inspecteur;
     private Window touches;
 
-    Fenetre(Dessinateur dessinateur, Options options, List<String> variantes, ExecutorService dessins, Runnable fin) {
+    Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
+            ExecutorService dessins, Runnable fin) {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.fin = fin;
         demandee = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         barre = new BarreEtat(this::arreterOuRecharger, panneau.getPreferredSize().width, variantes.size());
-        atelier = new Atelier(dessinateur, dessins, options.fils, panneau, this::getTaille);
+        atelier = new Atelier(premier, dessinateur, dessins, options.fils, panneau, this::getTaille);
         atelier.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> atelier.ajuster());
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
@@ -394,14 +396,14 @@ public final class Fenetre {
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : atelier.enCours ? null : atelier.getImageComplete();
-        panneau.getAccessibleContext().setAccessibleDescription(
-                barre.resumer(image, image == null ? 1 : panneau.getReduction(image), atelier.getCout(image)));
+        panneau.getAccessibleContext().setAccessibleDescription(barre.resumer(image,
+                image == null ? 1 : panneau.getReduction(image), image == null ? null : image.legende));
         montrerPixel();
     }
 
     private void montrerPixel() {
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, atelier.getCout(image) == null);
+        barre.montrerPixel(panneau.getPixelSouris(image), image, image == null || image.legende == null);
     }
 
     private void titrer() {

@@ -223,13 +223,13 @@ final class Inspecteur extends JDialog {
             return;
         }
         // d'une image d'une autre taille, le même endroit
-        double fois = camera == null ? 1 : (double) montre.image.largeur / camera.getLargeur();
-        camera = montre.traceur.getCamera();
+        double fois = camera == null ? 1 : (double) montre.getImage().largeur / camera.getLargeur();
+        camera = montre.getLancer().getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
         setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
-        Inspection nouvelle = new Inspection(montre.traceur.getScene(), montre.origines, camera,
-                montre.reglages.getReflets(), pixel.x, pixel.y);
+        Inspection nouvelle = new Inspection(montre.getScene(), montre.getLue().origines, camera,
+                montre.getReglages().getReflets(), pixel.x, pixel.y);
         int voulu = rang;
         int seul = rebond;
         enCours = nouvelle;

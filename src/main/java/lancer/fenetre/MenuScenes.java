@@ -43,7 +43,7 @@ final class MenuScenes {
         montree = tracage;
         Atelier.confier(fil, () -> {
             tracage.attendreDEtreVu();
-            List<File> trouvees = voisines(tracage.fichier);
+            List<File> trouvees = voisines(tracage.dessin.fichier);
             EventQueue.invokeLater(() -> {
                 if (montree == tracage) {
                     remplir(trouvees);
@@ -66,7 +66,7 @@ final class MenuScenes {
         voisines = scenes;
         menu.setToolTipText(null);
         rang = montree == null ? -1 : scenes.stream().map(File::getName).collect(Collectors.toList())
-                .indexOf(new File(montree.fichier).getName());
+                .indexOf(new File(montree.dessin.fichier).getName());
         menu.removeAll();
         ButtonGroup groupe = new ButtonGroup();
         for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {

@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.AWTError;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -10,11 +9,12 @@ import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
+import java.util.function.Consumer;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import lancer.scene.Services;
 
 /** Chemin de la commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
@@ -29,28 +29,30 @@ public final class Ouverture {
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient une fois celle-ci lue.
      *
+     * @param dessin le premier, qui est à lire, s'il a un fichier
+     * @param programme ce qui dessine, dans le fil qui le demande
      * @param erreur où dire ce que cette première scène a de laissé de côté
      * @param fin ce que fait sa fermeture, dans un autre fil
      * @throws SceneFautive si la scène ne peut être utilisée ; rien n'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Dessinateur dessinateur, Options options, PrintStream erreur, Runnable fin) {
+    public static Fenetre ouvrir(Options options, Dessin dessin, Consumer<Dessin> programme, PrintStream erreur,
+            Runnable fin) {
         // avant qu'AWT ne se charge : ce que Java écrit lui-même, des touches des menus aux dialogues
         Locale.setDefault(Locale.FRANCE);
         if (!ecranPresent()) {
-            if (options.scene != null) {
+            if (dessin.fichier != null) {
                 // ce que la scène a de fautif d'abord
-                dessinateur.lireScene(options.scene);
+                dessin.lire();
             }
             throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
         ExecutorService dessins = Atelier.unFil("lancer-dessin");
-        Tracage premier = options.scene == null ? null
-                : new Tracage(dessinateur, options.scene, new Dimension(options.largeur, options.hauteur), null);
+        Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null);
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-            dessinateur.setEntracte(premier::attendreDEtreVu);
+            dessin.setEntracte(premier::attendreDEtreVu);
             dessins.execute(premier);
             premier.attendreLecture(PATIENCE_MS);
         }
@@ -58,7 +60,7 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Dialogues.preparer();
-                ouverte[0] = new Fenetre(dessinateur, options, Services.nomsDesVariantes(), dessins, fin);
+                ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -73,8 +75,8 @@ public final class Ouverture {
                 EventQueue.invokeLater(ouverte[0]::abandonner);
                 throw e;
             }
-            if (premier.avertissements != null) {
-                Pannes.avertir(premier.avertissements, erreur);
+            if (dessin.getLue() != null) {
+                Pannes.avertir(dessin.getLue().avertissements, erreur);
             }
         }
         return ouverte[0];

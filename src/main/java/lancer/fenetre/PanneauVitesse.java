@@ -15,13 +15,13 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import lancer.Couleur;
+import lancer.Lancer;
 import lancer.auto.Auto;
 import lancer.auto.Candidat;
 import lancer.contrat.Toile;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
-import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
 
 /**
@@ -108,7 +108,7 @@ final class PanneauVitesse extends JDialog {
         ImageMemoire image = atelier.getImageComplete();
         if (voulu != null && auto != null && image != null && image.lineaire != null && estPresent(voulu)) {
             if (atelier.direFautes() == null) {
-                mesurer(montre.traceur, image);
+                mesurer(montre.getLancer(), image);
             } else {
                 etat.setText("Image non mesurée : " + atelier.direFautes() + ".");
             }
@@ -118,17 +118,18 @@ final class PanneauVitesse extends JDialog {
 
     /** Données dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
     private static List<Object> scene(Dessin dessin) {
-        List<Object> scene = new ArrayList<>(Arrays.asList(dessin.traceur.getScene().getObjets(),
-                dessin.image.largeur, dessin.image.hauteur));
-        dessin.reglages.getVariantes().stream().filter(dessin.reglages::estBranchee).forEach(variante -> scene.add(
-                dessin.reglages.getEssayees().containsKey(variante) ? variante.getSection()
-                : dessin.reglages.getSection(variante).toString()));
+        ReglagesDessin reglages = dessin.getReglages();
+        List<Object> scene = new ArrayList<>(Arrays.asList(dessin.getScene().getObjets(),
+                dessin.getImage().largeur, dessin.getImage().hauteur));
+        reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> scene.add(
+                reglages.getEssayees().containsKey(variante) ? variante.getSection()
+                : reglages.getSection(variante).toString()));
         return scene;
     }
 
     /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
-        ReglagesDessin presents = atelier.montre.reglages;
+        ReglagesDessin presents = atelier.montre.getReglages();
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
                 && String.valueOf(reglage.section).equals(String.valueOf(presents.getSectionEssayee()));
     }
@@ -137,7 +138,7 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(montre.traceur, 0, null, null, atelier.fils, montre.reglages.getEssayees(),
+            Auto fait = Auto.choisir(montre.getLancer(), 0, null, null, atelier.fils, montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             evaluer(scene, fait, montre);
         }, panne -> etat.setText("Essais impossibles : " + panne));
@@ -146,7 +147,7 @@ final class PanneauVitesse extends JDialog {
     /** Met sur le graphique, depuis le fil des essais, le point des réglages de ce dessin. */
     private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
         montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
-                fait.evaluer(montre.reglages.getSectionEssayee(), montre.traceur, montre.reglages.getReflets()));
+                fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(), montre.getReglages().getReflets()));
     }
 
     /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */
@@ -173,7 +174,7 @@ final class PanneauVitesse extends JDialog {
         atelier.dessiner(reglages, false);
     }
 
-    private void mesurer(Traceur lancer, ImageMemoire image) {
+    private void mesurer(Lancer lancer, ImageMemoire image) {
         List<Object> scene = essayee;
         Auto fait = auto;
         Candidat reglage = voulu;

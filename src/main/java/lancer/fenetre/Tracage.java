@@ -1,16 +1,14 @@
 package lancer.fenetre;
 
-import java.awt.Dimension;
-import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.dessin.Dessin;
-import lancer.dessin.Dessinateur;
 import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
 
@@ -23,35 +21,30 @@ final class Tracage extends SwingWorker<Void, Void> {
      */
     private static final long PATIENCE_MS = 2000;
 
-    /** Le fichier de la scène à lire, {@code null} s'il n'y en a pas. */
-    final String fichier;
-    /** La taille de l'image, en pixels. */
-    final Dimension taille;
-    private final Dessinateur dessinateur;
+    final Dessin dessin;
+    /** Vrai si la scène est à lire. */
+    final boolean aLire;
+    private final Consumer<Dessin> programme;
     private final ReglagesDessin voulus;
     private final long debut = System.nanoTime();
     /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
     volatile String version;
-    /** Avertissements de la scène lue, et réglages de son dessin ; {@code null} tant qu'elle ne l'est pas. */
-    volatile List<String> avertissements;
-    volatile ReglagesDessin reglages;
     private volatile long fin;
-    private volatile boolean dessine;
-    private volatile Dessin dessin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
     /** Ouvert quand le brouillon se voit : la suite peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
 
     /**
-     * @param fichier {@code null} pour redessiner la scène qui est déjà lue
+     * @param programme ce qui dessine
+     * @param dessin à lire, s'il ne l'est pas
      * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
      */
-    Tracage(Dessinateur dessinateur, String fichier, Dimension taille, ReglagesDessin voulus) {
-        this.dessinateur = dessinateur;
-        this.fichier = fichier;
-        this.taille = taille;
+    Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus) {
+        this.programme = programme;
+        this.dessin = dessin;
         this.voulus = voulus;
+        aLire = dessin.getLue() == null;
     }
 
     /** Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus ; lance son refus. */
@@ -61,10 +54,10 @@ final class Tracage extends SwingWorker<Void, Void> {
         } catch (InterruptedException e) {
             throw Echec.panne("interrompu");
         }
-        if (avertissements == null && panne instanceof Error) {
+        if (dessin.getLue() == null && panne instanceof Error) {
             throw (Error) panne;
         }
-        if (avertissements == null && panne != null) {
+        if (dessin.getLue() == null && panne != null) {
             throw (RuntimeException) panne;
         }
     }
@@ -81,25 +74,20 @@ final class Tracage extends SwingWorker<Void, Void> {
     @Override
     protected Void doInBackground() {
         try {
-            if (fichier != null) {
-                version = FichierScene.version(fichier);
-                avertissements = dessinateur.lireScene(fichier);
+            if (aLire) {
+                version = FichierScene.version(dessin.fichier);
+                dessin.lire();
                 lue.countDown();
             }
             if (!isCancelled()) {
                 if (voulus != null) {
-                    dessinateur.regler(fichier == null ? voulus : voulus.pour(dessinateur.getReglages()));
+                    dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
                 }
-                reglages = dessinateur.getReglages();
-                dessine = true;
-                dessinateur.programme.doTracerImage(taille.width, taille.height);
+                programme.accept(dessin);
             }
         } catch (RuntimeException | Error e) {
             panne = isCancelled() ? null : e;
         } finally {
-            // le dessin d'après aura le sien
-            dessin = getDessin();
-            dessine = false;
             fin = System.nanoTime();
             lue.countDown();
         }
@@ -121,17 +109,6 @@ final class Tracage extends SwingWorker<Void, Void> {
         return isDone() && !isCancelled() && panne == null;
     }
 
-    /** L'image et ce qui la dessine ; {@code null} tant que la scène se lit et se prépare. */
-    Dessin getDessin() {
-        return dessine ? dessinateur.getDessin() : dessin;
-    }
-
-    /** Vrai si chaque pixel de l'image a une couleur. */
-    boolean isBrouillonFait() {
-        Dessin sien = getDessin();
-        return sien != null && sien.traceur.isBrouillonFait();
-    }
-
     /** Le temps passé depuis la demande, en nanosecondes. */
     long getDureeNs() {
         return (fin != 0 ? fin : System.nanoTime()) - debut;
@@ -139,29 +116,28 @@ final class Tracage extends SwingWorker<Void, Void> {
 
     /** La part faite de l'image, ou de ce qui la précède, de 0 à 1. */
     double getAvancement() {
-        Dessin sien = getDessin();
-        return sien == null ? dessinateur.getAvancement() : isBrouillonFait() ? sien.traceur.getAvancement() : 0;
+        return dessin.getLancer() == null || dessin.isBrouillonFait() ? dessin.getAvancement() : 0;
     }
 
     /** État du dessin : où il en est, et depuis combien de temps. */
     String getEtat() {
         // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
         return isAcheve() ? "terminé"
-                : getPanne() instanceof SceneFautive ? fichier == null ? "réglage impossible" : "scène refusée"
+                : getPanne() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
                 : (getPanne() != null ? "échec" : getEtape())
                 + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
     }
 
     private String getEtape() {
-        Dessin sien = getDessin();
         if (getState() == StateValue.PENDING && TimeUnit.NANOSECONDS.toMillis(getDureeNs()) > PATIENCE_MS) {
             return "attend que le dessin d'avant s'arrête";
         }
-        if (sien == null) {
-            return (fichier != null && avertissements == null ? "lecture" : "préparation")
-                    + (isCancelled() ? " arrêtée" : " " + (int) (100 * dessinateur.getAvancement()) + " %");
+        int part = (int) (100 * dessin.getAvancement());
+        if (dessin.getLancer() == null) {
+            return (dessin.getLue() == null ? "lecture" : "préparation")
+                    + (isCancelled() ? " arrêtée" : " " + part + " %");
         }
-        return (!isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
-                + (isCancelled() ? "arrêté à " : "") + (int) (100 * sien.traceur.getAvancement()) + " %";
+        return (!dessin.isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
+                + (isCancelled() ? "arrêté à " : "") + part + " %";
     }
 }

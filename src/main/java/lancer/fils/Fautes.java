@@ -1,12 +1,13 @@
 package lancer.fils;
 
 import java.util.BitSet;
+import java.util.concurrent.CancellationException;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
-/** Les pixels qu'un dessin n'a pu calculer, et qu'il peint en damier au lieu de s'arrêter ; pour tous ses fils. */
+/** Les pixels qu'un dessin n'a pu calculer : ils l'arrêtent, ou sont tolérés, et peints en damier. Pour tous ses fils. */
 public final class Fautes {
 
     /** Nombre d'échecs après lequel, si rien n'a réussi, il n'y a pas d'image à attendre. */
@@ -17,26 +18,49 @@ public final class Fautes {
     private final int largeur;
     private final BitSet pixels = new BitSet();
     private PixelFautif premiere;
+    private volatile boolean tolerees;
     private volatile boolean reussi;
 
     /** @param largeur celle de l'image, en pixels */
-    Fautes(int largeur) {
+    public Fautes(int largeur) {
         this.largeur = largeur;
     }
 
-    /** Note qu'un pixel au moins a pu être calculé. */
-    void reussir() {
+    /** Fait désormais dessiner malgré les pixels qui échouent : ils sont comptés, et peints en damier. */
+    public void tolerer() {
+        tolerees = true;
+    }
+
+    /** @throws PixelFautif si cette couleur, qui est rendue, est nulle ou a une composante qui n'est pas finie */
+    public Couleur verifier(Couleur couleur, double xe, double ye) {
+        PixelFautif.verifier(couleur, xe, ye);
         if (!reussi) {
             reussi = true;
         }
+        return couleur;
     }
 
     /**
-     * Note cette faute, et rend la couleur qui la montre.
+     * Note l'échec d'un point de l'écran, et rend la couleur qui le montre.
      *
-     * @throws PixelFautif la première, s'il y en a mille et que rien n'a réussi
+     * @throws PixelFautif la faute, si elle n'est pas tolérée ; la première, s'il y en a mille et que rien n'a réussi
      */
-    synchronized Couleur noter(PixelFautif faute) {
+    public Couleur noter(Throwable e, double xe, double ye) {
+        if (e instanceof CancellationException) {
+            throw (CancellationException) e;
+        }
+        if (e instanceof OutOfMemoryError) {
+            // ce n'est pas la faute de ce pixel
+            throw (OutOfMemoryError) e;
+        }
+        PixelFautif faute = e instanceof PixelFautif ? (PixelFautif) e : new PixelFautif(xe, ye, e);
+        if (!tolerees) {
+            throw faute;
+        }
+        return noter(faute);
+    }
+
+    private synchronized Couleur noter(PixelFautif faute) {
         int rang = faute.y * largeur + faute.x;
         if (premiere == null || rang < pixels.nextSetBit(0)) {
             premiere = faute;
@@ -53,7 +77,7 @@ public final class Fautes {
     }
 
     /** Peint les pixels fautifs de ce pavé, que d'autres échantillons ont pu mêler à leurs voisins. */
-    synchronized void peindre(Pave pave, Toile toile) {
+    public synchronized void peindre(Pave pave, Toile toile) {
         for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {
             int fin = j * largeur + pave.i1;
             for (int k = pixels.nextSetBit(j * largeur + pave.i0); k >= 0 && k < fin; k = pixels.nextSetBit(k + 1)) {

@@ -1,6 +1,7 @@
 package lancer.image;
 
 import lancer.Couleur;
+import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
 /** Une image en mémoire : les codes à montrer, les couleurs non limitées, ou les deux. */
@@ -15,6 +16,9 @@ public final class ImageMemoire implements Toile {
     /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
     public final float[] lineaire;
 
+    /** Texte qui dit comment elle est dessinée, et ce qu'elle a coûté ; {@code null} tant qu'elle n'est pas achevée. */
+    public volatile String legende;
+
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
         this(largeur, hauteur, true, avecLineaire);
@@ -28,8 +32,10 @@ public final class ImageMemoire implements Toile {
         this.lineaire = avecLineaire ? new float[3 * largeur * hauteur] : null;
     }
 
+    /** @throws PixelFautif si cette couleur est nulle, ou a une composante qui n'est pas finie */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
+        PixelFautif.verifier(coul, xe + 0.5, ye + 0.5);
         int k = ye * largeur + xe;
         if (codes != null) {
             codes[k] = coul.getCode();

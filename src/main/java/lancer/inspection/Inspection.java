@@ -15,6 +15,7 @@ import lancer.Lancer;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Etape;
@@ -23,7 +24,6 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
-import lancer.fils.Regard;
 import lancer.scene.Origines;
 
 /**
@@ -43,7 +43,7 @@ public final class Inspection implements Vue, Toile {
     public final int y;
     private final Ecoute ecoute = new Ecoute();
     private final Equipe equipe = new Equipe("lancer");
-    private final Vue vue;
+    private final Lancer lancer;
     private Couleur couleur;
     private List<Echantillon> echantillons = Collections.emptyList();
     private Echantillon choisi;
@@ -69,7 +69,7 @@ public final class Inspection implements Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        vue = new Regard(equipe, new Lancer(scene.avec(scene.getModele().ecoute(ecoute)), camera), profondeur, null);
+        lancer = new Lancer(scene.avec(scene.getModele().ecoute(ecoute)), camera);
     }
 
     /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
@@ -93,9 +93,13 @@ public final class Inspection implements Vue, Toile {
     }
 
     private void expliquer(int rang) {
-        Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        scene.getModele().getEchantillonnage().pour(scene.getObjets(), camera)
-                .tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
+        Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
+        if (echantillonnage == null) {
+            drawPixel(couleur(x + 0.5, y + 0.5), x, y);
+        } else {
+            Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
+            echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
+        }
         echantillons = vus.values().stream()
                 .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
@@ -104,7 +108,7 @@ public final class Inspection implements Vue, Toile {
             choisi = rang == AU_CENTRE ? Collections.min(echantillons,
                     Comparator.comparingDouble(e -> Math.hypot(e.xe - x - 0.5, e.ye - y - 0.5)))
                     : echantillons.get(Math.min(rang, echantillons.size() - 1));
-            vue.couleur(choisi.xe, choisi.ye);
+            lancer.getCouleurPixel(choisi.xe, choisi.ye, profondeur);
             chercherLesObstacles();
         }
     }
@@ -178,7 +182,8 @@ public final class Inspection implements Vue, Toile {
     /** {@inheritDoc} Une copie, pour que deux échantillons de la même couleur ne soient pas le même. */
     @Override
     public Couleur couleur(double xe, double ye) {
-        Couleur vu = vue.couleur(xe, ye);
+        equipe.verifier();
+        Couleur vu = lancer.getCouleurPixel(xe, ye, profondeur);
         Couleur sienne = new Couleur(vu.r, vu.v, vu.b);
         if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {
             vus.put(sienne, new Echantillon(xe, ye, 1, sienne));

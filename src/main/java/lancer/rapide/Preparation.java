@@ -11,7 +11,6 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.fils.Equipe;
 
 /**
@@ -104,28 +103,26 @@ public final class Preparation implements IntConsumer {
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
      * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche de même image et mêmes comptes de rayons que {@link RechercheSimple} ; celle-ci, si un
-     *     {@link Sondage} voit une différence
+     * @return une recherche de même image et mêmes comptes de rayons que les boucles du cours ; {@code null} si ces
+     *     boucles répondent aussi vite
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
+    public static RechercheRapide pour(Scene scene, Camera camera, DoubleConsumer suivi) {
         List<Objet3D> objets = scene.getObjets();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         if (objets.size() <= DEUX || objets.size() <= PEU
                 && pixels * objets.size() * (1 + scene.getLampes().size()) <= VITE_FAIT) {
-            return new RechercheSimple(objets, new Compteurs());
+            return null;
         }
         return pour(scene, camera, null, suivi);
     }
 
     /** @param impose {@code null} pour laisser le choix entre les structures */
-    static Recherche pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
+    static RechercheRapide pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
         Preparation preparation = new Preparation(scene, camera, suivi);
         suivi.accept(PART_COPIE);
         preparation.faire(impose);
-        String ecart = Sondage.ecart(scene, camera, preparation.structures);
-        return ecart == null ? new RechercheRapide(preparation.structures, scene.getObjets(), new Compteurs())
-                : new RechercheSimple(scene.getObjets(), new Compteurs(), ecart);
+        return new RechercheRapide(preparation.structures, new Compteurs());
     }
 
     private void faire(Genre impose) {

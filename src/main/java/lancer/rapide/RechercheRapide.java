@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -9,23 +8,18 @@ import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
- * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Une direction dont la longueur n'est pas 1 est
- * pour les boucles du cours. Les structures sont partagées ; chaque fil a son {@link Parcours}.
+ * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a
+ * son {@link Parcours}.
  */
 public final class RechercheRapide implements Recherche {
 
     /** Une ombre se demande d'abord aux objets qui ne sont pas des sphères, parmi les premiers de la scène. */
     private static final int PREMIERS = 8;
 
-    /** Écart permis entre 1 et le carré de la longueur d'une direction : au-delà, les boucles du cours. */
-    private static final double UNITE = 1e-10;
-
     final Structures structures;
-    private final List<Objet3D> objets;
     /** Nombre d'objets qui ne sont pas des sphères, parmi les {@link #PREMIERS}. */
     private final int dAbord;
     private final Spheres spheres;
@@ -34,8 +28,6 @@ public final class RechercheRapide implements Recherche {
     private final Lampe[] lampes;
     private final Occultations[] ombres;
     private final Parcours parcours;
-    /** Boucles du cours, pour les directions de norme autre que 1. */
-    private final Recherche boucles;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
@@ -47,16 +39,14 @@ public final class RechercheRapide implements Recherche {
     /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
     private int lampe;
 
-    RechercheRapide(Structures structures, List<Objet3D> objets, Compteurs compteurs) {
+    RechercheRapide(Structures structures, Compteurs compteurs) {
         this.structures = structures;
-        this.objets = objets;
         spheres = structures.spheres;
         premiers = structures.premiers;
         suivants = structures.suivants;
         lampes = structures.lampes;
         ombres = structures.ombres;
         parcours = new Parcours(compteurs);
-        boucles = new RechercheSimple(objets, compteurs);
         int n = 0;
         while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
             n++;
@@ -68,10 +58,6 @@ public final class RechercheRapide implements Recherche {
     public void plusProche(Rayon incident, Objet3D saufLui) {
         Point P = incident.getP();
         Vecteur V = incident.getV();
-        if (!estUnitaire(V)) {
-            boucles.plusProche(incident, saufLui);
-            return;
-        }
         if (saufLui == null) {
             parcours.ouvrir();
             derniere = premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1);
@@ -88,20 +74,12 @@ public final class RechercheRapide implements Recherche {
         }
     }
 
-    private static boolean estUnitaire(Vecteur V) {
-        return Math.abs(V.x * V.x + V.y * V.y + V.z * V.z - 1) < UNITE;
-    }
-
     private int numero(Objet3D objet) {
         return objet == rencontree ? derniere : spheres.numero(objet);
     }
 
     @Override
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        // V n'a d'ordinaire à exister que dans les registres : qui ne s'y compile pas en a une copie
-        if (!estUnitaire(V)) {
-            return boucles.estCachee(lampe, P, new Vecteur(V.x, V.y, V.z), distance, objet);
-        }
         return spheres.autres.length > 0
                 ? cacheeAvecLesAutres(lampe, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
                 : ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
@@ -127,7 +105,7 @@ public final class RechercheRapide implements Recherche {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
                 parcours.compteurs.testsSpheres++;
-                double d = RechercheSimple.verifier(autre.getIntersectionDistance(incident), autre);
+                double d = Recherche.verifier(autre.getIntersectionDistance(incident), autre);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
                     distance = d;
@@ -152,7 +130,7 @@ public final class RechercheRapide implements Recherche {
             Objet3D autre = spheres.autres[a];
             if (autre != objet) {
                 parcours.compteurs.testsSpheres++;
-                if (RechercheSimple.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
+                if (Recherche.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }
             }
@@ -167,7 +145,7 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, objets, compteurs);
+        return new RechercheRapide(structures, compteurs);
     }
 
     /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */

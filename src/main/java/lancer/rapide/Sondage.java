@@ -12,9 +12,8 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
+import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.precision.Intersection;
 
 /**
@@ -25,7 +24,7 @@ import lancer.precision.Intersection;
  * <p>C'est un sondage : {@value #RAYONS} rayons, {@value #SPHERES} sphères au plus. Une faute qui ne change la réponse
  * d'aucun de ces rayons n'est pas vue. Le tirage suit la scène et la taille de l'image.
  */
-final class Sondage {
+public final class Sondage {
 
     private static final String SUITE = " : ce sont les boucles du cours qui dessinent";
     static final int RAYONS = 240;
@@ -34,33 +33,35 @@ final class Sondage {
     /** Les sphères tirées, dans l'ordre de la scène, et leur recopie. */
     private final List<Objet3D> tirees = new ArrayList<>();
     private final Spheres plates;
-    private final Recherche boucles;
-    private final Recherche rapide;
+    /** La scène des sphères tirées, que demandent les boucles du cours, et la même, où la recherche répond. */
+    private final Scene boucles;
+    private final Scene rapide;
 
     /** Première différence, {@code null} tant qu'il n'y en a pas. */
     private String ecart;
 
-    private Sondage(Scene scene, Structures structures) {
-        Spheres toutes = structures.spheres;
+    private Sondage(Scene scene, RechercheRapide recherche) {
+        Spheres toutes = recherche.structures.spheres;
         for (long k = 0, m = Math.min(SPHERES, toutes.nombre); k < m; k++) {
             tirees.add(toutes.objets[(int) ((2 * k + 1) * toutes.nombre / (2 * m))]);
         }
         boolean entiere = tirees.size() == scene.getObjets().size();
         plates = entiere ? toutes : new Spheres(tirees);
-        boucles = new RechercheSimple(tirees, new Compteurs());
-        rapide = new RechercheRapide(entiere ? structures : new Structures(plates, scene.getLampes()), tirees,
-                new Compteurs());
+        boucles = new Scene(tirees, scene.getLampes());
+        rapide = boucles.avec(new Modele());
+        rapide.getModele().setRecherche(entiere ? recherche.pourUnFil(rapide.getCompteurs())
+                : new RechercheRapide(new Structures(plates, scene.getLampes()), rapide.getCompteurs()));
     }
 
     /**
-     * Sonde cette scène ainsi préparée.
+     * Sonde cette scène, à laquelle répond cette recherche.
      *
      * @return ce qui diffère, en une phrase ; {@code null} si rien
      * @throws CancellationException si le fil appelant est interrompu
      */
-    static String ecart(Scene scene, Camera camera, Structures structures) {
+    public static String ecart(Scene scene, Camera camera, RechercheRapide recherche) {
         try {
-            Sondage sondage = new Sondage(scene, structures);
+            Sondage sondage = new Sondage(scene, recherche);
             Random hasard = new Random(31L * (31 * Arrays.hashCode(sondage.plates.geometrie) + camera.getLargeur())
                     + camera.getHauteur());
             for (int k = 0; k < RAYONS && !sondage.tirees.isEmpty() && sondage.ecart == null; k++) {
@@ -88,13 +89,12 @@ final class Sondage {
             rencontrer(rayon.getP(), rayon.getV(), null);
         } else if (k % 3 == 1 && !lampes.isEmpty()) {
             Lampe lampe = lampes.get(hasard.nextInt(lampes.size()));
-            Point P = lampe.getPosition();
-            Vecteur V = new Vecteur(P, surface);
-            if (V.norme() > 0) {
-                demander(P, V.normalized());
-                exiger(boucles.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s))
-                        == rapide.estCachee(lampe, P, V.normalized(), V.norme(), tirees.get(s)),
-                        "les boucles du cours");
+            Vecteur versLampe = new Vecteur(surface, lampe.getPosition());
+            if (versLampe.norme() > 0) {
+                Vecteur L = versLampe.normalized();
+                demander(lampe.getPosition(), L.neg());
+                exiger(boucles.estCachee(lampe, surface, L, versLampe.norme(), tirees.get(s))
+                        == rapide.estCachee(lampe, surface, L, versLampe.norme(), tirees.get(s)), "Scene.estCachee");
             }
         } else {
             rencontrer(surface, direction(hasard), tirees.get(s));
@@ -110,10 +110,10 @@ final class Sondage {
         demander(P, V);
         Rayon un = Rayon.dOmbre(P, V);
         Rayon autre = Rayon.dOmbre(P, V);
-        boucles.plusProche(un, saufLui);
-        rapide.plusProche(autre, saufLui);
+        boucles.getClosestIntersection(un, saufLui);
+        rapide.getClosestIntersection(autre, saufLui);
         exiger(un.getObjet() == autre.getObjet() && Double.compare(un.getDistance(), autre.getDistance()) == 0,
-                "les boucles du cours");
+                "Scene.getClosestIntersection");
     }
 
     /** Demande ce rayon à chaque sphère tirée. */

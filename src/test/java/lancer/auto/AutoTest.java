@@ -26,8 +26,8 @@ import lancer.Vecteur;
 import lancer.contrat.Barreau;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.dessin.Dessinateur;
-import lancer.fils.Traceur;
+import lancer.dessin.Dessin;
+import lancer.Lancer;
 import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,14 +47,14 @@ class AutoTest {
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Auto auto(Scene scene, int largeur, int hauteur, Map<Variante, Section> variantes, double voulue) {
-        return Auto.choisir(Dessinateur.traceur(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
+        return Auto.choisir(Dessin.lancer(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
     }
 
     /** Dessine, et contrôle. @return les couleurs de l'image, ligne par ligne */
     private static Couleur[] dessiner(Auto auto) {
-        int largeur = auto.traceur.getCamera().getLargeur();
-        Couleur[] image = new Couleur[largeur * auto.traceur.getCamera().getHauteur()];
-        auto.traceur.TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur), auto.choisi.reflets, 2);
+        int largeur = auto.lancer.getCamera().getLargeur();
+        Couleur[] image = new Couleur[largeur * auto.lancer.getCamera().getHauteur()];
+        auto.lancer.TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur), auto.choisi.reflets, 2);
         return image;
     }
 
@@ -137,7 +137,7 @@ class AutoTest {
 
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
-        Traceur prepare = Dessinateur.traceur(entreDeuxMurs(0.5), 16, 12, false);
+        Lancer prepare = Dessin.lancer(entreDeuxMurs(0.5), 16, 12, false);
         Auto auto = Auto.choisir(prepare, 8, 7, null, 2, SANS, enCours -> { });
         assertEquals("un rayon par pixel, --reflets 7 --seuil 0.015625", auto.choisi.toString());
         auto = Auto.choisir(prepare, 1, 3, 0.25, 2, SANS, enCours -> { });
@@ -203,8 +203,8 @@ class AutoTest {
 
     /** L'erreur vraie, par la boucle la plus simple : chaque pixel contre deux fois 32 rayons au hasard, sans limite ; sans biais. */
     private static double vraie(Auto auto, Couleur[] image) {
-        auto.traceur.getScene().getModele().setSeuil(0);
-        int largeur = auto.traceur.getCamera().getLargeur();
+        auto.lancer.getScene().getModele().setSeuil(0);
+        int largeur = auto.lancer.getCamera().getLargeur();
         SplittableRandom hasard = new SplittableRandom(9);
         double somme = 0;
         for (int p = 0; p < image.length; p++) {
@@ -212,7 +212,7 @@ class AutoTest {
             for (int r = 0; r < 2; r++) {
                 Couleur moyenne = new Couleur();
                 for (int k = 0; k < 32; k++) {
-                    moyenne = moyenne.add(auto.traceur.getLancer().getCouleurPixel(p % largeur + hasard.nextDouble(),
+                    moyenne = moyenne.add(auto.lancer.getCouleurPixel(p % largeur + hasard.nextDouble(),
                             p / largeur + hasard.nextDouble(), 60));
                 }
                 justes[r] = Semis.niveaux(moyenne.div(32));
@@ -258,7 +258,7 @@ class AutoTest {
         for (double erreur : new double[] {0.5, 3}) {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
-                Auto auto = Auto.choisir(Dessinateur.traceur(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
+                Auto auto = Auto.choisir(Dessin.lancer(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
                         enCours -> { });
                 Candidat r = auto.choisi;
                 String choix = r + " " + r.erreur + " " + r.auPlus + " " + r.prix + " " + auto.getRayonsDesEssais();
@@ -297,14 +297,14 @@ class AutoTest {
             Auto auto = auto(new Scene(quelquesBoules().getObjets(), toutes), largeur, hauteur,
                     GrilleDEssai.seule("1", "2"), voulue);
             dessiner(auto);
-            double permis = Math.max(600_000, auto.traceur.getCompteurs().rayons() / 2.0);
+            double permis = Math.max(600_000, auto.lancer.getCompteurs().rayons() / 2.0);
             assertTrue(auto.getRayonsDesEssais() <= permis, auto.getRayonsDesEssais() + " pour " + permis + ", " + auto.choisi);
         }
     }
 
     @Test
     void unFilInterrompuAbandonneLesEssais() {
-        Traceur prepare = Dessinateur.traceur(quelquesBoules(), 80, 60, false);
+        Lancer prepare = Dessin.lancer(quelquesBoules(), 80, 60, false);
         Thread.currentThread().interrupt();
         try {
             assertThrows(CancellationException.class, () -> Auto.choisir(prepare, 1, null, null, 2, GRILLES, enCours -> { }));
@@ -315,7 +315,7 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = Dessin.lancer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         Map<Variante, Section> fautive = GrilleDEssai.avec(
                 Collections.singletonList(new Barreau(new SectionLue("Grille", "m", "3"), 1, 1)));
         SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, 1, null, null, 1, fautive, enCours -> { }));
@@ -324,7 +324,7 @@ class AutoTest {
 
     @Test
     void uneVarianteSansEchelleEstNommee() {
-        Traceur lancer = Dessinateur.traceur(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
+        Lancer lancer = Dessin.lancer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         Map<Variante, Section> muette = GrilleDEssai.avec(null);
         NullPointerException e = assertThrows(NullPointerException.class,
                 () -> Auto.choisir(lancer, 1, null, null, 1, muette, enCours -> { }));

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import lancer.contrat.Echantillonnage;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -16,7 +15,7 @@ class BarresTest {
     private static final int H = 400;
 
     private static Candidat candidat(double carre, double variance, double prix) {
-        return new Candidat(null, Echantillonnage.CENTRE, Limite.permises(5, 0.0)[0], new Estimation(carre, variance), prix);
+        return new Candidat(null, null, Limite.permises(5, 0.0)[0], new Estimation(carre, variance), prix);
     }
 
     @Test

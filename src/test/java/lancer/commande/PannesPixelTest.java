@@ -17,7 +17,7 @@ import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.rapide.Preparation;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
@@ -61,7 +61,7 @@ class PannesPixelTest {
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
         scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
         Toile toile = (couleur, i, j) -> assertTrue(i < 20, "un pixel faux est arrivé à l'image");
-        return assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels(toile, 5, fils));
+        return assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(toile, 5, fils));
     }
 
     @Test
@@ -90,6 +90,6 @@ class PannesPixelTest {
         Modele modele = new Modele();
         modele.setAtmosphere((vue, distance) -> null);
         Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList()).avec(modele);
-        assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
+        assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Field;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Couleur;
@@ -14,8 +15,9 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Scene;
 import lancer.Sphere;
-import lancer.essai.Ombre;
+import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
 
 /** Les contrats par défaut : le partage de l'image, la recherche du cours. */
@@ -70,20 +72,20 @@ class ContratsTest {
     }
 
     @Test
-    void laRechercheDuCoursEssaieUneFoisChaqueAutreObjet() {
+    void lesBouclesDuCoursEssaientUneFoisChaqueAutreObjet() {
         List<Objet3D> objets = Arrays.asList(boule(5), boule(20), boule(10));
-        Compteurs compteurs = new Compteurs();
-        Recherche recherche = new RechercheSimple(objets, compteurs);
+        Lampe lampe = new Lampe(new Point(0, 0, 40), new Couleur(1));
+        Scene scene = new Scene(objets, Collections.singletonList(lampe));
+        Compteurs compteurs = scene.getCompteurs();
         Rayon rayon = new Rayon(new Point(0, 0, 0), new Point(0, 0, 1));
-        recherche.plusProche(rayon, objets.get(0));
+        assertSame(objets.get(2), scene.getClosestIntersection(rayon, objets.get(0)).objet);
         assertSame(objets.get(2), rayon.getObjet());
         assertEquals(2, compteurs.testsSpheres);
-        recherche.plusProche(rayon, null);
-        assertSame(objets.get(0), rayon.getObjet());
+        assertSame(objets.get(0), scene.getClosestIntersection(rayon).objet);
         assertEquals(5, compteurs.testsSpheres);
 
         // une lampe derrière tout : seul le premier objet trouvé est essayé
-        assertTrue(Ombre.cachee(recherche, new Lampe(new Point(0, 0, 40), new Couleur(1)), new Point(0, 0, 4), objets.get(0)));
+        assertTrue(scene.estCachee(lampe, new Point(0, 0, 4), new Vecteur(0, 0, 1), 36, objets.get(0)));
         assertEquals(6, compteurs.testsSpheres);
     }
 
@@ -93,11 +95,12 @@ class ContratsTest {
         Objet3D eclairee = new Sphere(new Point(0, 3, 4), 3);
         Objet3D autre = new Sphere(new Point(0, 0, 5), 1);
         Lampe lampe = new Lampe(new Point(0, 0, 0), new Couleur(1));
-        Point contact = new Point(0, 0, 4);
-        RechercheSimple recherche = new RechercheSimple(Arrays.asList(eclairee, autre), new Compteurs());
-        assertEquals(4, autre.getIntersectionDistance(new Rayon(new Point(0, 0, 0), contact)));
-        assertFalse(Ombre.cachee(recherche, lampe, contact, eclairee));
-        assertTrue(Ombre.cachee(recherche, lampe, new Point(0, 0, Math.nextUp(4.0)), eclairee));
+        Scene scene = new Scene(Arrays.asList(eclairee, autre), Collections.singletonList(lampe));
+        Vecteur L = new Vecteur(0, 0, -1);
+        assertEquals(4, autre.getIntersectionDistance(new Rayon(new Point(0, 0, 0), new Point(0, 0, 4))));
+        assertFalse(scene.estCachee(lampe, new Point(0, 0, 4), L, 4, eclairee));
+        double loin = Math.nextUp(4.0);
+        assertTrue(scene.estCachee(lampe, new Point(0, 0, loin), L, loin, eclairee));
     }
 
     @Test

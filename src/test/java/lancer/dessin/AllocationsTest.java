@@ -42,7 +42,7 @@ class AllocationsTest {
 
     /** Dessine cette scène dans ce fil, et dit ce que chaque pixel lui a demandé. */
     public static void main(String[] args) {
-        Lancer lancer = Dessinateur.traceur(new Scene(args[0]), LARGEUR, HAUTEUR, false).getLancer();
+        Lancer lancer = Dessin.lancer(new Scene(args[0]), LARGEUR, HAUTEUR, false);
         com.sun.management.ThreadMXBean fils = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long avant = 0;
         // les classes se chargent au premier passage

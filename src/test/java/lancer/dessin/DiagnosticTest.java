@@ -16,7 +16,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 
@@ -70,8 +70,8 @@ class DiagnosticTest {
         Modele modele = new Modele();
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
-        PixelFautif panne = assertThrows(PixelFautif.class, () -> new Traceur(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Texte.cause(panne, Dessinateur.classes(scene)).replace(DiagnosticTest.class.getName(), "")
+        PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
+        return Texte.cause(panne, Dessin.classes(scene)).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -104,7 +104,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Texte.cause(panne, Dessinateur.classes(scene(new Mur())));
+        String dit = Texte.cause(panne, Dessin.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 

@@ -18,10 +18,8 @@ import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
 import lancer.contrat.Vue;
 import lancer.essai.RechercheNaive.Ombre;
-import lancer.fils.Traceur;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
@@ -241,7 +239,7 @@ public final class Defauts {
     private Couleur[] image(Scene scene, int reflets) {
         int largeur = camera.getLargeur();
         Couleur[] image = new Couleur[largeur * camera.getHauteur()];
-        new Traceur(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
+        new Lancer(scene, camera).TracerPixels((couleur, i, j) -> image[largeur * j + i] = couleur, reflets, 1);
         return image;
     }
 

@@ -13,7 +13,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Toile;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.rapide.Preparation;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
@@ -83,7 +83,7 @@ public final class Ressources {
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
-        new Traceur(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
+        new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
         return image;
     }
 
@@ -91,7 +91,7 @@ public final class Ressources {
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
         scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
-        new Traceur(scene, camera).TracerPixels(image, reflets, 2);
+        new Lancer(scene, camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

@@ -80,7 +80,7 @@ final class BancFenetre {
         robot = new Robot();
         // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-        Fenetre fenetre = Ouverture.ouvrir(main.getDessinateur(), main.options, flux(erreur), fin::countDown);
+        Fenetre fenetre = main.ouvrir(fin::countDown);
         atelier = fenetre.atelier;
         cadre = fenetre.cadre;
         panneau = composant("image", PanneauImage.class);

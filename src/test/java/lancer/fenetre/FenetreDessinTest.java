@@ -34,7 +34,7 @@ import lancer.Couleur;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.dessin.Dessin;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
@@ -44,7 +44,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void leBrouillonParaitPuisLImageSAcheve() throws Exception {
-        Traceur lancer = new Traceur(new Scene(scene.toString()), new Camera(L, H));
+        Lancer lancer = new Lancer(new Scene(scene.toString()), new Camera(L, H));
         ImageMemoire brouillon = new ImageMemoire(L, H, false);
         lancer.TracerBrouillon(brouillon, Constantes.REFLETS_BROUILLON, 1);
         banc = new BancFenetre(lente().lent());
@@ -82,7 +82,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
             @Override
             public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                premiere = getDessinateur().getImage() == null;
+                premiere = getDessin().getImage() == null;
                 return super.lireScene(fichier, suivi);
             }
         });
@@ -90,7 +90,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours && banc.main.getTraceur() != null);
+        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours && banc.main.getDessin().getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertEquals(" ", surFilEvenements(banc.resume::getText), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -100,7 +100,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void echapArreteEtF5Recommence() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est fait", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
+        attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
         assertTrue(surFilEvenements(banc.avancement::getString).startsWith("arrêté à "));
@@ -148,7 +148,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void fermerNeLaisseAucunFil() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est fait", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
+        attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.fermer();
         assertFalse(surFilEvenements(banc.cadre::isDisplayable));
         attendre("plus aucun fil du programme", () -> !BancFenetre.vivent("lancer-"));
@@ -169,7 +169,7 @@ class FenetreDessinTest extends EssaiFenetre {
                 return super.lireScene(fichier, suivi);
             }
         }.lent());
-        attendre("le dessin a commencé", () -> banc.main.getTraceur() != null);
+        attendre("le dessin a commencé", () -> banc.main.getDessin().getLancer() != null);
         repondA(50);
         assertTrue(banc.atelier.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
@@ -198,7 +198,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(new MainLent(args()) {
             @Override
             public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                if (getDessinateur().getImage() != null) {
+                if (getDessin().getImage() != null) {
                     suivis[0] = suivi;
                     suivi.accept(0.42);
                     attendreSansEtreInterrompu(lecture);
@@ -377,7 +377,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Dessin dAvant = surFilEvenements(banc.atelier.courant::getDessin);
+        Lancer dAvant = surFilEvenements(() -> banc.atelier.courant.dessin.getLancer());
         double avancement = surFilEvenements(() -> banc.atelier.courant.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);

@@ -196,7 +196,7 @@ class FenetreImageTest extends EssaiFenetre {
             @Override
             public void drawPixel(Couleur coul, int xe, int ye) {
                 // le brouillon attend avant le bas de l'image
-                if (ye >= H / 2 && !getTraceur().isBrouillonFait()) {
+                if (ye >= H / 2 && !brouillonFait()) {
                     attendreSansEtreInterrompu(bas);
                 }
                 super.drawPixel(coul, xe, ye);

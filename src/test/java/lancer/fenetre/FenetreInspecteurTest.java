@@ -162,7 +162,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> recit.getText().contains("diffus = Kd (0.10000 0.20000 0.90000)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.atelier.enCours && banc.atelier.montre.reglages.getReflets() == 2);
+        attendre("deux réflexions", () -> banc.atelier.enCours && banc.atelier.montre.getReglages().getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.atelier.enCours));
     }
@@ -174,9 +174,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreTitre(160, 60);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
         faire(() -> banc.cadre.setSize(banc.cadre.getWidth() + 320, banc.cadre.getHeight() + 240));
-        attendre("une image plus haute", () -> banc.atelier.montre.image.hauteur > H + 100);
+        attendre("une image plus haute", () -> banc.atelier.montre.getImage().hauteur > H + 100);
         attendre("au même endroit", () -> {
-            double fois = banc.atelier.montre.image.largeur / (double) L;
+            double fois = banc.atelier.montre.getImage().largeur / (double) L;
             return inspecteurSur("Rayons du pixel " + (int) (160.5 * fois) + ", " + (int) (60.5 * fois));
         });
     }
@@ -234,7 +234,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     @Test
     void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
         banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est là", () -> banc.main.getTraceur() != null && banc.main.getTraceur().isBrouillonFait());
+        attendre("le brouillon est là", () -> banc.main.brouillonFait());
         attendre("et se voit", () -> banc.panneau.montree != null);
         cliquer(150, 100);
         attendreTitre(150, 100);

@@ -36,7 +36,7 @@ import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -157,7 +157,7 @@ class FenetreTest extends EssaiFenetre {
     void lIconeEstLaSceneDuCoursAPlusieursTailles() throws Exception {
         banc = new BancFenetre(lente());
         attendre("elle est là", () -> banc.cadre.getIconImages().size() == 4);
-        Traceur lancer = new Traceur(new Scene("scenes/scene1.ini"), new Camera(128, 128));
+        Lancer lancer = new Lancer(new Scene("scenes/scene1.ini"), new Camera(128, 128));
         ImageMemoire dessinee = new ImageMemoire(128, 128, false);
         lancer.TracerPixels(dessinee, Constantes.MAX_REFLETS, 1);
         BufferedImage icone = new BufferedImage(128, 128, BufferedImage.TYPE_INT_RGB);

@@ -129,7 +129,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Un clic");
         for (int reflets : new int[] {2, 1, 0}) {
             frapper(KeyEvent.VK_SUBTRACT);
-            attendre("moins de réflexions", () -> banc.atelier.montre.reglages.getReflets() == reflets);
+            attendre("moins de réflexions", () -> banc.atelier.montre.getReglages().getReflets() == reflets);
             attendre("elles ont leur point", graphique::aUnPresent);
         }
     }

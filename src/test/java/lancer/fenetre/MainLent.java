@@ -6,8 +6,6 @@ import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
 import lancer.dessin.Dessin;
-import lancer.dessin.Dessinateur;
-import lancer.fils.Traceur;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
 class MainLent extends Main {
@@ -34,21 +32,26 @@ class MainLent extends Main {
         return this;
     }
 
-    Dessinateur getDessinateur() {
-        return dessinateur;
-    }
-
-    Traceur getTraceur() {
-        Dessin dessin = dessinateur.getDessin();
-        return dessin == null ? null : dessin.traceur;
+    /** Vrai si le brouillon du dessin en cours est fait. */
+    boolean brouillonFait() {
+        return getDessin().isBrouillonFait();
     }
 
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         super.drawPixel(coul, xe, ye);
-        Traceur lancer = getTraceur();
-        if (lent && lancer != null && lancer.isBrouillonFait()) {
+        if (lent && brouillonFait()) {
             LockSupport.parkNanos(PAUSE_NS);
         }
+    }
+
+    /** Ouvre la fenêtre de ce programme. */
+    Fenetre ouvrir(Runnable fin) {
+        return Ouverture.ouvrir(options, getDessin(), this::dessiner, BancFenetre.flux(erreur), fin);
+    }
+
+    @Override
+    protected Dessin getDessin() {
+        return super.getDessin();
     }
 }

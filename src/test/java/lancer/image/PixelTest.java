@@ -23,7 +23,7 @@ import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.EssaiPixel;
 import lancer.essai.Ressources;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.rapide.Preparation;
@@ -49,7 +49,7 @@ class PixelTest extends EssaiCommande {
         Camera camera = new Camera(20, 15);
         scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
         String[] attendus = new String[20 * 15];
-        new Traceur(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
+        new Lancer(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
                 + Integer.toHexString(c.getCode()).substring(2).toUpperCase(), 3, 2);
         for (int k = 0; k < attendus.length; k++) {
             Essai e = Essai.executer("--taille=20x15", "--reflets=3", "--pixel", k % 20 + "," + k / 20, SCENE);

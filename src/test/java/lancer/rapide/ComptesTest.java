@@ -19,7 +19,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
+import lancer.essai.RechercheSimple;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -50,8 +50,8 @@ class ComptesTest {
         Scene treize = ScenesDEssai.foule(5, 13, 0).scene();
         for (int[] cote : new int[][] {{8, 6, 1, 1}, {80, 60, 1, 0}, {800, 600, 1, 0}}) {
             Camera camera = new Camera(cote[0], cote[1]);
-            assertEquals(cote[2] == 1, Preparation.pour(deux, camera, part -> { }) instanceof RechercheSimple, cote[0] + " : deux");
-            assertEquals(cote[3] == 1, Preparation.pour(treize, camera, part -> { }) instanceof RechercheSimple, cote[0] + " : treize");
+            assertEquals(cote[2] == 1, Preparation.pour(deux, camera, part -> { }) == null, cote[0] + " : deux");
+            assertEquals(cote[3] == 1, Preparation.pour(treize, camera, part -> { }) == null, cote[0] + " : treize");
         }
     }
 
@@ -60,7 +60,7 @@ class ComptesTest {
     void centLampesOntChacuneLeurCarte() {
         for (int lampes : new int[] {10, 100}) {
             Scene scene = ScenesDEssai.foule(8, 820, 0).lampes(lampes).scene();
-            Structures s = ((RechercheRapide) Preparation.pour(scene, CAMERA, part -> { })).structures;
+            Structures s = (Preparation.pour(scene, CAMERA, part -> { })).structures;
             long cartes = Arrays.stream(s.ombres).filter(o -> o instanceof Carte).count();
             assertTrue(cartes >= 0.9 * lampes, cartes + " cartes pour " + lampes + " lampes");
         }
@@ -187,10 +187,10 @@ class ComptesTest {
     @Test
     void lesMasquesDeVingtMilleLampesNePrennentPasPlusDUnMegaoctet() {
         Scene scene = ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene();
-        Structures s = ((RechercheRapide) Preparation.pour(scene, new Camera(800, 600), part -> { })).structures;
+        Structures s = (Preparation.pour(scene, new Camera(800, 600), part -> { })).structures;
         long masquees = Arrays.stream(s.ombres).filter(o -> !(o instanceof Arbre)).count();
         assertTrue(masquees > 100 && masquees * 24 * 16 <= 1 << 20, masquees + " lampes ont des masques");
-        s = ((RechercheRapide) Preparation.pour(scene, new Camera(10, 10), Preparation.Genre.MASQUES, part -> { })).structures;
+        s = (Preparation.pour(scene, new Camera(10, 10), Preparation.Genre.MASQUES, part -> { })).structures;
         assertTrue(s.ombres[0] instanceof Arbre, "cent pixels ne valent pas 576 paires de sphères par lampe");
     }
 
@@ -207,7 +207,8 @@ class ComptesTest {
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
                 assertThrows(CancellationException.class, () ->
-                        Sondage.ecart(scene, CAMERA, new Structures(new Spheres(scene.getObjets()), scene.getLampes())));
+                        Sondage.ecart(scene, CAMERA, new RechercheRapide(
+                        new Structures(new Spheres(scene.getObjets()), scene.getLampes()), new Compteurs())));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }
@@ -218,7 +219,7 @@ class ComptesTest {
     @Test
     void lesStructuresTiennentDansLeurBudget() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(3000).entrySet()) {
-            Structures s = ((RechercheRapide) Preparation.pour(e.getValue(), CAMERA, Preparation.Genre.CARTES, part -> { })).structures;
+            Structures s = (Preparation.pour(e.getValue(), CAMERA, Preparation.Genre.CARTES, part -> { })).structures;
             int n = e.getValue().getObjets().size();
             long places = Math.max(40L * n, 14L * n + (1 << 20));
             long references = 0;

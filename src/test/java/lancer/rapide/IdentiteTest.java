@@ -19,9 +19,8 @@ import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
+import lancer.essai.RechercheSimple;
 import lancer.contrat.Specularite;
-import lancer.fils.Traceur;
 import org.junit.jupiter.api.Test;
 
 /** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */
@@ -130,7 +129,7 @@ class IdentiteTest {
         Dessin(Scene scene, Camera camera, int profondeur, int fils) {
             largeur = camera.getLargeur();
             pixels = new Couleur[largeur * camera.getHauteur()];
-            Traceur lancer = new Traceur(scene, camera);
+            Lancer lancer = new Lancer(scene, camera);
             lancer.TracerPixels((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
             compteurs = lancer.getCompteurs();
         }

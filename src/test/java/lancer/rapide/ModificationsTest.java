@@ -70,9 +70,7 @@ class ModificationsTest {
         "Rayon | P.add(distance, V) | P.add(0.99 * distance, V)",
         "Rayon | Constantes.CIEL.b * bas + V.y | Constantes.CIEL.b * bas",
         "Rayon | Constantes.SOL.v + Constantes | Constantes.SOL.v - Constantes",
-        "Scene | getRecherche().plusProche(incident, saufLui) | getRecherche().plusProche(incident, null)",
         "Scene | .traverser(couleur, | .traverser(couleur.mul(0.5),",
-        "Scene | return recherche.estCachee( | return !recherche.estCachee(",
         "Lancer | camera.getRayon(xe, ye) | camera.getRayon(xe + 0.3, ye)",
         "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",
         "Camera | new Vecteur(OEIL, ecran) | new Vecteur(0, 0, 1)",
@@ -86,16 +84,22 @@ class ModificationsTest {
         "Vecteur | 1.5 - 0.5 * carre | 1.4 - 0.5 * carre",
         "Point | new Point(x + k * v.x, y + k * v.y, z + k * v.z) | new Point(x + k * v.x, y + k * v.y, z + 0.99 * k * v.z)",
         "Couleur | new Couleur(r * c.r, v * c.v, b * c.b) | new Couleur(r * c.r, v * c.v, 0)",
-        "Couleur | new Couleur(r + c.r, v + c.v, b + c.b) | new Couleur(r + c.r, v, b + c.b)",
+        "Couleur | v + c.v * d.v * k | v",
         "Lumiere | r += c.r | r += 0.5 * c.r",
         "Lumiere | Kd.mul(cosinus, KL) | Kd.mul(0.5 * cosinus, KL)",
-        "Lumiere | diffus.add(Ks.mul(eclat, KL)) | diffus.add(Ks.mul(0.5 * eclat, KL))",
+        "Lumiere | diffus.add(eclat, Ks, KL) | diffus.add(0.5 * eclat, Ks, KL)",
         "Lampe | return couleur; | return couleur.mul(0.5);",
-        "Scene | lampe.getPosition(), L.neg(), distance | lampe.getPosition(), L, distance",
+        "Scene | lampe.getPosition(), L.neg(), distance, objet | lampe.getPosition(), L, distance, objet",
         "Rayon | return V; | return V.add(new Vecteur(0, 1e-12, 0));",
         "precision/Intersection | return d >= 0 ? d : | return d >= 0 ? 1.01 * d :",
-        "contrat/RechercheSimple | if (d < distance) | if (d < 0.8 * distance)",
-        "contrat/RechercheSimple | ombre), autre) < distance | ombre), autre) < 0.7 * distance"})
+        "Scene | if (d < distance) | if (d < 0.8 * distance)",
+        "Scene | if (d < distance) | if (d < Constantes.INFINI)",
+        "Scene | if (objet != saufLui) { | if (objet != saufLui && objet != objets.get(0)) {",
+        "Scene | incident.setContact(plusProche, distance) | incident.setContact(plusProche, 1.001 * distance)",
+        "Scene | distance = d; | distance = d + 0.01;",
+        "Scene | demander(autre, ombre) < distance | demander(autre, ombre) < 0.7 * distance",
+        "Scene | autre != objet && demander | autre != objet && autre != objets.get(1) && demander",
+        "Scene | for (Objet3D autre : objets) | for (Objet3D autre : objets.subList(0, 1))"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
         assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");

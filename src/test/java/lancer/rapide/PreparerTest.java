@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -10,13 +11,13 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.contrat.RechercheSimple;
 import lancer.essai.Essai;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.image.ImageMemoire;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,7 +38,7 @@ class PreparerTest {
         float[] programme = simple ? Essai.dessiner(dossier, SCENE, taille, "--simple") : Essai.dessiner(dossier, SCENE, taille);
         ImageMemoire image = new ImageMemoire(64, 48, true);
         Scene scene = new Scene(SCENE.toString());
-        Dessinateur.traceur(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        Dessin.lancer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
         float[] preparee = image.lineaire;
         for (int j = 0; j < 48; j++) {
             // un fichier PFM commence par la ligne du bas
@@ -52,7 +53,7 @@ class PreparerTest {
     @Test
     void laPartPrepareeSeDitApresChaqueEtape() {
         List<Double> parts = new ArrayList<>();
-        Dessinateur.traceur(new Scene("scenes/tournesol.ini"), 64, 48, false, parts::add);
+        Preparation.pour(new Scene("scenes/tournesol.ini"), new Camera(64, 48), parts::add);
         List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
         assertEquals(croissantes, parts);
         assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
@@ -61,8 +62,8 @@ class PreparerTest {
     @Test
     void simpleDonneLesBouclesDuCours() {
         Scene scene = new Scene(SCENE.toString());
-        Traceur lancer = Dessinateur.traceur(scene, 64, 48, true);
-        assertTrue(scene.getModele().getRecherche() instanceof RechercheSimple);
+        Lancer lancer = Dessin.lancer(scene, 64, 48, true);
+        assertNull(scene.getModele().getRecherche());
         assertEquals(64, lancer.getCamera().getLargeur());
         assertEquals(48, lancer.getCamera().getHauteur());
     }

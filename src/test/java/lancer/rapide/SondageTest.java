@@ -16,8 +16,8 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.RechercheSimple;
-import lancer.fils.Traceur;
+import lancer.essai.RechercheSimple;
+import lancer.Lancer;
 import org.junit.jupiter.api.Test;
 
 /** Un sondage voit une recherche qui ne répond pas comme les classes du cours, et les boucles du cours dessinent alors. */
@@ -36,7 +36,7 @@ class SondageTest {
         for (int k = 0; k < plates.nombre; k++) {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
-        return Sondage.ecart(scene, CAMERA, new Structures(plates, scene.getLampes()));
+        return Sondage.ecart(scene, CAMERA, new RechercheRapide(new Structures(plates, scene.getLampes()), new Compteurs()));
     }
 
     @Test
@@ -46,9 +46,7 @@ class SondageTest {
         scenes.putAll(ScenesDEssai.hostiles(1000));
         scenes.forEach((nom, scene) -> {
             for (Preparation.Genre genre : Preparation.Genre.values()) {
-                Recherche recherche = Preparation.pour(scene, CAMERA, genre, part -> { });
-                assertNull(recherche.getEcart(), nom);
-                assertTrue(recherche instanceof RechercheRapide, nom);
+                assertNull(Sondage.ecart(scene, CAMERA, Preparation.pour(scene, CAMERA, genre, part -> { })), nom);
             }
         });
     }
@@ -70,20 +68,14 @@ class SondageTest {
         assertNull(sonder(ScenesDEssai.foule(3, 40, 0).scene(), 1));
     }
 
-    @Test
-    void unEcartEstCeluiDuTraceurEtDeToutesSesVues() {
-        Scene scene = ScenesDEssai.toutes(60).get("foule");
-        scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), new Compteurs(), "un écart"));
-        Traceur traceur = new Traceur(scene, CAMERA);
-        assertEquals("un écart", traceur.getEcart());
-        assertEquals("un écart", traceur.avec(scene.getModele().getEchantillonnage(), 0).getEcart());
-    }
-
     /** Un rayon qui ne part pas d'où partent ceux d'un masque, ou va ailleurs, reçoit quand même la réponse des boucles. */
     @Test
     void unRayonDeplaceOuTorduALaReponseDesBoucles() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(20).entrySet()) {
             Scene scene = rapide(e.getValue(), CAMERA);
+            if (scene.getModele().getRecherche() == null) {
+                continue;
+            }
             RechercheSimple boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
             java.util.Random hasard = new java.util.Random(5);
             for (int k = 0; k < 400; k++) {

@@ -30,7 +30,7 @@ import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -125,7 +125,7 @@ class LectureTest {
 
     private static Ressources.Image dessin(Scene scene) {
         Ressources.Image image = new Ressources.Image(40, 30);
-        new Traceur(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
+        new Lancer(scene, new Camera(40, 30)).TracerPixels(image, 5, 1);
         return image;
     }
 

@@ -19,7 +19,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -75,7 +75,7 @@ class CoinsTest {
 
     private static Compteurs compteurs(List<Sphere> spheres, int n, double seuil) {
         Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
-        Traceur lancer = new Traceur(scene.avec(scene.getModele().avec(new Coins(n, seuil), Constantes.SEUIL)), new Camera(40, 30));
+        Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(n, seuil), Constantes.SEUIL)), new Camera(40, 30));
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
         return lancer.getCompteurs();
     }
@@ -98,7 +98,7 @@ class CoinsTest {
     @Test
     void leBrouillonNePrendPasUnRayonDePlus() {
         Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
-        Traceur lancer = new Traceur(scene.avec(scene.getModele().avec(new Coins(8, 0), Constantes.SEUIL)), new Camera(41, 31));
+        Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(8, 0), Constantes.SEUIL)), new Camera(41, 31));
         lancer.TracerBrouillon((couleur, i, j) -> { }, 5, 2);
         assertEquals(11 * 8, lancer.getCompteurs().primaires);
     }
@@ -108,7 +108,7 @@ class CoinsTest {
         Scene base = new Scene(spheres, lampes);
         Scene scene = base.avec(base.getModele().avec(echantillonnage, Constantes.SEUIL));
         Couleur[] image = new Couleur[9];
-        new Traceur(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
+        new Lancer(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
         return image;
     }
 

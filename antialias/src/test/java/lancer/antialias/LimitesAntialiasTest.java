@@ -16,7 +16,7 @@ import lancer.Sphere;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -99,7 +99,7 @@ class LimitesAntialiasTest {
         Scene scene = echantillonnage == null ? modele
                 : modele.avec(modele.getModele().avec(echantillonnage, modele.getModele().getSeuil()));
         Couleur[] image = new Couleur[cote * cote];
-        new Traceur(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
+        new Lancer(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
         return image;
     }
 

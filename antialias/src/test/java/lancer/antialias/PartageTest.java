@@ -25,7 +25,6 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
 import lancer.inspection.Inspection;
 import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
@@ -188,7 +187,7 @@ class PartageTest {
         }
         Scene scene = new Scene(Arrays.asList(boules), Collections.singletonList(new Lampe(new Point(-5, 6, -3), new Couleur(0.9))));
         double[] image = new double[60 * 45];
-        Traceur lancer = new Traceur(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
+        Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
         lancer.TracerPixels((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
         compteurs.ajouter(lancer.getCompteurs());
         return image;
@@ -220,7 +219,7 @@ class PartageTest {
 
     private static double[] rouges(Scene scene, Echantillonnage echantillonnage, long[] rayons) {
         double[] rouges = new double[L * H];
-        Traceur traceur = new Traceur(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
+        Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
         traceur.TracerPixels((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
         rayons[0] = traceur.getCompteurs().primaires;
         return rouges;
@@ -249,7 +248,7 @@ class PartageTest {
         Echantillonnage partage = new Partage(8, 0.06).pour(scene.getObjets(), camera);
         Scene prete = scene.avec(scene.getModele().avec(partage, 0));
         Couleur[] entiere = new Couleur[L * H];
-        new Traceur(prete, camera).TracerPixels((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
+        new Lancer(prete, camera).TracerPixels((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
         Vue vue = (xe, ye) -> new Lancer(prete, camera).getCouleurPixel(xe, ye, 0);
         for (int k = 0; k < L * H; k += 37) {
             int i = k % L;

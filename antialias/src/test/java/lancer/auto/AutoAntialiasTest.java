@@ -15,10 +15,11 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import lancer.Scene;
+import lancer.contrat.Echantillonnage;
 import lancer.antialias.Antialias;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import lancer.essai.Essai;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.scene.SectionLue;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -53,13 +54,13 @@ class AutoAntialiasTest {
     /** Erreur et prix de chaque barreau, attendus de quelques pixels, contre ceux de l'image entière. */
     @Test
     void ceQuiEstAttenduDeLEchelleEstCeQuOnEnDessine() {
-        Traceur prepare = Dessinateur.traceur(new Scene(scene.toString()), 80, 60, false);
+        Lancer prepare = Dessin.lancer(new Scene(scene.toString()), 80, 60, false);
         Auto auto = Auto.choisir(prepare, 0, null, null, 2,
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
         assertEquals(new Antialias().getEchelle(new SectionLue("Antialias")).size(), auto.essayes.size());
-        double[][] juste = image(prepare.avec(Antialias.coins(16, 0), 0), 1000);
+        double[][] juste = image(avec(prepare, Antialias.coins(16, 0), 0), 1000);
         for (Candidat reglage : auto.essayes) {
-            Traceur lancer = prepare.avec(reglage.echantillonnage, reglage.seuil);
+            Lancer lancer = avec(prepare, reglage.echantillonnage, reglage.seuil);
             double[][] image = image(lancer, reglage.reflets);
             assertEquals(1, reglage.prix * 80 * 60 / lancer.getCompteurs().rayons(), 0.25, reglage.toString());
             double somme = 0;
@@ -72,7 +73,12 @@ class AutoAntialiasTest {
         }
     }
 
-    private static double[][] image(Traceur lancer, int reflets) {
+    private static Lancer avec(Lancer prepare, Echantillonnage echantillonnage, double seuil) {
+        Scene scene = prepare.getScene();
+        return new Lancer(scene.avec(scene.getModele().avec(echantillonnage, seuil)), prepare.getCamera());
+    }
+
+    private static double[][] image(Lancer lancer, int reflets) {
         double[][] image = new double[80 * 60][];
         lancer.TracerPixels((couleur, i, j) -> image[j * 80 + i] = Semis.niveaux(couleur), reflets, 2);
         return image;

@@ -7,8 +7,8 @@ import lancer.Couleur;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Vue;
-import lancer.fils.Traceur;
-import lancer.dessin.Dessinateur;
+import lancer.Lancer;
+import lancer.dessin.Dessin;
 
 /**
  * Mesure de l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
@@ -77,7 +77,7 @@ public final class Gabarit {
             }
             return 0;
         };
-        Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(auHasard, 0)), largeur, hauteur, false);
+        Lancer lancer = Dessin.lancer(scene.avec(scene.getModele().avec(auHasard, 0)), largeur, hauteur, false);
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
     }
 

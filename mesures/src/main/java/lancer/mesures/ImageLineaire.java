@@ -2,7 +2,7 @@ package lancer.mesures;
 
 import lancer.Couleur;
 import lancer.contrat.Toile;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 
 /** Une image de couleurs non limitées, en double précision : ce que le programme calcule, avant l'écran. */
 public final class ImageLineaire implements Toile {
@@ -18,7 +18,7 @@ public final class ImageLineaire implements Toile {
     }
 
     /** Tous les pixels de ce que dessine {@code lancer} ; ils ne dépendent pas du nombre de fils. */
-    public static ImageLineaire de(Traceur lancer, int profondeur, int fils) {
+    public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
         ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
         lancer.TracerPixels(image, profondeur, fils);
         return image;

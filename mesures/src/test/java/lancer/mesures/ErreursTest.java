@@ -17,7 +17,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.Scenes;
 import lancer.contrat.Echantillonnage;
 import lancer.scene.FichierScene;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -171,9 +171,9 @@ class ErreursTest {
         "bowling, 2, -1, 5, 1024", "bowling, 4, 0.05, 5, 1024"})
     void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
         Scene scene = lire(nom);
-        Echantillonnage grille = n == 1 ? Echantillonnage.CENTRE : Antialias.coins(n, Math.max(0, contraste));
+        Echantillonnage grille = n == 1 ? null : Antialias.coins(n, Math.max(0, contraste));
         Gabarit gabarit = new Gabarit(scene, L, H, 1);
-        ImageLineaire image = ImageLineaire.de(Dessinateur.traceur(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
+        ImageLineaire image = ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);
         double[] plate = carres(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);
         double[] publies = gabarit.carres(image);

@@ -10,7 +10,7 @@ import lancer.antialias.Antialias;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.scene.FichierScene;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import org.junit.jupiter.api.Test;
 
 /** L'erreur d'une image, contre deux images au hasard. */
@@ -24,7 +24,7 @@ class GabaritTest {
     private static final int H = 42;
 
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, int reflets) {
-        return ImageLineaire.de(Dessinateur.traceur(scene, largeur, hauteur, false), reflets, 2);
+        return ImageLineaire.de(Dessin.lancer(scene, largeur, hauteur, false), reflets, 2);
     }
 
     private static double erreur(Gabarit gabarit, ImageLineaire image) {

@@ -4,9 +4,9 @@ import java.awt.image.Raster;
 import java.io.IOException;
 import lancer.Camera;
 import lancer.Scene;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.mesures.ImageLineaire;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 
 /** Une scène prête à être dessinée, par nous et par le juge. */
 public final class SceneJugee {
@@ -14,7 +14,7 @@ public final class SceneJugee {
     private static final double NIVEAUX_16 = 65535;
 
     /** Traceur pour la dessiner nous-mêmes, au seuil que le juge peut tenir. */
-    public final Traceur lancer;
+    public final Lancer lancer;
 
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */
     final int dessins;
@@ -37,7 +37,7 @@ public final class SceneJugee {
             // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
             scene.getModele().setSeuil(0);
         }
-        lancer = Dessinateur.traceur(scene, largeur, hauteur, false);
+        lancer = Dessin.lancer(scene, largeur, hauteur, false);
         camera = lancer.getCamera();
         TraductionPov traduction = new TraductionPov(scene, reflets, camera);
         for (int c = 0; c < dessins; c++) {

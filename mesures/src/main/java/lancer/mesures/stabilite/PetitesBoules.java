@@ -15,11 +15,11 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.contrat.Echantillonnage;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 
 /** Des boules noires sur le ciel, toutes du même rayon à l'écran, loin les unes des autres et au hasard auprès des pixels. */
 final class PetitesBoules {
@@ -74,7 +74,7 @@ final class PetitesBoules {
     /** L'erreur de chaque méthode à chaque rayon, et celle que l'on attend ; 0 si l'on n'en a pas la forme close. */
     static List<Exactitude> mesurer(boolean rapide) {
         Map<String, Echantillonnage> methodes = new LinkedHashMap<>();
-        methodes.put("un_rayon", Echantillonnage.CENTRE);
+        methodes.put("un_rayon", null);
         methodes.put("coins", Antialias.coins(N, 0.05));
         methodes.put(SANS, (pave, voulus, vue, toile) -> Antialias.partage(N, 0.1).tracer(pave, pave, vue, toile));
         methodes.put("partage", Antialias.partage(N, 0.1));
@@ -85,7 +85,7 @@ final class PetitesBoules {
             Scene scene = new Scene(image.boules, Collections.emptyList());
             Gabarit gabarit = new Gabarit(scene, LARGEUR, HAUTEUR, 1);
             methodes.forEach((nom, methode) -> {
-                Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(methode, 0)), LARGEUR, HAUTEUR, false);
+                Lancer lancer = Dessin.lancer(scene.avec(scene.getModele().avec(methode, 0)), LARGEUR, HAUTEUR, false);
                 double erreur = Intervalle.deLaRacine(gabarit.carres(ImageLineaire.de(lancer, 0, 2))).valeur;
                 exactitudes.add(new Exactitude(FIGURE, nom, image.rayon, erreur, image.boules.size(), 0, image.attendue(nom),
                         (double) lancer.getCompteurs().rayons() / LARGEUR / HAUTEUR));

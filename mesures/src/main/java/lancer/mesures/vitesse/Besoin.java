@@ -19,8 +19,8 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.dessin.Dessinateur;
-import lancer.fils.Traceur;
+import lancer.dessin.Dessin;
+import lancer.Lancer;
 import lancer.image.ImageMemoire;
 import lancer.mesures.Gabarit;
 
@@ -46,7 +46,7 @@ final class Besoin {
         this.taille = taille;
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
-        Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
+        Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
         codes = codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
         recherche = lancer.getScene().getModele().getRecherche();
@@ -84,12 +84,12 @@ final class Besoin {
                 compteurs.rayons(), utiles, ombresInutiles, recherche, octets(recherche, new HashSet<>()));
     }
 
-    private Traceur preparer(Scene copie, double seuil) {
+    private Lancer preparer(Scene copie, double seuil) {
         copie.getModele().setSeuil(seuil);
-        return Dessinateur.traceur(copie, taille.largeur, taille.hauteur, false);
+        return Dessin.lancer(copie, taille.largeur, taille.hauteur, false);
     }
 
-    private int[] codes(Traceur lancer, int profondeur) {
+    private int[] codes(Lancer lancer, int profondeur) {
         ImageMemoire image = new ImageMemoire(taille.largeur, taille.hauteur, false);
         lancer.TracerPixels(image, profondeur, taille.fils);
         return image.codes;
@@ -100,7 +100,7 @@ final class Besoin {
      * de la lumière : une profondeur de plus ne rend pas une image moins juste, et la recherche peut couper en deux.
      */
     int profondeurUtile() {
-        Traceur lancer = preparer(scene.avec(scene.getModele()), 0);
+        Lancer lancer = preparer(scene.avec(scene.getModele()), 0);
         int[] limite = codes(lancer, Gabarit.PROFONDEUR);
         int bas = 0;
         int haut = Gabarit.PROFONDEUR;
@@ -132,7 +132,7 @@ final class Besoin {
      * retournée l'une après l'autre, n'y change rien.
      */
     long rayonsUtiles() {
-        Traceur lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
+        Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
         Retournee ombres = new Retournee(lancer.getScene().getModele().getRecherche());
         lancer.getScene().getModele().setRecherche(ombres);
         ombresInutiles = 0;

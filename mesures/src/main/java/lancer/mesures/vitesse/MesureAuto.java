@@ -27,7 +27,7 @@ import lancer.atelier.FichierCsv;
 import lancer.atelier.SceneAuHasard;
 import lancer.atelier.Scenes;
 import lancer.auto.Auto;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
@@ -142,7 +142,7 @@ public final class MesureAuto {
     }
 
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
-        Auto auto = Auto.choisir(Dessinateur.traceur(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
+        Auto auto = Auto.choisir(Dessin.lancer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                 taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
         auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
         return auto;

@@ -6,8 +6,8 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
-import lancer.fils.Traceur;
-import lancer.dessin.Dessinateur;
+import lancer.Lancer;
+import lancer.dessin.Dessin;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
 final class Methode {
@@ -26,7 +26,7 @@ final class Methode {
 
     boolean povray;
 
-    private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
+    private Echantillonnage echantillonnage = null;
     private int profondeur = Constantes.MAX_REFLETS;
     private double seuil = Constantes.SEUIL;
     private UnaryOperator<Scene> changement = UnaryOperator.identity();
@@ -74,11 +74,11 @@ final class Methode {
     /** Une scène prête. */
     final class Dessin {
 
-        final Traceur lancer;
+        final Lancer lancer;
 
         Dessin(Scene lue, int largeur, int hauteur) {
             Scene changee = changement.apply(lue);
-            lancer = Dessinateur.traceur(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
+            lancer = Dessin.lancer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
         }
 
         /** Une fois, par le chemin du programme. */
@@ -91,7 +91,7 @@ final class Methode {
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage().pour(scene.getObjets(), lancer.getCamera()));
-            Dessinateur.traceur(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
+            Dessin.lancer(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, profondeur, fils);
         }
     }

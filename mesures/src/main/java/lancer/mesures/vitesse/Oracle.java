@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.dessin.Dessinateur;
-import lancer.fils.Traceur;
+import lancer.dessin.Dessin;
+import lancer.Lancer;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 
@@ -84,7 +84,7 @@ final class Oracle {
 
     private Essai dessiner(Essai essai) {
         return dessines.computeIfAbsent(essai.toString(), nom -> {
-            Traceur lancer = Dessinateur.traceur(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
+            Lancer lancer = Dessin.lancer(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
                     essai.seuilDesReflets)), taille.largeur, taille.hauteur, false);
             essai.erreur = erreur.applyAsDouble(ImageLineaire.de(lancer, essai.reflets, taille.fils));
             essai.prix = (double) lancer.getCompteurs().rayons() / taille.pixels();

@@ -23,12 +23,12 @@ import lancer.Scene;
 import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.dessin.Dessinateur;
+import lancer.dessin.Dessin;
 
 /**
  * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
@@ -153,7 +153,7 @@ final class Ouvrier {
      * @throws IllegalStateException si l'un d'eux n'est pas le même
      */
     static void pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
-        Traceur lancer = Dessinateur.traceur(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
+        Lancer lancer = Dessin.lancer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
         BufferedImage image = ImageIO.read(png.toFile());
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;

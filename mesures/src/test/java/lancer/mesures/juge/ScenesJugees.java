@@ -24,7 +24,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.fils.Traceur;
+import lancer.Lancer;
 import lancer.mesures.ImageLineaire;
 
 /** De petites scènes, des images de 16 bits faites de nos couleurs, et une fausse commande povray qui les rend. */
@@ -81,7 +81,7 @@ final class ScenesJugees {
     /** Ce que nous en dessinons, limité et arrondi comme dans un PNG de 16 bits. */
     static WritableRaster image(Scene scene) {
         WritableRaster image = Raster.createInterleavedRaster(DataBuffer.TYPE_USHORT, LARGEUR, HAUTEUR, 3, null);
-        double[] composantes = ImageLineaire.de(new Traceur(scene, new Camera(LARGEUR, HAUTEUR)), REFLETS, 1).getComposantes();
+        double[] composantes = ImageLineaire.de(new Lancer(scene, new Camera(LARGEUR, HAUTEUR)), REFLETS, 1).getComposantes();
         for (int k = 0; k < composantes.length; k++) {
             image.setSample(k / 3 % LARGEUR, k / 3 / LARGEUR, k % 3,
                     (int) Math.round(65535 * Math.max(0, Math.min(1, composantes[k]))));

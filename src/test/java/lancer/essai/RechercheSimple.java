@@ -1,4 +1,4 @@
-package lancer.contrat;
+package lancer.essai;
 
 import java.util.List;
 import lancer.Constantes;
@@ -7,8 +7,10 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 
-/** Les deux boucles du cours : tous les objets, l'un après l'autre. */
+/** Les deux boucles du cours, récrites : tous les objets, l'un après l'autre. Ce à quoi une recherche se compare. */
 public class RechercheSimple implements Recherche {
 
     /** Objets examinés, moins un, entre deux regards à l'interruption du fil : un dixième de milliseconde. */
@@ -16,17 +18,10 @@ public class RechercheSimple implements Recherche {
 
     private final List<Objet3D> objets;
     private final Compteurs compteurs;
-    private final String ecart;
 
     public RechercheSimple(List<Objet3D> objets, Compteurs compteurs) {
-        this(objets, compteurs, null);
-    }
-
-    /** @param ecart voir {@link #getEcart()} */
-    public RechercheSimple(List<Objet3D> objets, Compteurs compteurs, String ecart) {
         this.objets = objets;
         this.compteurs = compteurs;
-        this.ecart = ecart;
     }
 
     @Override
@@ -37,7 +32,7 @@ public class RechercheSimple implements Recherche {
         for (Objet3D objet : objets) {
             if (objet != saufLui) {
                 compter();
-                double d = verifier(objet.getIntersectionDistance(incident), objet);
+                double d = Recherche.verifier(objet.getIntersectionDistance(incident), objet);
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
@@ -53,7 +48,7 @@ public class RechercheSimple implements Recherche {
         for (Objet3D autre : objets) {
             if (autre != objet) {
                 compter();
-                if (verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
+                if (Recherche.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }
             }
@@ -67,21 +62,8 @@ public class RechercheSimple implements Recherche {
         }
     }
 
-    /** @throws ArithmeticException si cette distance, qu'a rendue cet objet, n'est pas un nombre */
-    public static double verifier(double d, Objet3D objet) {
-        if (Double.isNaN(d)) {
-            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
-        }
-        return d;
-    }
-
-    @Override
-    public String getEcart() {
-        return ecart;
-    }
-
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheSimple(objets, compteurs, ecart);
+        return new RechercheSimple(objets, compteurs);
     }
 }
