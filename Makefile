@@ -107,13 +107,17 @@ mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
 	@$(if $(AUTO),,$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner)
 
-# Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; outils/mutants.md dit ce qui leur échappe, et pourquoi.
-mutations: mesures/target/mesures.jar
-	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
+# Des fautes mises exprès dans l'arithmétique, par PIT : combien les tests rapides en voient.
+PIT := $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
+
+mutations: outils
+	@rm -rf $(PIT) && mkdir -p target
 	@echo "Un millier de fautes, l'une après l'autre : six à huit minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
+	@cat $(PIT:=/mutations.csv) | awk -F, '$$6 != "SURVIVED" && $$6 != "NO_COVERAGE" { vues++ } \
+	    END { printf "%d fautes vues sur %d, soit %d %%\n", vues, NR, 100 * vues / NR }'
+	@echo "Ligne par ligne : $(PIT:=/index.html)"
 
 CORRECTION := correction/target/correction.jar
 # il ne dure pas : compiler à fond coûterait de la mémoire sans rien gagner (make mesure-corriger)

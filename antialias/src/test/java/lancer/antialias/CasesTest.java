@@ -16,7 +16,7 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import org.junit.jupiter.api.Test;
 
-/** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. Voir outils/mutants.md. */
+/** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. */
 class CasesTest {
 
     private static final Toile SANS_TOILE = (couleur, i, j) -> { };
