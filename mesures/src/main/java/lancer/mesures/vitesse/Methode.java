@@ -1,5 +1,6 @@
 package lancer.mesures.vitesse;
 
+import java.nio.file.Path;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Scene;
@@ -25,6 +26,9 @@ final class Methode {
     boolean boucles;
 
     boolean povray;
+
+    /** Un autre programme que celui-ci, ou {@code null}. */
+    Path jar;
 
     private Echantillonnage echantillonnage = Echantillonnage.CENTRE;
     private int profondeur = Constantes.MAX_REFLETS;
@@ -57,6 +61,11 @@ final class Methode {
     Methode enBoucles() {
         boucles = true;
         options = new String[] {"--simple"};
+        return this;
+    }
+
+    Methode parLeJar(Path autre) {
+        jar = autre;
         return this;
     }
 
