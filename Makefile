@@ -30,7 +30,7 @@ lanceurs: outils
 	@MVN="$(MVN)" JAVA="$(JAVA)" outils/lanceurs.sh
 
 VARIANTES_TOUTES := brume antialias blinn
-MODULES := . atelier mesures $(VARIANTES_TOUTES)
+MODULES := . mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
 	@echo "Construction de $@"
@@ -79,7 +79,7 @@ capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
@@ -139,7 +139,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 

@@ -15,14 +15,14 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.dessin.Dessinateur;
 import lancer.fils.Traceur;
 import lancer.image.ImageMemoire;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
+import lancer.mesures.scenes.Scenes;
 
 /** Besoins d'une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {

@@ -12,11 +12,11 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Regime;
 

@@ -21,13 +21,13 @@ import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 

@@ -23,15 +23,15 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.SceneAuHasard;
-import lancer.atelier.Scenes;
 import lancer.auto.Auto;
 import lancer.contrat.Variante;
 import lancer.dessin.Dessinateur;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
+import lancer.mesures.scenes.SceneAuHasard;
+import lancer.mesures.scenes.Scenes;
 
 /**
  * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de

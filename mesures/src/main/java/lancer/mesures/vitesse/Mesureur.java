@@ -17,12 +17,11 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.Constantes;
-import lancer.atelier.Circonstances;
-import lancer.atelier.Scenes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
+import lancer.mesures.scenes.Scenes;
 
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {

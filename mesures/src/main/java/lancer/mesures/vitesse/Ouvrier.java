@@ -20,15 +20,15 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
+import lancer.dessin.Dessinateur;
 import lancer.fils.Traceur;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.dessin.Dessinateur;
 
 /**
  * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import lancer.atelier.FichierCsv;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Intervalle;
 
 /** Mesures d'une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */

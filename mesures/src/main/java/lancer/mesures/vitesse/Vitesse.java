@@ -18,9 +18,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
 import lancer.mesures.juge.PovRay;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
 import lancer.texte.Texte;
 

@@ -11,11 +11,11 @@ import java.io.PrintStream;
 import java.io.StringReader;
 import java.nio.file.Path;
 import lancer.Scene;
-import lancer.atelier.Scenes;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
 import java.io.BufferedWriter;
 import java.io.FileDescriptor;
@@ -54,7 +54,7 @@ public final class Foule {
     static void ecrire(Plume plume, int n) throws IOException {
         plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
                 "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
-                "Écrite par lancer.atelier.Foule " + n);
+                "Écrite par lancer.mesures.scenes.Foule " + n);
         double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
         while (cases(cote) < n) {
             cote *= 0.99;

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
