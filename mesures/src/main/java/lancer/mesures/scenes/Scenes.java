@@ -55,7 +55,7 @@ public final class Scenes {
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
-            Foule.ecrire(new Plume(sortie), Integer.parseInt(nom.substring(tiret + 1)));
+            Foule.ecrire(sortie, Integer.parseInt(nom.substring(tiret + 1)));
         }
         return fichier;
     }

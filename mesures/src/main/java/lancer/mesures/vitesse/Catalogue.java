@@ -105,7 +105,10 @@ final class Catalogue {
         String toutes = court ? "scene1 foule-3" : "scene1 tp foule-1 foule-3 foule-10 foule-30 foule-100 foule-300";
         for (String scene : toutes.split(" ")) {
             List<Methode> m = new ArrayList<>(Collections.singletonList(new Methode(BOUCLES, "").enBoucles()));
-            autres.forEach(jar -> m.add(new Methode(AUTRE, jar.getFileName().toString()).parLeJar(jar)));
+            for (Path jar : autres) {
+                m.add(new Methode(AUTRE, jar.getFileName().toString()));
+                m.get(m.size() - 1).jar = jar;
+            }
             groupes.add(new Groupe(SPHERES, scene, m, 1));
         }
         return groupes;

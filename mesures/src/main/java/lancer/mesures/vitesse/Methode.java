@@ -64,11 +64,6 @@ final class Methode {
         return this;
     }
 
-    Methode parLeJar(Path autre) {
-        jar = autre;
-        return this;
-    }
-
     Methode parPovRay(String... siennes) {
         povray = true;
         options = siennes;
