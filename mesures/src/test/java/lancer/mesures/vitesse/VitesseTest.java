@@ -85,9 +85,10 @@ class VitesseTest {
     /** Des programmes entiers, qui dessinent la scène « tp » en tout petit. */
     private Releves enProcessus(Methode methode) throws IOException {
         Path csv = dossier.resolve(Vitesse.CSV);
-        new Mesureur(true, true, null, csv, new PrintStream(sortie), "-cp", System.getProperty("java.class.path"), "lancer.Main").mesurer(
-                new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(Catalogue.SPHERES, Scenes.TP,
-                        new ArrayList<>(Collections.singletonList(methode)), 1)));
+        // les variantes sont sur ce chemin des classes, non dans le jar que l'on mesure
+        new Mesureur(true, true, null, csv, new PrintStream(sortie), "-cp", System.getProperty("java.class.path"), "lancer.Main",
+                "--sans=Brume,Antialias,Blinn").mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(
+                        Catalogue.SPHERES, Scenes.TP, new ArrayList<>(Collections.singletonList(methode)), 1)));
         return new Releves(Releves.lignes(csv));
     }
 
@@ -98,6 +99,13 @@ class VitesseTest {
         assertEquals(1200, boucles.nombre("pixels_verifies"));
         assertTrue(boucles.nombre("rapport") > 0 && boucles.nombre("processeur_rapport") > 0 && boucles.nombre("processeur_ms") > 0);
         assertTrue(boucles.nombre("memoire_mo") > 0 == Files.isExecutable(Paths.get("/usr/bin/time")), "GNU time dit la mémoire");
+    }
+
+    @Test
+    void leProgrammeEntierDitSesComptesUneFoisSesTempsPris() throws IOException {
+        Releve programme = enProcessus(new Methode(Catalogue.PROGRAMME, "")).le(Catalogue.PROGRAMME, "");
+        assertEquals(1200, programme.nombre("primaires"));
+        assertTrue(programme.nombre("ombre") > 0 && programme.nombre("tests") > 0 && programme.nombre("rapport") > 0);
     }
 
     @Test
