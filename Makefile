@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures juge mesure-auto mutations squelette corrige corriger \
-	noter comparer reponses mesure-corriger image-classe aide propre
+.PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
+	corrige corriger noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils $(LISTES)
@@ -30,7 +30,7 @@ lanceurs: outils
 	@MVN="$(MVN)" JAVA="$(JAVA)" outils/lanceurs.sh
 
 VARIANTES_TOUTES := brume antialias blinn
-MODULES := . atelier mesures $(VARIANTES_TOUTES)
+MODULES := . mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
 	@echo "Construction de $@"
@@ -79,18 +79,25 @@ capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
+MESURER = $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(JAR:%=--jar=%) $(MESURES)
+
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
+mesures: mesures/target/mesures.jar $(BASE) | mesures/target/embree
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURER)
+
+# Des programmes entiers, de la commande au PNG : temps, temps des processeurs, mémoire, du programme et des boucles du cours ; et d'autres
+# programmes : make mesure-processus JAR="un.jar autre.jar".
+mesure-processus: mesures/target/mesures.jar $(BASE)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --processus $(MESURER)
 
 # Un pair en C++, pour les mesures.
 mesures/target/embree: mesures/src/main/cpp/embree.cpp
@@ -107,13 +114,17 @@ mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
 	@$(if $(AUTO),,$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner)
 
-# Des fautes mises exprès dans l'arithmétique, que les tests rapides doivent voir ; outils/mutants.md dit ce qui leur échappe, et pourquoi.
-mutations: mesures/target/mesures.jar
-	@rm -rf $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
+# Des fautes mises exprès dans l'arithmétique, par PIT : combien les tests rapides en voient.
+PIT := $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))
+
+mutations: outils
+	@rm -rf $(PIT) && mkdir -p target
 	@echo "Un millier de fautes, l'une après l'autre : six à huit minutes"
 	@nice -n 19 $(MVN) -q -f ensemble.xml -Pmutations -pl :lancer,:brume,:blinn,:antialias \
 	    test-compile org.pitest:pitest-maven:mutationCoverage > target/mutations.log 2>&1 || { cat target/mutations.log >&2; exit 1; }
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Mutations docs/mutations.md outils/mutants.md . $(VARIANTES_TOUTES)
+	@cat $(PIT:=/mutations.csv) | awk -F, '$$6 != "SURVIVED" && $$6 != "NO_COVERAGE" { vues++ } \
+	    END { printf "%d fautes vues sur %d, soit %d %%\n", vues, NR, 100 * vues / NR }'
+	@echo "Ligne par ligne : $(PIT:=/index.html)"
 
 CORRECTION := correction/target/correction.jar
 # il ne dure pas : compiler à fond coûterait de la mémoire sans rien gagner (make mesure-corriger)
@@ -128,7 +139,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.atelier.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 

@@ -54,7 +54,7 @@ outils:
 
 # Quand une source ou une ressource n'est plus là, tout ce que Maven en avait fait s'en va : il ne l'ôterait pas de lui-même.
 LISTES := $(RACINE)/target/sources.txt \
-	$(foreach m,$(sort $(VARIANTES) brume antialias blinn atelier mesures correction),$(RACINE)/$(m)/target/sources.txt)
+	$(foreach m,$(sort $(VARIANTES) brume antialias blinn mesures correction),$(RACINE)/$(m)/target/sources.txt)
 $(LISTES): toujours
 	@mkdir -p $(@D) && cd $(@D) && find ../src/main -type f 2>/dev/null | LC_ALL=C sort > sources.neuves; \
 	if [ -e sources.txt ] && [ -n "$$(LC_ALL=C comm -23 sources.txt sources.neuves)" ]; then rm -rf classes; fi; \

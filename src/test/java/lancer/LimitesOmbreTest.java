@@ -13,9 +13,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.essai.RechercheSimple;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheNaive;
+import lancer.essai.RechercheSimple;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 

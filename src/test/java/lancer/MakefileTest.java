@@ -86,6 +86,21 @@ class MakefileTest extends EssaiProcessus {
     }
 
     @Test
+    void makeMutationsDitCombienDeFautesLesTestsVoient() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        // à la place de Maven, les rapports de PIT : une faute par module, et dans la base une de plus pour chaque sort
+        Files.write(dossier.resolve("pit"), ("for m in . brume antialias blinn; do mkdir -p $m/target/pit-reports\n"
+                + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
+                + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
+                + ">> target/pit-reports/mutations.csv\n").getBytes());
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+                "-I", new File("").getAbsolutePath(), "MVN=sh pit", "mutations"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        assertTrue(sortie().contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
+    }
+
+    @Test
     void uneSourceEffaceeEmporteCeQuiEnEtaitConstruit() throws Exception {
         assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         Path sources = Files.createDirectories(dossier.resolve("src/main/java"));

@@ -4,7 +4,6 @@ import java.io.PrintStream;
 import java.text.NumberFormat;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;

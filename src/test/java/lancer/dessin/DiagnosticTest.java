@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
@@ -16,7 +17,6 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.Lancer;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 

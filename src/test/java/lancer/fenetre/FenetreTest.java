@@ -28,15 +28,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
-import javax.swing.JMenu;
 import javax.swing.JLabel;
+import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
-import lancer.Scene;
 import lancer.Lancer;
+import lancer.Scene;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 

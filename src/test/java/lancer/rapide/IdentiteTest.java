@@ -19,8 +19,8 @@ import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
-import lancer.essai.RechercheSimple;
 import lancer.contrat.Specularite;
+import lancer.essai.RechercheSimple;
 import org.junit.jupiter.api.Test;
 
 /** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */

@@ -3,10 +3,8 @@ package lancer.rapide;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import lancer.Camera;
 import lancer.Lampe;
@@ -15,9 +13,7 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Recherche;
 import lancer.essai.RechercheSimple;
-import lancer.Lancer;
 import org.junit.jupiter.api.Test;
 
 /** Un sondage voit une recherche qui ne répond pas comme les classes du cours, et les boucles du cours dessinent alors. */

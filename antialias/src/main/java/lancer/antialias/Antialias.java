@@ -7,8 +7,8 @@ import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
-import lancer.contrat.Variante;
 import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**

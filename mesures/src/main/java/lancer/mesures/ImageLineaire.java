@@ -1,8 +1,8 @@
 package lancer.mesures;
 
 import lancer.Couleur;
-import lancer.contrat.Toile;
 import lancer.Lancer;
+import lancer.contrat.Toile;
 
 /** Une image de couleurs non limitées, en double précision : ce que le programme calcule, avant l'écran. */
 public final class ImageLineaire implements Toile {

@@ -14,10 +14,10 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
-import lancer.atelier.Scenes;
 import lancer.contrat.Echantillonnage;
-import lancer.scene.FichierScene;
 import lancer.dessin.Dessin;
+import lancer.mesures.scenes.Scenes;
+import lancer.scene.FichierScene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

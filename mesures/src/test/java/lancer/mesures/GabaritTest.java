@@ -7,10 +7,10 @@ import java.nio.file.Paths;
 import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.SceneAuHasard;
-import lancer.atelier.Scenes;
-import lancer.scene.FichierScene;
 import lancer.dessin.Dessin;
+import lancer.mesures.scenes.SceneAuHasard;
+import lancer.mesures.scenes.Scenes;
+import lancer.scene.FichierScene;
 import org.junit.jupiter.api.Test;
 
 /** L'erreur d'une image, contre deux images au hasard. */

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class LicencesTest {
 
     /** Les archives du chemin des classes qui ne servent qu'aux tests, ou sont de ce projet. */
-    private static final String A_PART = "junit-.*|opentest4j|apiguardian-api|lancer.*|brume.*|blinn.*|antialias.*|atelier.*|surefire.*";
+    private static final String A_PART = "junit-.*|opentest4j|apiguardian-api|lancer.*|brume.*|blinn.*|antialias.*|surefire.*";
 
     private static Set<String> bibliotheques() {
         Set<String> noms = new TreeSet<>();

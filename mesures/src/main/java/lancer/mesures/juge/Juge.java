@@ -16,12 +16,12 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.Scenes;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
 import lancer.texte.Texte;
 
 /**

@@ -2,9 +2,7 @@ package lancer.mesures.juge;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.Raster;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,8 +11,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
+import lancer.mesures.Lancement;
 
 /** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
 public final class PovRay {
@@ -29,9 +27,7 @@ public final class PovRay {
     private final Path dossier;
     private final String version;
 
-    /** Tout ce qu'a écrit la dernière commande, sur ses deux sorties, et le temps qu'elle a pris. */
-    private String dit;
-    private long dureeNs;
+    private Lancement dernier;
 
     /**
      * @param commande un nom à chercher dans PATH, ou un chemin
@@ -41,13 +37,11 @@ public final class PovRay {
     public PovRay(String commande, Path dossier) throws IOException {
         this.commande = commande;
         this.dossier = dossier;
-        try {
-            lancer(Arrays.asList(commande, "--version"));
-        } catch (IOException e) {
+        if (lancer(Arrays.asList(commande, "--version")) > 125) {
             throw new IOException(commande + " ne se lance pas ; pour l'avoir : sudo apt-get install povray (Debian, Ubuntu), brew install"
-                    + " povray (macOS)", e);
+                    + " povray (macOS)");
         }
-        Matcher m = VERSION.matcher(dit);
+        Matcher m = VERSION.matcher(dernier.dit);
         version = m.find() ? m.group(1).replaceFirst("\\.unofficial$", "") : "inconnue";
     }
 
@@ -81,7 +75,7 @@ public final class PovRay {
         }
         if (statut != 0 || !Files.exists(image)) {
             throw new IOException(commande + " n'a pas dessiné " + nom + ", statut " + statut + " : "
-                    + dit.trim().replaceFirst("(?s).*\\n\\s*", ""));
+                    + dernier.derniereLigne());
         }
         BufferedImage lue = ImageIO.read(image.toFile());
         if (lue == null || lue.getWidth() != largeur || lue.getHeight() != hauteur || lue.getRaster().getNumBands() < 3
@@ -91,15 +85,15 @@ public final class PovRay {
         return lue.getRaster();
     }
 
-    /** Durée de la dernière commande, entière. */
-    public long dureeNs() {
-        return dureeNs;
+    /** Ce qu'a pris la dernière commande, entière. */
+    public double[] pris() {
+        return dernier.pris;
     }
 
     /** Rayons de toutes sortes, du dernier dessin, selon elle. */
     public long rayons() {
         long rayons = 0;
-        for (Matcher m = RAYONS.matcher(dit); m.find();) {
+        for (Matcher m = RAYONS.matcher(dernier.dit); m.find();) {
             rayons += Long.parseLong(m.group(1));
         }
         return rayons;
@@ -107,19 +101,7 @@ public final class PovRay {
 
     /** @return le statut de la commande */
     private int lancer(List<String> mots) throws IOException {
-        long debut = System.nanoTime();
-        Process processus = new ProcessBuilder(mots).redirectErrorStream(true).start();
-        try (BufferedReader sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8))) {
-            dit = sortie.lines().collect(Collectors.joining("\n"));
-            int statut = processus.waitFor();
-            dureeNs = System.nanoTime() - debut;
-            return statut;
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IOException("interrompu pendant " + commande, e);
-        } finally {
-            // interrompus, ne pas le laisser dessiner seul
-            processus.destroy();
-        }
+        dernier = new Lancement(dossier.resolve("povray.pris"), mots.toArray());
+        return dernier.statut;
     }
 }

@@ -3,17 +3,17 @@ package lancer.mesures.juge;
 import java.awt.image.Raster;
 import java.io.IOException;
 import lancer.Camera;
-import lancer.Scene;
 import lancer.Lancer;
-import lancer.mesures.ImageLineaire;
+import lancer.Scene;
 import lancer.dessin.Dessin;
+import lancer.mesures.ImageLineaire;
 
 /** Une scène prête à être dessinée, par nous et par le juge. */
 public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
 
-    /** Traceur pour la dessiner nous-mêmes, au seuil que le juge peut tenir. */
+    /** Lancer pour la dessiner nous-mêmes, au seuil que le juge peut tenir. */
     public final Lancer lancer;
 
     /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import lancer.atelier.FichierCsv;
+import lancer.mesures.FichierCsv;
 
 /** Justesse des réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv. */
 public final class Exactitude {

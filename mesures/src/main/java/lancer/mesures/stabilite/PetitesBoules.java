@@ -9,17 +9,17 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.contrat.Echantillonnage;
-import lancer.Lancer;
+import lancer.dessin.Dessin;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
-import lancer.dessin.Dessin;
 
 /** Des boules noires sur le ciel, toutes du même rayon à l'écran, loin les unes des autres et au hasard auprès des pixels. */
 final class PetitesBoules {

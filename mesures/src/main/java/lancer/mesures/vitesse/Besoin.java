@@ -10,19 +10,19 @@ import java.util.List;
 import java.util.Set;
 import lancer.Constantes;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.dessin.Dessin;
-import lancer.Lancer;
 import lancer.image.ImageMemoire;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
+import lancer.mesures.scenes.Scenes;
 
 /** Besoins d'une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
 final class Besoin {
@@ -145,12 +145,12 @@ final class Besoin {
             do {
                 avant = siens.rayons();
                 ombres.aRetourner(Integer.MAX_VALUE);
-                code = lancer.getLancer().getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
+                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
             } while (code != codes[k]);
             utiles += siens.rayons() - avant;
             for (int o = ombres.demandees - 1; o >= 0; o--) {
                 ombres.aRetourner(o);
-                code = lancer.getLancer().getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets - 1).getCode();
+                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets - 1).getCode();
                 ombresInutiles += code == codes[k] ? 1 : 0;
             }
         }

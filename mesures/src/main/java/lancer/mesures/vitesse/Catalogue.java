@@ -1,5 +1,6 @@
 package lancer.mesures.vitesse;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -11,11 +12,11 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.atelier.Scenes;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
 import lancer.mesures.Gabarit;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Regime;
 
@@ -43,6 +44,8 @@ final class Catalogue {
     static final String TELLE_QUELLE = "telle quelle";
     static final String PROGRAMME = "programme";
     static final String BOUCLES = "boucles du cours";
+
+    static final String AUTRE = "autre programme";
 
     static final String COINS_DEFAUT = "n=3 seuil=0.05";
 
@@ -94,6 +97,27 @@ final class Catalogue {
             groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n <= BOUCLES_MAX), 1));
         }
         return groupes;
+    }
+
+    /** De petites scènes, dont {@link lancer.rapide.Preparation} choisit les structures : les boucles du cours, et ces autres jars. */
+    List<Groupe> processus(List<Path> autres) {
+        List<Groupe> groupes = new ArrayList<>();
+        String toutes = court ? "scene1 foule-3" : "scene1 tp foule-1 foule-3 foule-10 foule-30 foule-100 foule-300";
+        for (String scene : toutes.split(" ")) {
+            List<Methode> m = new ArrayList<>(Collections.singletonList(new Methode(BOUCLES, "").enBoucles()));
+            for (Path jar : autres) {
+                m.add(new Methode(AUTRE, jar.getFileName().toString()));
+                m.get(m.size() - 1).jar = jar;
+            }
+            groupes.add(new Groupe(SPHERES, scene, m, 1));
+        }
+        return groupes;
+    }
+
+    /** Tailles de leurs images. */
+    Taille[] tailles() {
+        Taille[] tailles = {new Taille(80, 60), new Taille(200, 150), new Taille(800, 600), new Taille(1920, 1080)};
+        return court ? Arrays.copyOf(tailles, 2) : tailles;
     }
 
     /** Méthodes que {@code make noyaux} compare au manuel. */

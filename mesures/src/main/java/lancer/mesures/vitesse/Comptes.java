@@ -21,13 +21,13 @@ import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
@@ -95,7 +95,7 @@ final class Comptes {
 
     /** L'erreur se mesure sur tous les pixels, ou sur assez peu pour qu'une vérité ne coûte pas plus que cela. */
     private int pas(Path fichier) {
-        long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new Dessin(Scenes.lire(fichier), taille.largeur, taille.hauteur)
+        long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new ScenePrete(Scenes.lire(fichier), taille.largeur, taille.hauteur)
                 .faire((couleur, i, j) -> { }, taille.fils).rayons();
         return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
     }
@@ -112,8 +112,8 @@ final class Comptes {
             double[] dessinee = jugee.image(rouge, methode.options).getComposantes();
             System.arraycopy(dessinee, 0, image.getComposantes(), 0, dessinee.length);
         } else {
-            Compteurs c = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image).traceur.getCompteurs()
-                    : methode.new Dessin(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
+            Compteurs c = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image).lancer.getCompteurs()
+                    : methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
             champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()));
         }
         Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));

@@ -7,7 +7,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import java.util.stream.DoubleStream;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 
 /**
@@ -36,37 +38,62 @@ final class Manches {
     /** Moyen de prendre un temps, autant de fois qu'on veut. */
     interface Echantillon {
 
-        /** Temps d'un dessin, en nanosecondes : réel, et des processeurs (NaN si l'on n'en sait rien). */
+        /**
+         * Ce que prend un dessin : le temps réel et celui des processeurs, en nanosecondes, puis la mémoire, en octets. Les deux
+         * derniers manquent, ou sont NaN, si l'on n'en sait rien.
+         */
         double[] prendre() throws IOException;
     }
 
-    /** Temps que donnent quelques manches. */
+    /** Grandeurs que prend un dessin. */
+    static final int REEL = 0;
+    static final int PROCESSEURS = 1;
+    static final int MEMOIRE = 2;
+
+    /** Ce que donnent quelques manches. */
     static final class Temps {
-        final double[] rapports;
-        final Intervalle rapport;
+
+        /** De chaque manche gardée : ce qu'a pris la référence, et combien de fois plus a pris la méthode. */
+        final List<double[]> references;
+        final List<double[]> rapports;
         final int manches;
         final int jetees;
 
-        /** Temps de la meilleure manche. */
-        final double referenceNs;
-
-        Temps(double[] rapports, int manches, int jetees, double referenceNs) {
+        Temps(List<double[]> references, List<double[]> rapports, int manches, int jetees) {
+            this.references = references;
             this.rapports = rapports;
-            this.rapport = Intervalle.desRapports(rapports);
             this.manches = manches;
             this.jetees = jetees;
-            this.referenceNs = referenceNs;
+        }
+
+        private static double[] valeurs(List<double[]> manches, int grandeur) {
+            return manches.stream().mapToDouble(m -> grandeur < m.length ? m[grandeur] : Double.NaN).toArray();
+        }
+
+        Intervalle rapport(int grandeur) {
+            return Intervalle.desRapports(valeurs(rapports, grandeur));
+        }
+
+        /** Ce que prend la référence : du temps réel, la meilleure manche ; d'une autre grandeur, la médiane. */
+        double reference(int grandeur) {
+            double[] valeurs = valeurs(references, grandeur);
+            return grandeur == REEL ? Arrays.stream(valeurs).min().getAsDouble() : Intervalle.desRapports(valeurs).valeur;
         }
 
         /** Un seul rapport, leur moyenne : des manches d'une même machine virtuelle se ressemblent plus que d'une machine à l'autre. */
         Temps enUnRapport() {
-            return new Temps(new double[] {rapport.valeur}, manches, jetees, referenceNs);
+            double[] un = IntStream.rangeClosed(REEL, MEMOIRE).mapToDouble(g -> rapport(g).valeur).toArray();
+            return new Temps(references, Collections.singletonList(un), manches, jetees);
         }
 
         /** Ajoute les manches d'une autre machine virtuelle. */
         Temps plus(Temps autre) {
-            double[] tous = DoubleStream.concat(Arrays.stream(rapports), Arrays.stream(autre.rapports)).toArray();
-            return new Temps(tous, manches + autre.manches, jetees + autre.jetees, Math.min(referenceNs, autre.referenceNs));
+            return new Temps(ensemble(references, autre.references), ensemble(rapports, autre.rapports), manches + autre.manches,
+                    jetees + autre.jetees);
+        }
+
+        private static List<double[]> ensemble(List<double[]> unes, List<double[]> autres) {
+            return Stream.concat(unes.stream(), autres.stream()).collect(Collectors.toList());
         }
     }
 
@@ -84,8 +111,8 @@ final class Manches {
      * @throws IOException si la machine ne nous est pas assez souvent laissée
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
-        List<Double> rapports = new ArrayList<>();
-        double meilleure = Double.POSITIVE_INFINITY;
+        List<double[]> references = new ArrayList<>();
+        List<double[]> rapports = new ArrayList<>();
         List<Double> partsReference = new ArrayList<>();
         List<Double> parts = new ArrayList<>();
         long debut = System.nanoTime();
@@ -102,18 +129,18 @@ final class Manches {
             toutes++;
             // d'une seule manche, sans intervalle, rien ne se dira : elle peut être troublée
             if (garde && calme || agitee || voulues == 1) {
-                rapports.add(m[0] / r[0]);
-                meilleure = Math.min(meilleure, r[0]);
+                references.add(r);
+                rapports.add(IntStream.range(0, Math.min(r.length, m.length)).mapToDouble(g -> m[g] / r[g]).toArray());
             } else {
                 jetees++;
                 renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);
             }
         }
-        return new Temps(rapports.stream().mapToDouble(Double::doubleValue).toArray(), essais, essais - rapports.size(), meilleure);
+        return new Temps(references, rapports, essais, essais - rapports.size());
     }
 
     private static boolean partTenue(List<Double> parts, double[] temps) {
-        double part = temps[1] / temps[0];
+        double part = temps[PROCESSEURS] / temps[REEL];
         parts.add(part);
         Collections.sort(parts);
         return !(part < PART_MIN * parts.get(parts.size() / 2));

@@ -23,14 +23,14 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.SceneAuHasard;
-import lancer.atelier.Scenes;
 import lancer.auto.Auto;
 import lancer.dessin.Dessin;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
+import lancer.mesures.scenes.SceneAuHasard;
+import lancer.mesures.scenes.Scenes;
 import lancer.scene.SectionLue;
 
 /**
@@ -134,7 +134,7 @@ public final class MesureAuto {
             Auto auto = dessiner(scene, taille, voulue, image);
             Oracle.Essai mieux = oracle.leMoinsCher(voulue);
             lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
-                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) auto.traceur.getCompteurs().rayons() / taille.pixels()),
+                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) auto.lancer.getCompteurs().rayons() / taille.pixels()),
                     mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
                     nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
         }
@@ -144,7 +144,7 @@ public final class MesureAuto {
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
         Auto auto = Auto.choisir(Dessin.lancer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                 taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
-        auto.traceur.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+        auto.lancer.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
         return auto;
     }
 

@@ -17,11 +17,11 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import lancer.Constantes;
-import lancer.Main;
-import lancer.atelier.Circonstances;
-import lancer.atelier.Scenes;
+import lancer.mesures.Intervalle;
+import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
+import lancer.mesures.scenes.Scenes;
 
 /** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
 final class Mesureur {
@@ -44,7 +44,6 @@ final class Mesureur {
 
     private final boolean court;
     private final boolean agitee;
-    private final Taille taille;
     private final Path csv;
     private final Path dossier;
 
@@ -53,17 +52,23 @@ final class Mesureur {
     private final PovRay povray;
     private final Circonstances circonstances = new Circonstances();
 
+    private final String[] lancer;
+
+    /** Taille des images mesurées. */
+    private Taille taille;
+
     /**
      * @param povray {@code null} s'il n'est pas installé
      * @param csv où noter ; ses temporaires sont à côté
+     * @param lancer ce qui suit {@code java} dans la commande du programme
      */
-    Mesureur(boolean court, boolean agitee, Taille taille, PovRay povray, Path csv, PrintStream sortie) throws IOException {
+    Mesureur(boolean court, boolean agitee, PovRay povray, Path csv, PrintStream sortie, String... lancer) throws IOException {
         this.court = court;
         this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
+        this.lancer = lancer;
         echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
-        this.taille = taille;
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
         manches = new Manches(new Etalon()::estCalme, agitee);
@@ -72,10 +77,12 @@ final class Mesureur {
     }
 
     /** @throws IOException si la machine ne nous est pas assez laissée */
-    void mesurer(List<Catalogue.Groupe> groupes) throws IOException {
+    void mesurer(Taille images, List<Catalogue.Groupe> groupes) throws IOException {
+        taille = images;
         long debut = System.nanoTime();
         for (Catalogue.Groupe groupe : groupes) {
-            sortie.println(groupe.famille + ", " + groupe.scene + ", à " + (System.nanoTime() - debut) / 1_000_000_000 + " s");
+            long secondes = (System.nanoTime() - debut) / 1_000_000_000;
+            sortie.println(groupe.famille + ", " + groupe.scene + ", " + taille + ", à " + secondes + " s");
             groupe.methodes.removeIf(m -> m.povray && (povray == null || !groupe.famille.equals(Catalogue.SPHERES))
                     || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
             Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
@@ -99,7 +106,8 @@ final class Mesureur {
 
     /** Les mêmes, de programmes entiers. */
     private int voulues(Methode methode, int spheres) {
-        boolean longue = spheres >= (methode.boucles ? 1000 : methode.povray ? 100_000 : 1_000_000);
+        double travail = (double) spheres * taille.pixels();
+        boolean longue = travail >= (methode.boucles ? 4.8e8 : methode.povray ? 4.8e10 : 4.8e11);
         return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : spheres > 10_000 ? 5 : 9;
     }
 
@@ -174,91 +182,100 @@ final class Mesureur {
         int spheres = Scenes.lire(fichier).getObjets().size();
         for (Methode methode : groupe.methodes) {
             Map<String, String> champs = new HashMap<>();
-            Programme programme = new Programme(fichier, methode.options);
-            Manches.Echantillon echantillon = programme;
+            boolean leNotre = methode.nom.equals(Catalogue.PROGRAMME);
+            // le programme, face à lui-même sur une seule boule ; les autres, face à lui sur leur scène
+            Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier, lancer);
+            Programme programme = new Programme("image.png", fichier,
+                    methode.jar == null ? lancer : new String[] {"-jar", methode.jar.toString()}, methode.options);
+            Manches.Echantillon echantillon = leNotre ? programme : () -> {
+                double[] pris = programme.prendre();
+                if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
+                    throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
+                            + methode.parametres);
+                }
+                return pris;
+            };
             if (methode.povray) {
                 SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
                         taille.hauteur);
                 echantillon = () -> {
                     jugee.dessiner(methode.options);
-                    return new double[] {povray.dureeNs(), Double.NaN};
+                    return povray.pris();
                 };
             } else if (methode.nom.equals(Catalogue.EMBREE)) {
-                echantillon = () -> parEmbree(fichier);
+                echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
+                        dossier.resolve("embree.ppm")).reussi().pris;
             }
-            // le programme, face à lui-même sur une seule boule ; les autres, face à lui sur leur scène
-            Programme repere = new Programme(methode.nom.equals(Catalogue.PROGRAMME) ? Scenes.fichier(Scenes.FOULE + "-1", dossier)
-                    : fichier);
             Manches.Temps temps = manches.mesurer(repere, echantillon, voulues(methode, spheres));
-            champs.put("lancements", String.valueOf(temps.rapports.length));
+            champs.put("lancements", String.valueOf(temps.rapports.size()));
             if (methode.nom.equals(Catalogue.EMBREE)) {
                 Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
-            } else if (echantillon == programme) {
-                champs.putAll(programme.statistiques);
+            } else if (leNotre) {
+                champs.putAll(programme.statistiques());
                 // le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon
-                int pixels = methode.boucles ? 0 : Math.max(64, Math.min(2000, 100_000_000 / spheres));
+                int pixels = Math.max(64, Math.min(2000, 100_000_000 / spheres));
                 Ouvrier.pixels(fichier, taille, pixels, programme.png);
                 champs.put("pixels_verifies", String.valueOf(pixels));
+            } else if (!methode.povray) {
+                champs.put("pixels_verifies", String.valueOf(taille.pixels()));
             }
             noter(groupe, methode, spheres, champs, temps);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
     }
 
-    /** Un programme en C++, de la scène à l'image ; il s'arrête avec le statut 1 s'il ne peut la lire ou l'écrire. */
-    private double[] parEmbree(Path fichier) throws IOException {
-        long debut = System.nanoTime();
-        try (Processus pair = new Processus(EMBREE.toString(), fichier, taille.largeur, taille.hauteur, taille.fils,
-                dossier.resolve("embree.ppm"))) {
-            pair.lignes();
-        }
-        return new double[] {System.nanoTime() - debut, Double.NaN};
-    }
-
-    /** Temps du démarrage de Java au PNG écrit. */
+    /** De la commande au PNG écrit : un échantillon est un programme. */
     private final class Programme implements Manches.Echantillon {
 
-        private final Path fichier;
-        private final String[] options;
-        private final Path png = dossier.resolve("image.png");
+        private final Path png;
+        private final List<Object> commande;
 
-        /** Statistiques du dernier dessin, par nos noms de colonnes. */
-        private Map<String, String> statistiques;
-
-        Programme(Path fichier, String... options) {
-            this.fichier = fichier;
-            this.options = options;
+        Programme(String image, Path fichier, String[] programme, String... options) {
+            png = dossier.resolve(image);
+            commande = new ArrayList<>(Collections.singletonList(Processus.JAVA));
+            commande.addAll(Arrays.asList(programme));
+            commande.addAll(Arrays.asList("--image", png, "--taille", taille, fichier));
+            commande.addAll(Arrays.asList(options));
         }
 
         @Override
         public double[] prendre() throws IOException {
-            List<Object> args = new ArrayList<>(Arrays.asList("--image", png, "--taille", taille, "--statistiques", fichier));
-            args.addAll(Arrays.asList(options));
-            long debut = System.nanoTime();
-            try (Processus processus = new Processus(Main.class, args.toArray())) {
-                List<String> lignes = processus.lignes();
-                long duree = System.nanoTime() - debut;
-                statistiques = lignes.stream().map(l -> l.split(": ")).filter(l -> l.length == 2)
-                        // « rayons.ombre » se note dans ombre, « tests.spheres » dans tests
-                        .collect(Collectors.toMap(l -> l[0].replaceAll("^(rayons|pixels)\\.|\\.(spheres|visites)$", ""), l -> l[1],
-                                (a, b) -> b));
-                return new double[] {duree, Double.NaN};
-            }
+            return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi().pris;
+        }
+
+        /** Comptes d'un dessin, par nos noms de colonnes : le programme les dit si on le lui demande, et y met du temps. */
+        Map<String, String> statistiques() throws IOException {
+            commande.add("--statistiques");
+            String dit = new Lancement(dossier.resolve("pris"), commande.toArray()).reussi().dit;
+            return Arrays.stream(dit.split("\n")).map(l -> l.split(": ")).filter(l -> l.length == 2)
+                    // « rayons.ombre » se note dans ombre, « tests.spheres » dans tests
+                    .collect(Collectors.toMap(l -> l[0].replaceAll("^(rayons|pixels)\\.|\\.(spheres|visites)$", ""), l -> l[1],
+                            (a, b) -> b));
         }
     }
 
     private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, String> champs, Manches.Temps temps)
             throws IOException {
         Circonstances c = circonstances;
+        double reference = temps.reference(Manches.REEL) / 1e6;
         champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
                 groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
                 "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees, "reference_ms", Releve.reel(temps.referenceNs / 1e6), "rapport", Releve.reel(temps.rapport.valeur),
-                "rapport_min", Releve.reel(temps.rapport.min), "rapport_max", Releve.reel(temps.rapport.max)));
+                temps.jetees, "reference_ms", Releve.reel(reference), "processeur_ms",
+                Releve.reel(temps.reference(Manches.PROCESSEURS) / 1e6), "memoire_mo",
+                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20))));
+        String[] noms = {"rapport", "processeur", "memoire"};
+        for (int grandeur = Manches.REEL; grandeur <= Manches.MEMOIRE; grandeur++) {
+            Intervalle rapport = temps.rapport(grandeur);
+            champs.putAll(Releve.champs(noms[grandeur] + (grandeur == Manches.REEL ? "" : "_rapport"), Releve.reel(rapport.valeur),
+                    noms[grandeur] + "_min", Releve.reel(rapport.min), noms[grandeur] + "_max", Releve.reel(rapport.max)));
+        }
         String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  %2d/%d", methode.nom,
-                methode.parametres, temps.rapport.valeur, temps.rapport.min, temps.rapport.max,
-                temps.rapport.valeur * temps.referenceNs / 1e6, temps.manches - temps.jetees, temps.manches));
+        Intervalle rapport = temps.rapport(Manches.REEL);
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  processeurs × %-6.3g mémoire × %-6.3g"
+                + " %2d/%d", methode.nom, methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference,
+                temps.rapport(Manches.PROCESSEURS).valeur, temps.rapport(Manches.MEMOIRE).valeur, temps.manches - temps.jetees,
+                temps.manches));
     }
 }

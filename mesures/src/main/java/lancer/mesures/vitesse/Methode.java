@@ -1,12 +1,15 @@
 package lancer.mesures.vitesse;
 
+import java.nio.file.Path;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
+import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
 import lancer.contrat.Toile;
-import lancer.Lancer;
+import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
@@ -26,7 +29,10 @@ final class Methode {
 
     boolean povray;
 
-    private Echantillonnage echantillonnage = null;
+    /** Un autre programme que celui-ci, ou {@code null}. */
+    Path jar;
+
+    private Echantillonnage echantillonnage;
     private int profondeur = Constantes.MAX_REFLETS;
     private double seuil = Constantes.SEUIL;
     private UnaryOperator<Scene> changement = UnaryOperator.identity();
@@ -71,12 +77,22 @@ final class Methode {
         return nom + "/" + parametres;
     }
 
+    /** Un rayon au centre de chaque pixel voulu. */
+    private static int auCentre(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
+                toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
+            }
+        }
+        return 0;
+    }
+
     /** Une scène prête. */
-    final class Dessin {
+    final class ScenePrete {
 
         final Lancer lancer;
 
-        Dessin(Scene lue, int largeur, int hauteur) {
+        ScenePrete(Scene lue, int largeur, int hauteur) {
             Scene changee = changement.apply(lue);
             lancer = Dessin.lancer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
         }
@@ -90,9 +106,10 @@ final class Methode {
         /** Refait, par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
-            Echantillonnage partiel = filtre.apply(scene.getModele().getEchantillonnage().pour(scene.getObjets(), lancer.getCamera()));
+            Echantillonnage sien = scene.getModele().getEchantillonnage();
+            Echantillonnage partiel = filtre.apply(sien == null ? Methode::auCentre : sien.pour(scene.getObjets(), lancer.getCamera()));
             Dessin.lancer(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
-                    lancer.getCamera().getHauteur(), true).parcourir(partiel, toile, profondeur, fils);
+                    lancer.getCamera().getHauteur(), true).TracerPixels(toile, profondeur, fils);
         }
     }
 }

@@ -6,10 +6,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.dessin.Dessin;
-import lancer.Lancer;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 

@@ -19,16 +19,16 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.Constantes;
+import lancer.Lancer;
 import lancer.Scene;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
-import lancer.Lancer;
+import lancer.dessin.Dessin;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.dessin.Dessin;
 
 /**
  * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
@@ -66,7 +66,7 @@ final class Ouvrier {
     }
 
     static void dessiner(Methode methode, Scene scene, Taille taille, BufferedReader entree, PrintStream sortie) throws IOException {
-        Methode.Dessin dessin = methode.new Dessin(scene, taille.largeur, taille.hauteur);
+        Methode.ScenePrete dessin = methode.new ScenePrete(scene, taille.largeur, taille.hauteur);
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         repondre(() -> dessin.faire(image, taille.fils), () -> {
             int verifies = verifier(dessin, scene, image, taille);
@@ -106,7 +106,7 @@ final class Ouvrier {
      * @return le nombre de pixels refaits
      * @throws IllegalStateException si l'un d'eux n'est pas le même
      */
-    static int verifier(Methode.Dessin dessin, Scene scene, ImageLineaire image, Taille taille) {
+    static int verifier(Methode.ScenePrete dessin, Scene scene, ImageLineaire image, Taille taille) {
         double cout = (double) dessin.lancer.getCompteurs().rayons() * (scene.getObjets().size() + SOCLE);
         int nombre = Pave.nombre(taille.largeur, taille.hauteur, Pave.COTE);
         int combien = Math.max(1, (int) (nombre * Math.min(1, BUDGET / cout)));
@@ -158,7 +158,7 @@ final class Ouvrier {
         for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
             int i = k % taille.largeur;
             int j = k / taille.largeur;
-            int code = lancer.getLancer().getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
+            int code = lancer.getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
             if (image.getRGB(i, j) != code) {
                 throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
             }

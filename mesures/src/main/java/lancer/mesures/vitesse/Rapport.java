@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Map;
 import java.util.TreeMap;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.PagesMesurees;
+import lancer.mesures.FichierCsv;
+import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Figures;
 

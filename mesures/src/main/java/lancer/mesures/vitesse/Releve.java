@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import lancer.atelier.FichierCsv;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Intervalle;
 
 /** Mesures d'une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */
@@ -16,7 +16,9 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max");
+            "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
+            "processeur_ms", "processeur_rapport", "processeur_min", "processeur_max", "memoire_mo", "memoire_rapport", "memoire_min",
+            "memoire_max");
 
     final String famille;
     final String scene;

@@ -11,7 +11,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import lancer.atelier.FichierCsv;
+import lancer.mesures.FichierCsv;
 
 /** Des mesures, et de quoi y retrouver celle qu'on cherche. */
 final class Releves {

@@ -15,17 +15,19 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.atelier.Scenes;
 import lancer.commande.Pannes;
 import lancer.mesures.juge.PovRay;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
 import lancer.texte.Texte;
 
 /**
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide} ou {@code --agitee}, et au plus une des autres options.
+ * {@code make mesures}, avec {@code --rapide} ou {@code --agitee}, au plus une des autres options et, pour chaque autre programme à
+ * comparer, {@code --jar=} et son chemin.
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
  * changé à {@code mesures/resultats} ; 2 la demande était fausse.
@@ -34,9 +36,14 @@ public final class Vitesse {
 
     static final String CSV = "vitesse.csv";
     static final String BESOINS = "besoins.csv";
+    private static final String PROCESSUS = "processus.csv";
 
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--noyaux", "--stabilite",
-            "--dessiner");
+    /** Ce programme, tel qu'on le lance, et ce qui annonce le chemin d'un autre. */
+    private static final String[] LANCER = {"-jar", "target/lancer.jar"};
+    private static final String JAR = "--jar=";
+
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--processus", "--noyaux",
+            "--stabilite", "--dessiner");
 
     /** Dossier où finit une mesure complète, avec ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
@@ -44,6 +51,7 @@ public final class Vitesse {
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
     private final Set<String> options;
+    private final List<Path> autres;
     private final boolean rapide;
     private final PrintStream sortie;
 
@@ -54,9 +62,15 @@ public final class Vitesse {
     private Vitesse(PrintStream sortie, String... args) {
         this.sortie = sortie;
         options = new HashSet<>(Arrays.asList(args));
-        if (options.size() < args.length || !OPTIONS.containsAll(options)) {
+        autres = options.stream().filter(o -> o.startsWith(JAR)).sorted().map(o -> Paths.get(o.substring(JAR.length())))
+                .collect(Collectors.toList());
+        options.removeIf(o -> o.startsWith(JAR));
+        if (options.size() + autres.size() < args.length || !OPTIONS.containsAll(options)) {
             throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
         }
+        autres.stream().filter(jar -> !Files.isRegularFile(jar)).findFirst().ifPresent(jar -> {
+            throw new IllegalArgumentException("pas de fichier " + jar);
+        });
         rapide = options.contains("--rapide");
         atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
         resultats = rapide || options.contains("--agitee") ? atelier : Paths.get(RESULTATS);
@@ -116,18 +130,25 @@ public final class Vitesse {
             neufs.add(Mesures.CSV);
         }
         if (temps) {
-            chronometrer(povray, new Catalogue(rapide).groupes(), CSV);
+            chronometrer(povray, CSV, new Catalogue(rapide).groupes(), TAILLE);
             neufs.add(CSV);
         }
+        if (temps || options.contains("--processus")) {
+            Catalogue catalogue = new Catalogue(rapide);
+            chronometrer(null, PROCESSUS, catalogue.processus(autres), catalogue.tailles());
+            neufs.add(PROCESSUS);
+        }
         if (options.contains("--noyaux")) {
-            chronometrer(null, Catalogue.intersections(), Methodes.CSV);
+            chronometrer(null, Methodes.CSV, Catalogue.intersections(), TAILLE);
             neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
         for (String nom : resultats.equals(atelier) ? Collections.<String>emptyList() : neufs) {
             Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
-        new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
+        if (!options.contains("--processus")) {
+            new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
+        }
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
@@ -141,9 +162,12 @@ public final class Vitesse {
     }
 
     /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
-    private void chronometrer(PovRay povray, List<Catalogue.Groupe> groupes, String csv) throws IOException {
+    private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
         try {
-            new Mesureur(rapide, options.contains("--agitee"), TAILLE, povray, atelier.resolve(csv), sortie).mesurer(groupes);
+            Mesureur mesureur = new Mesureur(rapide, options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER);
+            for (Taille taille : tailles) {
+                mesureur.mesurer(taille, groupes);
+            }
         } catch (Manches.Troublee e) {
             if (!rapide) {
                 throw e;

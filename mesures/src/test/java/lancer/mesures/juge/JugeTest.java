@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Scene;
-import lancer.atelier.Scenes;
+import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

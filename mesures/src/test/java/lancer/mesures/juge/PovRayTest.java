@@ -54,7 +54,7 @@ class PovRayTest {
     @Test
     void sesOptionsLuiSontTransmisesEtSonTempsEstCeluiDeLaCommande() throws IOException {
         dessiner(0, image(), "+A0.1", "+R3");
-        assertTrue(povray.dureeNs() > 0);
+        assertTrue(povray.pris()[0] > 0);
         assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));
     }
 

@@ -20,11 +20,11 @@ import javax.imageio.ImageIO;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.Lancer;
 import lancer.mesures.ImageLineaire;
 
 /** De petites scènes, des images de 16 bits faites de nos couleurs, et une fausse commande povray qui les rend. */

@@ -12,10 +12,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import lancer.Scene;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.SceneAuHasard;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.Intervalle;
+import lancer.mesures.scenes.SceneAuHasard;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -11,11 +11,11 @@ import java.io.PrintStream;
 import java.io.StringReader;
 import java.nio.file.Path;
 import lancer.Scene;
-import lancer.atelier.Scenes;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -43,7 +43,7 @@ class OuvrierTest {
         String[] lignes = sortie.toString("UTF-8").split("\n");
         assertEquals(4, lignes.length);
         assertTrue(Double.parseDouble(lignes[1].split(" ")[0]) > 0);
-        Methode.Dessin dessin = methode("partage/n=4 seuil=0.1").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur);
+        Methode.ScenePrete dessin = methode("partage/n=4 seuil=0.1").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
         dessin.faire(new ImageLineaire(TAILLE.largeur, TAILLE.hauteur), 1);
         assertEquals(dessin.lancer.getCompteurs().primaires, Long.parseLong(lignes[3].split(" ")[0]));
         assertEquals(TAILLE.pixels(), Integer.parseInt(lignes[3].split(" ")[6]), "tous vérifiés");
@@ -53,7 +53,7 @@ class OuvrierTest {
     void unBitDeTropRendLImageFausse() throws IOException {
         for (String cle : new String[] {"un rayon/", "coins/n=3 seuil=0.05",
             "ensemble/n=4 seuil=0.1 reflets=1000 jusqu'à 1/128"}) {
-            Methode.Dessin dessin = methode(cle).new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur);
+            Methode.ScenePrete dessin = methode(cle).new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
             ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
             dessin.faire(image, 2);
             assertEquals(TAILLE.pixels(), Ouvrier.verifier(dessin, scene(), image, TAILLE));
@@ -68,7 +68,7 @@ class OuvrierTest {
     void unPngDuProgrammeEstComparePixelParPixel() throws IOException {
         Path fichier = Scenes.fichier("foule-30", dossier);
         ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
-        methode("un rayon/").new Dessin(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
+        methode("un rayon/").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
         Ouvrier.pixels(fichier, TAILLE, 200, ecrire(image));
         ImageMemoire noire = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
         assertThrows(IllegalStateException.class, () -> Ouvrier.pixels(fichier, TAILLE, 200, ecrire(noire)));

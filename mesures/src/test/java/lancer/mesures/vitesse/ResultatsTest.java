@@ -13,11 +13,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Collectors;
-import lancer.atelier.FichierCsv;
-import lancer.atelier.PagesMesurees;
-import lancer.atelier.Scenes;
 import lancer.contrat.Compteurs;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
+import lancer.mesures.pages.PagesMesurees;
+import lancer.mesures.scenes.Scenes;
 import lancer.scene.FichierScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,7 +62,7 @@ class ResultatsTest {
         for (Releve r : auSort(tous, LIGNES)) {
             Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
-            Methode.Dessin dessin = methode.new Dessin(Scenes.lire(FichierScene.trouver("scenes/" + r.scene + ".ini")),
+            Methode.ScenePrete dessin = methode.new ScenePrete(Scenes.lire(FichierScene.trouver("scenes/" + r.scene + ".ini")),
                     taille.largeur, taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
             Compteurs c = dessin.lancer.getCompteurs();
@@ -77,7 +77,7 @@ class ResultatsTest {
         List<Releve> tous = Releves.lire(RESULTATS).de(Catalogue.SPHERES).methode(Catalogue.PROGRAMME).get();
         for (Releve r : auSort(tous, LIGNES / 2)) {
             Taille taille = new Taille((int) r.nombre("largeur"), (int) r.nombre("hauteur"));
-            Methode.Dessin dessin = new Methode("", "").new Dessin(Scenes.lire(Scenes.fichier(r.scene, dossier)), taille.largeur,
+            Methode.ScenePrete dessin = new Methode("", "").new ScenePrete(Scenes.lire(Scenes.fichier(r.scene, dossier)), taille.largeur,
                     taille.hauteur);
             dessin.faire(new ImageLineaire(taille.largeur, taille.hauteur), taille.fils);
             verifier(r, dessin.lancer.getCompteurs());

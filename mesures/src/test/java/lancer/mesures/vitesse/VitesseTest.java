@@ -2,6 +2,7 @@ package lancer.mesures.vitesse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -18,11 +19,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import lancer.atelier.FichierCsv;
+import lancer.mesures.FichierCsv;
+import lancer.mesures.Lancement;
+import lancer.mesures.scenes.Scenes;
+import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
-import lancer.mesures.stabilite.Bilan;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,7 +42,7 @@ class VitesseTest {
     private final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
 
     @ParameterizedTest(name = "« {0} »")
-    @ValueSource(strings = {"--inconnue", "scene1", "--rapide --rapide"})
+    @ValueSource(strings = {"--inconnue", "scene1", "--rapide --rapide", "--jar=absent.jar"})
     void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
         ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
         assertEquals(2, Vitesse.executer(args.split(" "), new PrintStream(sortie), new PrintStream(erreurs)));
@@ -65,7 +68,7 @@ class VitesseTest {
 
     @Test
     void chaqueMethodeEstChronometreeVerifieeJugeeEtNotee() throws IOException {
-        new Mesureur(true, true, TAILLE, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie)).mesurer(deux());
+        new Mesureur(true, true, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie)).mesurer(TAILLE, deux());
         new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
         Releves releves = Releves.lire(dossier);
         Releve un = releves.le(Catalogue.UN_RAYON, "");
@@ -77,6 +80,50 @@ class VitesseTest {
         assertTrue(grille.nombre("visibles") < un.nombre("visibles") && un.nombre("visibles") < 1);
         assertTrue(un.nombre("reference_ms") > 0 && un.nombre("rapport") > 0 && un.nombre("manches") == 2);
         assertTrue(Files.exists(dossier.resolve("scene1" + Comptes.DECOUPES)));
+    }
+
+    /** Des programmes entiers, qui dessinent la scène « tp » en tout petit. */
+    private Releves enProcessus(Methode methode) throws IOException {
+        Path csv = dossier.resolve(Vitesse.CSV);
+        // les variantes sont sur ce chemin des classes, non dans le jar que l'on mesure
+        new Mesureur(true, true, null, csv, new PrintStream(sortie), "-cp", System.getProperty("java.class.path"), "lancer.Main",
+                "--sans=Brume,Antialias,Blinn").mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(
+                        Catalogue.SPHERES, Scenes.TP, new ArrayList<>(Collections.singletonList(methode)), 1)));
+        return new Releves(Releves.lignes(csv));
+    }
+
+    @Test
+    void unProgrammeEntierAUnTempsUnTempsDeProcesseurEtUneMemoire() throws IOException {
+        Releve boucles = enProcessus(new Methode(Catalogue.BOUCLES, "").enBoucles()).le(Catalogue.BOUCLES, "");
+        assertEquals(10, boucles.nombre("spheres"));
+        assertEquals(1200, boucles.nombre("pixels_verifies"));
+        assertTrue(boucles.nombre("rapport") > 0 && boucles.nombre("processeur_rapport") > 0 && boucles.nombre("processeur_ms") > 0);
+        assertTrue(boucles.nombre("memoire_mo") > 0 == Files.isExecutable(Paths.get("/usr/bin/time")), "GNU time dit la mémoire");
+    }
+
+    @Test
+    void leProgrammeEntierDitSesComptesUneFoisSesTempsPris() throws IOException {
+        Releve programme = enProcessus(new Methode(Catalogue.PROGRAMME, "")).le(Catalogue.PROGRAMME, "");
+        assertEquals(1200, programme.nombre("primaires"));
+        assertTrue(programme.nombre("ombre") > 0 && programme.nombre("tests") > 0 && programme.nombre("rapport") > 0);
+    }
+
+    @Test
+    void unProgrammeEntierDontLImageEstFausseNAPasDeTemps() {
+        Methode autre = new Methode(Catalogue.AUTRE, "");
+        autre.options = new String[] {"--reflets", "0"};
+        String message = assertThrows(IllegalStateException.class, () -> enProcessus(autre)).getMessage();
+        assertTrue(message.contains("image fausse : tp, 40x30, autre programme"), message);
+    }
+
+    @Test
+    void ceQuePrendUnProgrammeEstCeQuIlPrendVraiment() throws IOException {
+        Lancement dort = new Lancement(dossier.resolve("pris"), "sh", "-c", "echo oui ; sleep 0.2").reussi();
+        assertEquals("oui", dort.dit);
+        assertTrue(dort.pris[Manches.REEL] >= 0.2e9 && dort.pris[Manches.PROCESSEURS] < 0.2e9, Arrays.toString(dort.pris));
+        String panne = assertThrows(IOException.class,
+                () -> new Lancement(dossier.resolve("pris"), "sh", "-c", "echo panne >&2 ; exit 3").reussi()).getMessage();
+        assertTrue(panne.endsWith("statut 3 : panne"), panne);
     }
 
     @Test
@@ -216,7 +263,7 @@ class VitesseTest {
     void uneIntersectionSeChronometreCommeUnDessin() throws IOException {
         Catalogue.Groupe sol = new Catalogue.Groupe(Catalogue.INTERSECTIONS, Regime.SOL.name(),
                 Arrays.asList(new Methode(Formule.MANUEL.name(), ""), new Methode(Formule.PROGRAMME.name(), "")), 1);
-        new Mesureur(true, true, TAILLE, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie)).mesurer(
+        new Mesureur(true, true, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie)).mesurer(TAILLE,
                 Collections.singletonList(sol));
         Releves releves = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         assertTrue(releves.le("PROGRAMME", "").nombre("rapport") > 0 && releves.le("MANUEL", "").nombre("reference_ms") > 0);

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.pages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures;
 
 import java.io.IOException;
 import java.nio.file.Files;

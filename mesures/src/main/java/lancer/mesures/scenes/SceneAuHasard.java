@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
 import java.io.BufferedWriter;
 import java.io.FileDescriptor;
@@ -6,6 +6,8 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Random;
@@ -29,13 +31,16 @@ public final class Foule {
 
     private static final int MATERIAUX = 36;
 
+    /** Décimales écrites, zéros de fin retirés : assez pour la plus petite boule d'une foule de cent millions. */
+    private static final int DECIMALES = 9;
+
     private Foule() {
     }
 
     /** @param args le nombre de boules */
     public static void main(String[] args) {
         try (Writer sortie = new BufferedWriter(new OutputStreamWriter(new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8))) {
-            ecrire(new Plume(sortie), nombre(args));
+            ecrire(sortie, combien(args));
         } catch (IllegalArgumentException | IOException e) {
             System.err.println("Foule : " + e.getMessage());
             System.exit(e instanceof IOException ? 1 : 2);
@@ -43,7 +48,7 @@ public final class Foule {
     }
 
     /** @throws IllegalArgumentException si la demande ne va pas */
-    static int nombre(String... args) {
+    static int combien(String... args) {
         int n = args.length == 1 && args[0].matches("[0-9]{1,9}") ? Integer.parseInt(args[0]) : 0;
         if (n < 1 || n > N_MAX) {
             throw new IllegalArgumentException("le nombre de boules est un entier de 1 à " + N_MAX);
@@ -51,21 +56,22 @@ public final class Foule {
         return n;
     }
 
-    static void ecrire(Plume plume, int n) throws IOException {
-        plume.commentaires("Une foule : " + n + " boules au hasard, qui ne se touchent pas.", "",
-                "À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.", "",
-                "Écrite par lancer.atelier.Foule " + n);
+    /** Au fil de l'eau, sans rien garder. */
+    static void ecrire(Appendable sortie, int n) throws IOException {
+        sortie.append("; Une foule : " + n + " boules au hasard, qui ne se touchent pas.\n;\n"
+                + "; À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.\n;\n"
+                + "; Écrite par lancer.mesures.scenes.Foule " + n + "\n");
         double cote = StrictMath.cbrt(LARGEUR * HAUTEUR * FOND * REMPLISSAGE / n);
         while (cases(cote) < n) {
             cote *= 0.99;
         }
-        semer(plume, n, cote);
-        plume.lampe("principale", -40, 60, -50, 1, 0.95, 0.86);
-        plume.lampe("appoint", 50, 20, -20, 0.35, 0.4, 0.5);
+        semer(sortie, n, cote);
+        sortie.append("\n[Lampe principale]\nposition=-40 60 -50\ncouleur=1 0.95 0.86\n"
+                + "\n[Lampe appoint]\nposition=50 20 -20\ncouleur=0.35 0.4 0.5\n");
     }
 
     /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */
-    private static void semer(Plume plume, int n, double cote) throws IOException {
+    private static void semer(Appendable sortie, int n, double cote) throws IOException {
         String[] materiaux = new String[MATERIAUX];
         Arrays.setAll(materiaux, Foule::materiau);
         Random hasard = new Random(1);
@@ -85,9 +91,11 @@ public final class Foule {
                         restentBoules--;
                         double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
                         double jeu = cote - 2 * rayon;
-                        plume.sphere("" + (n - restentBoules), (i - nx / 2.0 + dx) * cote + rayon + jeu * hasard.nextDouble(),
+                        sortie.append("\n[Sphere " + (n - restentBoules) + "]\ncentre="
+                                + triplet((i - nx / 2.0 + dx) * cote + rayon + jeu * hasard.nextDouble(),
                                 (j - ny / 2.0 + dy) * cote + rayon + jeu * hasard.nextDouble(),
-                                Z + k * cote + rayon + jeu * hasard.nextDouble(), rayon, materiaux[hasard.nextInt(MATERIAUX)]);
+                                Z + k * cote + rayon + jeu * hasard.nextDouble())
+                                + "rayon=" + nombre(rayon) + "\n" + materiaux[hasard.nextInt(MATERIAUX)]);
                     }
                     restentCases--;
                 }
@@ -96,11 +104,41 @@ public final class Foule {
     }
 
     private static String materiau(int i) {
-        double[] kd = Plume.couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
-        return Plume.materiau(kd, Plume.couleur(0, 0, 0.2 + 0.1 * (i % 3)), 40 + 40 * (i % 3));
+        double[] kd = couleur(i / (double) MATERIAUX, 0.6 + 0.1 * (i % 3), 0.65);
+        double ks = 0.2 + 0.1 * (i % 3);
+        return "Kd=" + triplet(kd[0], kd[1], kd[2]) + "Ks=" + triplet(ks, ks, ks) + "ns=" + (40 + 40 * (i % 3)) + "\n";
     }
 
     private static long cases(double cote) {
         return (long) (LARGEUR / cote) * (long) (HAUTEUR / cote) * (long) (FOND / cote);
+    }
+
+    /**
+     * Une couleur par sa teinte, plus facile à accorder que rouge, vert et bleu.
+     *
+     * @param teinte en tours : 0 rouge, 1/3 vert, 2/3 bleu
+     * @param vivacite 0 gris, 1 vif
+     * @param clarte la plus grande des trois composantes
+     * @return rouge, vert, bleu, au millième
+     */
+    static double[] couleur(double teinte, double vivacite, double clarte) {
+        double[] rvb = new double[3];
+        for (int i = 0; i < 3; i++) {
+            double ecart = teinte - i / 3.0;
+            // distance à la composante pure sur le cercle des teintes, de 0 à 1/2
+            double distance = Math.abs(ecart - Math.rint(ecart));
+            double presence = Math.max(0, Math.min(1, 2 - 6 * distance));
+            rvb[i] = Math.rint(1000 * clarte * (1 - vivacite * (1 - presence))) / 1000;
+        }
+        return rvb;
+    }
+
+    private static String triplet(double x, double y, double z) {
+        return nombre(x) + " " + nombre(y) + " " + nombre(z) + "\n";
+    }
+
+    /** Ne dépend pas de la langue de la machine. */
+    static String nombre(double valeur) {
+        return BigDecimal.valueOf(valeur).setScale(DECIMALES, RoundingMode.HALF_UP).stripTrailingZeros().toPlainString();
     }
 }

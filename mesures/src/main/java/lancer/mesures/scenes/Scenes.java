@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -14,12 +14,16 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /**
- * Des scènes par leur nom : une de {@code scenes/}, ou engendrée le temps de s'en servir (« foule-1000 »). Telles que
- * la base les voit : les variantes du chemin des classes sont là pour être mesurées, non pour s'y installer.
+ * Des scènes par leur nom : une de {@code scenes/}, celle que l'on ne fait que mesurer (« tp »), ou engendrée le temps
+ * de s'en servir (« foule-1000 »). Telles que la base les voit : les variantes du chemin des classes sont là pour être
+ * mesurées, non pour s'y installer.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
+
+    /** Dix boules qui se reflètent, et deux lampes. */
+    public static final String TP = "tp";
 
     private Scenes() {
     }
@@ -46,13 +50,13 @@ public final class Scenes {
     public static Path fichier(String nom, Path dossier) throws IOException {
         int tiret = nom.indexOf('-');
         if (tiret < 0) {
-            return FichierScene.trouver("scenes/" + nom + ".ini");
+            return FichierScene.trouver((nom.equals(TP) ? "mesures/src/main/scenes/" : "scenes/") + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
-            Foule.ecrire(new Plume(sortie), Integer.parseInt(nom.substring(tiret + 1)));
+            Foule.ecrire(sortie, Integer.parseInt(nom.substring(tiret + 1)));
         }
         return fichier;
     }

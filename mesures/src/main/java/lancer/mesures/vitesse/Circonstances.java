@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.vitesse;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -8,16 +8,16 @@ import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
 
 /** Circonstances d'une mesure : sans cela, un temps ne se compare à aucun autre. */
-public final class Circonstances {
+final class Circonstances {
 
-    public final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
+    final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
             + " && sed -n 's/^model name[^:]*: //p' /proc/cpuinfo || sysctl -n machdep.cpu.brand_string || uname -m");
-    public final int coeurs = Runtime.getRuntime().availableProcessors();
-    public final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
-    public final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
+    final int coeurs = Runtime.getRuntime().availableProcessors();
+    final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
+    final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
 
     /** Le commit mesuré, suivi de « + » si les sources ne sont plus les siennes. */
-    public final String commit = commit();
+    final String commit = commit();
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");

@@ -1,5 +1,6 @@
-package lancer.atelier;
+package lancer.mesures.scenes;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import lancer.Camera;
 import lancer.Point;
 import lancer.Sphere;
@@ -30,7 +32,7 @@ class FouleTest {
 
     private static String engendrer(int n) throws IOException {
         StringBuilder texte = new StringBuilder();
-        Foule.ecrire(new Plume(texte), n);
+        Foule.ecrire(texte, n);
         return texte.toString();
     }
 
@@ -73,8 +75,23 @@ class FouleTest {
     @ParameterizedTest(name = "« {0} » est refusé")
     @ValueSource(strings = {"", "dix", "-1", "1.5", "0", "100000001", "5 1", "99999999999999999999"})
     void uneDemandeFautiveTientEnUneLigne(String ligne) {
-        String message = assertThrows(IllegalArgumentException.class, () -> Foule.nombre(ligne.split(" "))).getMessage();
+        String message = assertThrows(IllegalArgumentException.class, () -> Foule.combien(ligne.split(" "))).getMessage();
         assertTrue(message.contains("nombre de boules") && !message.contains("\n"), message);
+    }
+
+    @Test
+    void unNombreSEcritANeufDecimalesSansZerosDeFin() {
+        assertEquals("-0.5 0.000000001 20000 0.123456789 0 0.3", DoubleStream.of(-0.5, 1e-9, 20000, 0.123456789, -1e-10, 0.1 + 0.2)
+                .mapToObj(Foule::nombre).collect(Collectors.joining(" ")));
+    }
+
+    @Test
+    void lesTeintesFontLeTourDesCouleurs() {
+        assertArrayEquals(new double[] {1, 0, 0}, Foule.couleur(0, 1, 1));
+        assertArrayEquals(new double[] {1, 1, 0}, Foule.couleur(1 / 6.0, 1, 1));
+        assertArrayEquals(new double[] {0, 0.5, 0}, Foule.couleur(1 / 3.0, 1, 0.5));
+        assertArrayEquals(new double[] {0, 0, 1}, Foule.couleur(-1 / 3.0, 1, 1));
+        assertArrayEquals(new double[] {0.8, 0.4, 0.4}, Foule.couleur(1, 0.5, 0.8));
     }
 
     @Test

@@ -1,4 +1,4 @@
-package lancer.atelier;
+package lancer.mesures.pages;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
