@@ -144,7 +144,7 @@ public final class Dessin implements DoubleConsumer {
         return new Lancer(scene, camera);
     }
 
-    /** Donne à la scène la recherche qui lui va. @return ce qui l'a fait écarter, en une phrase ; {@code null} si rien */
+    /** Donne à la scène la recherche qui lui va. @return ce qui l'a fait écarter ; {@code null} si rien */
     private static String chercher(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
         RechercheRapide recherche = simple ? null : Preparation.pour(scene, camera, suivi);
         String ecart = recherche == null ? null : Sondage.ecart(scene, camera, recherche);

@@ -138,7 +138,8 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(montre.getLancer(), 0, null, null, atelier.fils, montre.getReglages().getEssayees(),
+            Auto fait = Auto.choisir(montre.getLancer(), 0, null, null, atelier.fils,
+                    montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             evaluer(scene, fait, montre);
         }, panne -> etat.setText("Essais impossibles : " + panne));
@@ -147,7 +148,8 @@ final class PanneauVitesse extends JDialog {
     /** Met sur le graphique, depuis le fil des essais, le point des réglages de ce dessin. */
     private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
         montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
-                fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(), montre.getReglages().getReflets()));
+                fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(),
+                        montre.getReglages().getReflets()));
     }
 
     /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */

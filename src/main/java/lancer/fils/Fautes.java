@@ -7,7 +7,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
-/** Les pixels qu'un dessin n'a pu calculer : ils l'arrêtent, ou sont tolérés, et peints en damier. Pour tous ses fils. */
+/** Les pixels qu'un dessin n'a pu calculer : ils l'arrêtent, ou sont tolérés et peints en damier. */
 public final class Fautes {
 
     /** Nombre d'échecs après lequel, si rien n'a réussi, il n'y a pas d'image à attendre. */

@@ -133,7 +133,7 @@ final class Besoin {
      */
     long rayonsUtiles() {
         Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
-        Retournee ombres = new Retournee(lancer.getScene().getModele().getRecherche());
+        Retournee ombres = new Retournee(lancer.getScene().avec(lancer.getScene().getModele()));
         lancer.getScene().getModele().setRecherche(ombres);
         ombresInutiles = 0;
         Compteurs siens = lancer.getScene().getCompteurs();
@@ -160,13 +160,14 @@ final class Besoin {
     /** Une recherche dont une réponse, une seule, est le contraire de ce qu'elle est : celle d'un rayon d'ombre. */
     private static final class Retournee implements Recherche {
 
-        private final Recherche vraie;
+        /** La même scène, dont les réponses sont vraies. */
+        private final Scene vraie;
         private int rang;
 
         /** Compte des questions depuis le dernier pixel commencé. */
         private int demandees;
 
-        Retournee(Recherche vraie) {
+        Retournee(Scene vraie) {
             this.vraie = vraie;
         }
 
@@ -178,12 +179,14 @@ final class Besoin {
 
         @Override
         public void plusProche(Rayon incident, Objet3D saufLui) {
-            vraie.plusProche(incident, saufLui);
+            vraie.getClosestIntersection(incident, saufLui);
         }
 
         @Override
         public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-            return vraie.estCachee(lampe, P, V, distance, objet) != (demandees++ == rang);
+            Rayon ombre = Rayon.dOmbre(P, V);
+            vraie.getClosestIntersection(ombre, objet);
+            return ombre.getDistance() < distance != (demandees++ == rang);
         }
 
         @Override

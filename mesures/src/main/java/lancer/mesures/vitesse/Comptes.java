@@ -95,8 +95,8 @@ final class Comptes {
 
     /** L'erreur se mesure sur tous les pixels, ou sur assez peu pour qu'une vérité ne coûte pas plus que cela. */
     private int pas(Path fichier) {
-        long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0).new ScenePrete(Scenes.lire(fichier), taille.largeur, taille.hauteur)
-                .faire((couleur, i, j) -> { }, taille.fils).rayons();
+        long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0)
+                .new ScenePrete(Scenes.lire(fichier), taille.largeur, taille.hauteur).faire((couleur, i, j) -> { }, taille.fils).rayons();
         return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
     }
 
