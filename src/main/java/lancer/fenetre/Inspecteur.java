@@ -254,7 +254,8 @@ final class Inspecteur extends JDialog {
         depliage.remplacer(atelier.montre.fichier, lignes);
         ecrire();
         verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
-                : comparer(nouvelle.getCouleur()));
+                : comparer(nouvelle.getCouleur()) + (nouvelle.estComplete() ? ""
+                : "\nLe récit ne connaît pas tous les termes de cette couleur."));
         grille.montrer(nouvelle);
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
