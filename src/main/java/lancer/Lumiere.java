@@ -36,7 +36,7 @@ final class Lumiere {
      */
     boolean estDevant(Lampe lampe, double devant) {
         if (ecoute != null) {
-            ecoute.enCours().eclairer(lampe, devant);
+            ecoute.enCours().lampes.add(ecoute.enCours().suivre(new Ecoute.Eclairage(lampe, null, devant)));
         }
         return devant > 0;
     }

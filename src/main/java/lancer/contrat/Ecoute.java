@@ -60,22 +60,18 @@ public final class Ecoute {
             this.contact = contact;
         }
 
-        private Eclairage suivre(Eclairage terme) {
+        /** Passe à ce terme : ce qui s'ajoute désormais en est, ou le suit. */
+        public Eclairage suivre(Eclairage terme) {
             enCours = terme;
             termes.add(terme);
             return terme;
-        }
-
-        /** Dit une lampe ; pour {@code devant}, voir {@link Eclairage#devant}. */
-        public void eclairer(Lampe lampe, double devant) {
-            lampes.add(suivre(new Eclairage(lampe, null, devant)));
         }
 
         /** Somme du contact, moins les termes dits, ajoutés dans l'ordre : noire si, au bit près, ils la donnent. */
         public Couleur inconnue() {
             Couleur connue = termes.stream().flatMap(terme -> terme.ajouts.stream()).reduce(new Couleur(),
                     (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));
-            return N == null ? new Couleur() : somme.sub(connue);
+            return N == null || somme == null ? new Couleur() : somme.sub(connue);
         }
 
         /** Longueur du rayon, +∞ si c'est le ciel. */
@@ -111,21 +107,17 @@ public final class Ecoute {
         /** Contact de l'objet le plus proche de la lampe qui la cache, si quelqu'un l'a cherché. */
         public PointContact cache;
 
-        Eclairage(Lampe lampe, Etape suite, double devant) {
+        public Eclairage(Lampe lampe, Etape suite, double devant) {
             this.lampe = lampe;
             this.suite = suite;
             this.devant = devant;
         }
 
-        /** Dit si ce qui s'ajoute est bien le produit des facteurs. */
-        public boolean estJuste() {
-            return ajouts.contains(produit);
-        }
-
         /** Rang de l'apport dans ce qui s'ajoute : le produit, ou ce qui le remplace ; -1 si la lampe ne compte pas. */
         public int apport() {
-            return estJuste() || ajouts.isEmpty() || produit == null || produit.estNoire() || cache != null
-                    ? ajouts.indexOf(produit) : 0;
+            int rang = ajouts.indexOf(produit);
+            boolean attendu = cache == null && produit != null && !produit.estNoire() && !ajouts.isEmpty();
+            return attendu ? Math.max(0, rang) : rang;
         }
 
         /** Dit si la lampe compte dans la somme. */

@@ -113,7 +113,7 @@ public final class Inspection implements Vue, Toile {
     private void chercherLesObstacles() {
         Scene sienne = scene.avec(scene.getModele());
         for (Etape etape : ecoute.etapes) {
-            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.estJuste())
+            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
                     .forEach(lampe -> lampe.cache = obstacle(lampe, etape.contact, sienne));
         }
     }
@@ -156,11 +156,6 @@ public final class Inspection implements Vue, Toile {
     public Rayon getDepart() {
         return getEtapes().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
                 : camera.getRayon(choisi.xe, choisi.ye);
-    }
-
-    /** Dit si les termes de chaque contact donnent sa somme, au bit près. */
-    public boolean estComplete() {
-        return getEtapes().stream().allMatch(etape -> etape.inconnue().estNoire());
     }
 
     /** Échantillon dont voici la chaîne. */

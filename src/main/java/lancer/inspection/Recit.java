@@ -215,15 +215,16 @@ public final class Recit {
             } else if (terme.lampe != null) {
                 direLApport(etape, terme);
             } else {
-                dire(produit("       Ks (%s) ⊗ %s %d = %s", terme.estJuste()), etape.contact.objet.getKs(),
+                direLeProduit("       Ks (%s) ⊗ %s %d = %s", terme.produit, etape.contact.objet.getKs(),
                         aTraversLAir(terme.suite) ? "vue" : "somme", terme.suite.numero, terme.ajouts.get(k));
             }
         }
     }
 
-    /** Ce format d'un produit et de ses facteurs, ou celui qui dit qu'ils ne le donnent pas. */
-    private static String produit(String format, boolean juste) {
-        return juste ? format : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s");
+    /** Dit que des facteurs donnent la dernière de ces valeurs ; ou qu'ils ne la donnent pas, si leur produit est autre. */
+    private void direLeProduit(String format, Couleur produit, Object... valeurs) {
+        dire(produit.equals(valeurs[valeurs.length - 1]) ? format
+                : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
     }
 
     /** Dit la demi-corde d'une sphère, et les deux plus proches des autres objets, trouvés par les boucles du cours. */
@@ -258,20 +259,19 @@ public final class Recit {
 
     private void direLApport(Etape etape, Eclairage e) {
         Couleur KL = e.lampe.getCouleur();
-        Couleur Kd = etape.contact.objet.getKd();
-        Couleur Ks = etape.contact.objet.getKs();
-        dire(produit("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", e.diffus.equals(Kd.mul(e.cosinus, KL))),
-                Kd, KL, e.cosinus, e.diffus);
-        double ns = etape.contact.objet.getNs();
+        Objet3D objet = etape.contact.objet;
         Specularite specularite = pixel.scene.getModele().getSpecularite();
-        double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, ns);
+        // sans rayon d'ombre, personne n'a dit L
         double base = e.L == null ? Double.NaN : specularite.base(etape.V, etape.N, e.L, etape.R);
-        String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat)
-                : (base < 0 ? "max(0, " : "(") + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
-                + ecrire(specularite.exposant(ns));
-        dire(produit("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", e.reflet.equals(Ks.mul(eclat, KL))), Ks, KL,
-                facteur, e.reflet);
-        dire(e.estJuste() ? "       = %s" : "       diffus + reflet ne donne pas %s", e.ajouts.get(e.apport()));
+        double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, objet.getNs());
+        direLeProduit("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", objet.getKd().mul(e.cosinus, KL),
+                objet.getKd(), KL, e.cosinus, e.diffus);
+        String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
+                + specularite.nomDeLaBase() + " " + ecrire(base) + ")^" + ecrire(specularite.exposant(objet.getNs()));
+        direLeProduit("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
+                objet.getKs(), KL, facteur, e.reflet);
+        Couleur apport = e.ajouts.get(e.apport());
+        dire(apport.equals(e.produit) ? "       = %s" : "       diffus + reflet ne donne pas %s", apport);
     }
 
     /** Sort d'une lampe et de ses pareilles. */
