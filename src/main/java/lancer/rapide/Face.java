@@ -3,6 +3,7 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
+import lancer.Point;
 import lancer.precision.Intersection;
 
 /**
@@ -17,9 +18,8 @@ final class Face {
      */
     static final double MARGE = 4e-12;
 
-    /** Écart permis entre la direction d'un rayon et celle de l'œil, en z = 1 : le quart de la marge. */
-    private static final double ECART = MARGE / 4 * Camera.FOCALE;
-    private static final double PAR_FOCALE = 1 / Camera.FOCALE;
+    /** Ouverture de l'image, en u, au-delà de laquelle les directions ne se calculent plus si bien. */
+    private static final double OUVERTURE = 8;
 
     /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
@@ -43,6 +43,9 @@ final class Face {
     private final double parDv;
     final int colonnes;
     final int lignes;
+
+    /** Distance de l'œil à l'image ; NaN, et nul rayon n'y a de case, s'il n'est pas sur l'axe ou en est trop près. */
+    double focale = Double.NaN;
 
     /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
     int ligne0;
@@ -72,10 +75,13 @@ final class Face {
 
     /** La fenêtre de l'image, vue de l'œil. @param cote celui d'une case, en pixels */
     static Face deLImage(Camera camera, double cote) {
-        double u = Constantes.ECHELLE / 2 / Camera.FOCALE;
+        Point oeil = camera.getOeil();
+        double u = Constantes.ECHELLE / 2 / -oeil.z;
         double v = u * camera.getHauteur() / camera.getLargeur();
-        return new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
+        Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
                 (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
+        face.focale = oeil.x == 0 && oeil.y == 0 && u > 0 && u < OUVERTURE ? -oeil.z : Double.NaN;
+        return face;
     }
 
     /** La case de cette direction, -1 si elle n'est pas dans la fenêtre. */
@@ -93,9 +99,11 @@ final class Face {
      * dans l'image.
      */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
-        double ecart = ECART * vz;
-        return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart
-                && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart ? casePlane(px * PAR_FOCALE, py * PAR_FOCALE) : -1;
+        // écart permis entre la direction du rayon et celle de l'œil, en z = 1 : le quart de la marge
+        double ecart = MARGE / 4 * focale * vz;
+        double parFocale = 1 / focale;
+        return pz == 0 && Math.abs(vx * focale - px * vz) <= ecart && Math.abs(vy * focale - py * vz) <= ecart
+                ? casePlane(px * parFocale, py * parFocale) : -1;
     }
 
     /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */

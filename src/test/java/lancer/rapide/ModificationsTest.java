@@ -74,6 +74,8 @@ class ModificationsTest {
         "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",
         "Camera | new Vecteur(OEIL, ecran) | new Vecteur(0, 0, 1)",
         "Camera | new Point(0, 0, -FOCALE) | new Point(0.5, 0.2, -FOCALE)",
+        "Camera | new Point(0, 0, -FOCALE) | new Point(0.3, 0.2, -FOCALE - 0.5)",
+        "Camera | double FOCALE = | double FOCALE = 0.6 *",
         "Camera | (hauteur / 2.0 - ye) * | (ye - hauteur / 2.0) *",
         "Vecteur | return new Vecteur(-x, -y, -z) | return new Vecteur(-x, y > 0.5 ? -1.2 * y : -y, -z)",
         "Objet3D | Vecteur L = versLampe.normalized() | Vecteur L = versLampe.normalized().mul(N.y > 0.8 ? 1.3 : 1)",
