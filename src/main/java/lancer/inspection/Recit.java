@@ -221,7 +221,7 @@ public final class Recit {
         }
     }
 
-    /** Dit que des facteurs donnent la dernière de ces valeurs ; ou qu'ils ne la donnent pas, si leur produit est autre. */
+    /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
     private void direLeProduit(String format, Couleur produit, Object... valeurs) {
         dire(produit.equals(valeurs[valeurs.length - 1]) ? format
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);

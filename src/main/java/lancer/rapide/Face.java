@@ -3,7 +3,6 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
-import lancer.Point;
 import lancer.precision.Intersection;
 
 /**
@@ -17,9 +16,6 @@ final class Face {
      * arrondis de {@link lancer.precision.Intersection#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
      */
     static final double MARGE = 4e-12;
-
-    /** Ouverture de l'image, en u, au-delà de laquelle les directions ne se calculent plus si bien. */
-    private static final double OUVERTURE = 8;
 
     /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
@@ -44,7 +40,7 @@ final class Face {
     final int colonnes;
     final int lignes;
 
-    /** Distance de l'œil à l'image ; NaN, et nul rayon n'y a de case, s'il n'est pas sur l'axe ou en est trop près. */
+    /** Distance à l'image d'un œil sur l'axe ; NaN, et nul rayon n'y a de case, s'il en est trop près, ou devant. */
     double focale = Double.NaN;
 
     /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
@@ -75,12 +71,12 @@ final class Face {
 
     /** La fenêtre de l'image, vue de l'œil. @param cote celui d'une case, en pixels */
     static Face deLImage(Camera camera, double cote) {
-        Point oeil = camera.getOeil();
-        double u = Constantes.ECHELLE / 2 / -oeil.z;
+        double focale = -camera.getOeil().z;
+        double u = Constantes.ECHELLE / 2 / focale;
         double v = u * camera.getHauteur() / camera.getLargeur();
         Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
                 (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
-        face.focale = oeil.x == 0 && oeil.y == 0 && u > 0 && u < OUVERTURE ? -oeil.z : Double.NaN;
+        face.focale = u > 0 && u < Faces.OUVERTURE ? focale : Double.NaN;
         return face;
     }
 

@@ -7,7 +7,7 @@ package lancer.rapide;
 final class Faces {
 
     /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
-    private static final double OUVERTURE = 2;
+    static final double OUVERTURE = 2;
 
     private static final double[][] CUBE = {
         {0, 1, 0, 0, 0, 1, 1, 0, 0}, {0, 1, 0, 0, 0, 1, -1, 0, 0},

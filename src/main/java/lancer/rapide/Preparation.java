@@ -192,8 +192,9 @@ public final class Preparation implements IntConsumer {
 
     private Intersections deLOeil() {
         double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
-        Carte carte = Carte.de(spheres, camera.getOeil(), true, new Face[] {Face.deLImage(camera, cote)},
-                structures.arbre, places());
+        // un œil hors de l'axe n'a pas de rayon dans cette carte
+        Carte carte = Carte.de(spheres, new Point(0, 0, camera.getOeil().z), true,
+                new Face[] {Face.deLImage(camera, cote)}, structures.arbre, places());
         return carte == null ? structures.arbre : carte;
     }
 
