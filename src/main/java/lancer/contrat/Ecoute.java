@@ -83,9 +83,8 @@ public final class Ecoute {
     /** Lampe vue d'un contact, ou reflet ; et ce qui s'ajoute, de la lampe à la suivante. */
     public static final class Eclairage {
 
+        /** La lampe, ou ce que voit le rayon réfléchi ; ni l'une ni l'autre avant la première lampe. */
         public final Lampe lampe;
-
-        /** Étape que voit le rayon réfléchi, si c'est un reflet. */
         public final Etape suite;
 
         /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */

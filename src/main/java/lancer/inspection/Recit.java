@@ -207,7 +207,8 @@ public final class Recit {
         if (terme.lampe != null) {
             direLaLampe(etape, terme);
         } else if (terme.suite != null) {
-            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, terme.suite.numero);
+            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids == null ? "inconnu" : etape.poids,
+                    terme.suite.numero);
         }
         for (int k = 0; k < terme.ajouts.size(); k++) {
             if (k != terme.apport()) {

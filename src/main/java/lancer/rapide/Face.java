@@ -17,6 +17,9 @@ final class Face {
      */
     static final double MARGE = 4e-12;
 
+    /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
+    static final double OUVERTURE = 2;
+
     /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
 
@@ -76,7 +79,7 @@ final class Face {
         double v = u * camera.getHauteur() / camera.getLargeur();
         Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
                 (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
-        face.focale = u > 0 && u < Faces.OUVERTURE ? focale : Double.NaN;
+        face.focale = u > 0 && u < OUVERTURE ? focale : Double.NaN;
         return face;
     }
 

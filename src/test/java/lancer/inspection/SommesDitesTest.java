@@ -112,6 +112,14 @@ class SommesDitesTest {
     }
 
     @Test
+    void unRefletQuePersonneNePeseSeDitQuandMeme() throws IOException {
+        String recit = modifier("if (lumiere.vautUnReflet(produitKs))", "");
+        Sommes.de(recit).forEach(autre -> assertNull(autre));
+        assertTrue(lignes(recit, "     réfléchi : ").stream().allMatch(ligne -> ligne.contains(", poids inconnu → ")), recit);
+        assertEquals(lignes(tel(), "       Ks (").get(0), lignes(recit, "       Ks (").get(0));
+    }
+
+    @Test
     void uneLampeQuiNEstNiCacheeNiAjouteeNePasseNiPourLUneNiPourLAutre() throws IOException {
         String recit = modifier("lumiere.ajouter(apport)", "if (apport.r > 1) lumiere.ajouter(apport)");
         Sommes.de(recit).forEach(autre -> assertNull(autre));

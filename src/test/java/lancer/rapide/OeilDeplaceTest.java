@@ -34,7 +34,7 @@ class OeilDeplaceTest {
     @CsvSource({"0.3, 0.2, -4.2, 0", "-2, 1.5, -3, 0", "0, 0, -1, 0", "0, 0, -0.3, 0.5", "0.4, 0, -0.01, 0", "0, 0, -500, 0",
         "-300, 20, -40, 1", "0, 0, -0.51, 0", "0, 0, -0.49, 0", "0, 0, -30, 0",
         "0.1, 0.2, 0, 0", "0, 0, 3, 0", "1, -2, 5, -1", "0, 0, -1e9, 0", "1e120, 0, -1, 0", "0, 0, NaN, 0"})
-    void limageEstCelleDesBouclesDuCours(double x, double y, double z, double plan) {
+    void lImageEstCelleDesBouclesDuCours(double x, double y, double z, double plan) {
         Camera camera = new CameraDeplacee(LARGEUR, HAUTEUR, new Point(x, y, z), plan);
         if (z != plan && z == z) {
             for (int foule : new int[] {12, 60}) {
