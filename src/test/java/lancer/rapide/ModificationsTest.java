@@ -105,6 +105,12 @@ class ModificationsTest {
                 Essai dit = programme.executer("--taille", "120x90", "--pixel", pixel, "scenes/scene1.ini");
                 assertEquals(0, dit.code, dit.toString());
                 contacts += Sommes.de(dit.sortie).size();
+                String[] mots = dit.sortie.substring(dit.sortie.lastIndexOf("somme ")).split(" ");
+                String[] place = pixel.split(",");
+                int debut = 3 * ((89 - Integer.parseInt(place[1])) * 120 + Integer.parseInt(place[0]));
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(Essai.pfm(simple)[debut + c], (float) Double.parseDouble(mots[1 + c]), dit.sortie);
+                }
             }
             assertTrue(contacts > 0, contacts + " contacts dont les termes donnent la somme");
         }

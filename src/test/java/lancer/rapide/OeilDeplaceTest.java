@@ -3,6 +3,9 @@ package lancer.rapide;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import lancer.Camera;
@@ -10,6 +13,7 @@ import lancer.Constantes;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.essai.CameraDeplacee;
 import lancer.essai.Ressources;
 import lancer.fils.Traceur;
@@ -76,6 +80,23 @@ class OeilDeplaceTest {
                 noeuds[k] = traceur.getCompteurs().noeudsVisites;
             }
             assertTrue(noeuds[1] < 1.2 * noeuds[0], noeuds[1] + " nœuds au lieu de " + noeuds[0]);
+        }
+    }
+
+    /** Il voit ce qui est derrière l'écran : sans rien tenir pour acquis, la recherche n'a pas à être remplacée. */
+    @Test
+    void unOeilDevantLEcranNEgarePasLaRecherche() {
+        Random hasard = new Random(5);
+        for (int foule : new int[] {30, 300}) {
+            List<Sphere> boules = new ArrayList<>();
+            for (int k = 0; k < foule; k++) {
+                boules.add(new Sphere(new Point(4 * hasard.nextDouble() - 2, 4 * hasard.nextDouble() - 2, -4 - 4 * hasard.nextDouble()),
+                        0.4));
+            }
+            Scene scene = new Scene(boules, Collections.emptyList());
+            Camera camera = new CameraDeplacee(LARGEUR, HAUTEUR, new Point(0, 0, 3), 0);
+            assertTrue(Preparation.pour(scene, camera, part -> { }) instanceof RechercheRapide);
+            comparer(foule + " boules", scene, camera);
         }
     }
 
