@@ -42,6 +42,24 @@ public class Camera {
         return (hauteur / 2.0 - ye) * Constantes.ECHELLE / largeur;
     }
 
+    /** La position de l'œil, en unités de la scène. */
+    public Point getOeil() {
+        return OEIL;
+    }
+
+    /** Le point de l'écran en (xe, ye), en pixels depuis la gauche et depuis le haut ; le même z pour tous. */
+    public Point getEcran(double xe, double ye) {
+        return new Point(getX(xe), getY(ye), 0);
+    }
+
+    /** Où l'œil voit ce point de la scène : x et y en pixels de l'image ; z, le nombre de pixels d'une unité. */
+    public Point projeter(Point p) {
+        Point oeil = getOeil();
+        double pixels = (getEcran(0, 0).z - oeil.z) / (p.z - oeil.z) * largeur / Constantes.ECHELLE;
+        return new Point(largeur / 2.0 + oeil.x * largeur / Constantes.ECHELLE + (p.x - oeil.x) * pixels,
+                hauteur / 2.0 - oeil.y * largeur / Constantes.ECHELLE - (p.y - oeil.y) * pixels, pixels);
+    }
+
     /**
      * Le rayon qui part de l'écran en (xe, ye) et s'éloigne de l'œil.
      *
@@ -49,7 +67,7 @@ public class Camera {
      * @param ye en pixels depuis le haut ; le centre de la ligne j est j + 0,5
      */
     public Rayon getRayon(double xe, double ye) {
-        Point ecran = new Point(getX(xe), getY(ye), 0);
+        Point ecran = getEcran(xe, ye);
         return new Rayon(ecran, new Vecteur(OEIL, ecran));
     }
 }

@@ -36,7 +36,7 @@ final class Lumiere {
      */
     boolean estDevant(Lampe lampe, double devant) {
         if (ecoute != null) {
-            ecoute.enCours().lampes.add(new Ecoute.Eclairage(lampe, devant));
+            ecoute.enCours().lampes.add(ecoute.enCours().suivre(new Ecoute.Eclairage(lampe, null, devant)));
         }
         return devant > 0;
     }
@@ -45,11 +45,12 @@ final class Lumiere {
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
         Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
-            Ecoute.Eclairage dit = ecoute.enCours().enCours();
+            Ecoute.Eclairage dit = ecoute.enCours().enCours;
             dit.cosinus = cosinus;
             dit.eclat = eclat;
             dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
             dit.reflet = Ks.mul(eclat, KL);
+            dit.produit = dit.diffus.add(dit.reflet);
         }
         return diffus.add(eclat, Ks, KL);
     }
@@ -64,10 +65,8 @@ final class Lumiere {
 
     /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou, une fois pesé, ce que renvoie un reflet. */
     void ajouter(Couleur c) {
-        if (ecoute != null && ecoute.enCours().poids != null) {
-            ecoute.enCours().reflet = new Couleur(c.r, c.v, c.b);
-        } else if (ecoute != null) {
-            ecoute.enCours().enCours().apport = new Couleur(c.r, c.v, c.b);
+        if (ecoute != null) {
+            ecoute.enCours().enCours.ajouts.add(new Couleur(c.r, c.v, c.b));
         }
         r += c.r;
         v += c.v;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Couleur;
+import lancer.Point;
 import lancer.Sphere;
 import lancer.contrat.Pave;
 
@@ -64,14 +64,12 @@ final class Semis {
     }
 
     private void marquer(Sphere boule, Camera camera) {
-        double fois = largeur / Constantes.ECHELLE * Camera.FOCALE / (boule.getCentre().z + Camera.FOCALE);
-        double rayon = boule.getRayon() * fois;
-        double x = largeur / 2.0 + boule.getCentre().x * fois;
-        double y = camera.getHauteur() / 2.0 - boule.getCentre().y * fois;
-        int i = (int) Math.max(0, x - rayon);
-        int fin = (int) Math.min(largeur, Math.ceil(x + rayon));
-        boolean petite = boule.getCentre().z > 0 && rayon <= PETIT && i < fin;
-        for (int j = (int) Math.max(0, y - rayon); petite && j < Math.min(camera.getHauteur(), y + rayon); j++) {
+        Point vu = camera.projeter(boule.getCentre());
+        double rayon = boule.getRayon() * vu.z;
+        int i = (int) Math.max(0, vu.x - rayon);
+        int fin = (int) Math.min(largeur, Math.ceil(vu.x + rayon));
+        boolean petite = boule.getCentre().z > camera.getEcran(0, 0).z && rayon <= PETIT && i < fin;
+        for (int j = (int) Math.max(0, vu.y - rayon); petite && j < Math.min(camera.getHauteur(), vu.y + rayon); j++) {
             petits.set(j * largeur + i, j * largeur + fin);
         }
     }

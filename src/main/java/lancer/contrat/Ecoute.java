@@ -39,13 +39,16 @@ public final class Ecoute {
 
         public final List<Eclairage> lampes = new ArrayList<>();
 
+        /** Ce qui précède les lampes, puis chacune, puis le reflet, dans l'ordre de la somme ; et celui qui se dit. */
+        public final List<Eclairage> termes = new ArrayList<>();
+        public Eclairage enCours = suivre(new Eclairage(null, null, 0));
+
         /** Normale, et miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
         public Vecteur N;
         public Vecteur R;
 
-        /** Produit des Ks, si un reflet était permis ; et ce reflet, Ks ⊗ ce que voit l'étape suivante. */
+        /** Produit des Ks, si un reflet était permis. */
         public Couleur poids;
-        public Couleur reflet;
 
         /** Somme du contact, ou ciel ; et ce qu'en voit le rayon, à travers l'air. */
         public Couleur somme;
@@ -57,9 +60,18 @@ public final class Ecoute {
             this.contact = contact;
         }
 
-        /** Lampe dont il est question. */
-        public Eclairage enCours() {
-            return lampes.get(lampes.size() - 1);
+        /** Passe à ce terme : ce qui s'ajoute désormais en est, ou le suit. */
+        public Eclairage suivre(Eclairage terme) {
+            enCours = terme;
+            termes.add(terme);
+            return terme;
+        }
+
+        /** Somme du contact, moins les termes dits, ajoutés dans l'ordre : noire si, au bit près, ils la donnent. */
+        public Couleur inconnue() {
+            Couleur connue = termes.stream().flatMap(terme -> terme.ajouts.stream()).reduce(new Couleur(),
+                    (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));
+            return N == null || somme == null ? new Couleur() : somme.sub(connue);
         }
 
         /** Longueur du rayon, +∞ si c'est le ciel. */
@@ -68,10 +80,12 @@ public final class Ecoute {
         }
     }
 
-    /** Lampe, vue d'un contact. */
+    /** Lampe vue d'un contact, ou reflet ; et ce qui s'ajoute, de la lampe à la suivante. */
     public static final class Eclairage {
 
+        /** La lampe, ou ce que voit le rayon réfléchi ; ni l'une ni l'autre avant la première lampe. */
         public final Lampe lampe;
+        public final Etape suite;
 
         /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
         public final double devant;
@@ -85,20 +99,29 @@ public final class Ecoute {
         public Vecteur L;
         public double distance;
 
-        /** Terme de la somme, si la lampe n'est pas cachée. */
-        public Couleur apport;
+        /** Produit de ses facteurs, s'ils sont dits ; et ce qui s'ajoute, produit compris si rien ne cache la lampe. */
+        public Couleur produit;
+        public final List<Couleur> ajouts = new ArrayList<>();
 
         /** Contact de l'objet le plus proche de la lampe qui la cache, si quelqu'un l'a cherché. */
         public PointContact cache;
 
-        public Eclairage(Lampe lampe, double devant) {
+        public Eclairage(Lampe lampe, Etape suite, double devant) {
             this.lampe = lampe;
+            this.suite = suite;
             this.devant = devant;
+        }
+
+        /** Rang de l'apport dans ce qui s'ajoute : le produit, ou ce qui le remplace ; -1 si la lampe ne compte pas. */
+        public int apport() {
+            int rang = ajouts.indexOf(produit);
+            boolean attendu = cache == null && produit != null && !produit.estNoire() && !ajouts.isEmpty();
+            return attendu ? Math.max(0, rang) : rang;
         }
 
         /** Dit si la lampe compte dans la somme. */
         public boolean eclaire() {
-            return apport != null;
+            return apport() >= 0;
         }
     }
 
@@ -120,9 +143,8 @@ public final class Ecoute {
 
     /** Dit la question d'un rayon d'ombre. {@code L} va du contact à la lampe. */
     public static void ombre(Ecoute e, Vecteur L, double distance) {
-        // une forme qui se colore à sa façon demande ses ombres sans nommer la lampe
-        if (e != null && !e.enCours().lampes.isEmpty()) {
-            Eclairage lampe = e.enCours().enCours();
+        if (e != null) {
+            Eclairage lampe = e.enCours().enCours;
             lampe.L = new Vecteur(L.x, L.y, L.z);
             lampe.distance = distance;
         }
@@ -134,6 +156,10 @@ public final class Ecoute {
             Etape etape = e.ouvertes.pop();
             etape.somme = new Couleur(somme.r, somme.v, somme.b);
             etape.vue = new Couleur(vue.r, vue.v, vue.b);
+            if (!e.ouvertes.isEmpty()) {
+                Etape ici = e.ouvertes.peek();
+                ici.suivre(new Eclairage(null, etape, 0)).produit = ici.contact.objet.getKs().mul(etape.vue);
+            }
         }
     }
 }

@@ -253,8 +253,9 @@ final class Inspecteur extends JDialog {
         rebond = seul;
         depliage.remplacer(atelier.montre.fichier, lignes);
         ecrire();
-        verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
-                : comparer(nouvelle.getCouleur()));
+        boolean connue = nouvelle.getEtapes().stream().allMatch(etape -> etape.inconnue().estNoire());
+        verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé." : comparer(nouvelle.getCouleur())
+                + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
         grille.montrer(nouvelle);
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);

@@ -117,7 +117,7 @@ public final class Inspection implements Vue, Toile {
     private void chercherLesObstacles() {
         Scene sienne = scene.avec(scene.getModele());
         for (Etape etape : ecoute.etapes) {
-            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.eclaire())
+            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
                     .forEach(lampe -> lampe.cache = obstacle(lampe, etape.contact, sienne));
         }
     }
@@ -128,7 +128,7 @@ public final class Inspection implements Vue, Toile {
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
         PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);
         if (ombre.getDistance() < portee || !lointaine) {
-            return depuisLaLampe;
+            return ombre.getDistance() < portee ? depuisLaLampe : null;
         }
         Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
         return scene.getObjets().stream()

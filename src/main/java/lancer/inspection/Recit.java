@@ -170,20 +170,22 @@ public final class Recit {
         if (etape.somme == null) {
             return;
         }
+        if (!etape.inconnue().estNoire()) {
+            dire("     autre = %s (que le récit ne connaît pas)", etape.inconnue());
+        }
         dire("   somme %d = %s", etape.numero, etape.somme);
         if (aTraversLAir(etape)) {
             direLAir(etape);
         }
-        if (etape.reflet == null) {
+        if (etape.numero == pixel.getEtapes().size()) {
             direLArret(etape);
         }
     }
 
     private void direLaSurface(Etape etape, Rayon rayon, Objet3D depart) {
         dire("   N = %s", etape.N);
-        for (Eclairage lampe : etape.lampes) {
-            dire(etape, lampe);
-        }
+        int reflet = 1 + etape.lampes.size();
+        etape.termes.subList(0, reflet).forEach(terme -> dire(etape, terme));
         quoi = "";
         String details = "   demi-corde, rivaux et directions des lampes";
         if (rayon != null) {
@@ -196,12 +198,34 @@ public final class Recit {
             }
         }
         quoi = "";
-        if (etape.reflet != null) {
-            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids, etape.numero + 1);
-            dire("       Ks (%s) ⊗ %s %d = %s", etape.contact.objet.getKs(),
-                    aTraversLAir(pixel.getEtapes().get(etape.numero)) ? "vue" : "somme", etape.numero + 1,
-                    etape.reflet);
+        etape.termes.subList(reflet, etape.termes.size()).forEach(terme -> dire(etape, terme));
+        quoi = "";
+    }
+
+    /** Dit une lampe ou un reflet, puis ce qui s'ajoute tant qu'il en est question, dans l'ordre. */
+    private void dire(Etape etape, Eclairage terme) {
+        if (terme.lampe != null) {
+            direLaLampe(etape, terme);
+        } else if (terme.suite != null) {
+            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids == null ? "inconnu" : etape.poids,
+                    terme.suite.numero);
         }
+        for (int k = 0; k < terme.ajouts.size(); k++) {
+            if (k != terme.apport()) {
+                dire("     autre terme = %s", terme.ajouts.get(k));
+            } else if (terme.lampe != null) {
+                direLApport(etape, terme);
+            } else {
+                direLeProduit("       Ks (%s) ⊗ %s %d = %s", terme.produit, etape.contact.objet.getKs(),
+                        aTraversLAir(terme.suite) ? "vue" : "somme", terme.suite.numero, terme.ajouts.get(k));
+            }
+        }
+    }
+
+    /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
+    private void direLeProduit(String format, Couleur produit, Object... valeurs) {
+        dire(produit.equals(valeurs[valeurs.length - 1]) ? format
+                : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
     }
 
     /** Dit la demi-corde d'une sphère, et les deux plus proches des autres objets, trouvés par les boucles du cours. */
@@ -220,7 +244,7 @@ public final class Recit {
                 });
     }
 
-    private void dire(Etape etape, Eclairage e) {
+    private void direLaLampe(Etape etape, Eclairage e) {
         long pareilles = etape.lampes.stream().filter(autre -> sort(autre).equals(sort(e))).count();
         quoi = pixel.nom(e.lampe);
         String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + sort(e);
@@ -231,30 +255,30 @@ public final class Recit {
         }
         replier(repli, "     %s  N·L = %s  %s", pixel.nom(e.lampe), e.cosinus, e.eclaire() ? "éclairée"
                 : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
-                : e.cache == null ? "cachée" : "cachée par " + pixel.nom(e.cache.objet));
-        if (e.eclaire()) {
-            Couleur KL = e.lampe.getCouleur();
-            dire("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", etape.contact.objet.getKd(), KL, e.cosinus,
-                    e.diffus);
-            dire("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", etape.contact.objet.getKs(), KL, eclat(etape, e),
-                    e.reflet);
-            dire("       = %s", e.apport);
-        }
+                : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
+    }
+
+    private void direLApport(Etape etape, Eclairage e) {
+        Couleur KL = e.lampe.getCouleur();
+        Objet3D objet = etape.contact.objet;
+        Specularite specularite = pixel.scene.getModele().getSpecularite();
+        // sans rayon d'ombre, personne n'a dit L
+        double base = e.L == null ? Double.NaN : specularite.base(etape.V, etape.N, e.L, etape.R);
+        double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, objet.getNs());
+        direLeProduit("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", objet.getKd().mul(e.cosinus, KL),
+                objet.getKd(), KL, e.cosinus, e.diffus);
+        String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
+                + specularite.nomDeLaBase() + " " + ecrire(base) + ")^" + ecrire(specularite.exposant(objet.getNs()));
+        direLeProduit("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
+                objet.getKs(), KL, facteur, e.reflet);
+        Couleur apport = e.ajouts.get(e.apport());
+        dire(apport.equals(e.produit) ? "       = %s" : "       diffus + reflet ne donne pas %s", apport);
     }
 
     /** Sort d'une lampe et de ses pareilles. */
     private static String sort(Eclairage e) {
         return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
-                : e.L == null ? "sans effet sur cette matière" : "cachées";
-    }
-
-    /** La base et l'exposant de l'éclat d'une lampe, s'il les dit ; sinon l'éclat lui-même. */
-    private String eclat(Etape etape, Eclairage e) {
-        Specularite specularite = pixel.scene.getModele().getSpecularite();
-        double base = specularite.base(etape.V, etape.N, e.L, etape.R);
-        return Double.isNaN(base) ? "éclat " + ecrire(e.eclat)
-                : (base < 0 ? "max(0, " : "(") + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
-                + ecrire(specularite.exposant(etape.contact.objet.getNs()));
+                : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
     }
 
     /** Part de l'air dans cette vue, NaN s'il n'en dit rien. */

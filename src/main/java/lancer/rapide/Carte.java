@@ -1,7 +1,6 @@
 package lancer.rapide;
 
 import java.util.Arrays;
-import lancer.Camera;
 import lancer.Constantes;
 import lancer.Point;
 import lancer.contrat.Recherche;
@@ -202,8 +201,8 @@ final class Carte implements Intersections, Occultations {
         if (c < 0) {
             return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
         }
-        // les distances de la carte partent de l'œil, et V.z = FOCALE / ‖P − Œil‖
-        double avance = Camera.FOCALE / vz * (1 + 1e-12);
+        // les distances de la carte partent de l'œil, et V.z = focale / ‖P − Œil‖
+        double avance = faces[0].focale / vz * (1 + 1e-12);
         parcours.distance = Constantes.INFINI;
         parcours.compteurs.noeudsVisites++;
         int premiere = debut[c];

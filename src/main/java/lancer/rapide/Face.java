@@ -17,9 +17,8 @@ final class Face {
      */
     static final double MARGE = 4e-12;
 
-    /** Écart permis entre la direction d'un rayon et celle de l'œil, en z = 1 : le quart de la marge. */
-    private static final double ECART = MARGE / 4 * Camera.FOCALE;
-    private static final double PAR_FOCALE = 1 / Camera.FOCALE;
+    /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
+    static final double OUVERTURE = 2;
 
     /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
@@ -43,6 +42,9 @@ final class Face {
     private final double parDv;
     final int colonnes;
     final int lignes;
+
+    /** Distance à l'image d'un œil sur l'axe ; NaN, et nul rayon n'y a de case, s'il en est trop près, ou devant. */
+    double focale = Double.NaN;
 
     /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
     int ligne0;
@@ -72,10 +74,13 @@ final class Face {
 
     /** La fenêtre de l'image, vue de l'œil. @param cote celui d'une case, en pixels */
     static Face deLImage(Camera camera, double cote) {
-        double u = Constantes.ECHELLE / 2 / Camera.FOCALE;
+        double focale = -camera.getOeil().z;
+        double u = Constantes.ECHELLE / 2 / focale;
         double v = u * camera.getHauteur() / camera.getLargeur();
-        return new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
+        Face face = new Face(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, -u, -v, u, v,
                 (int) Math.ceil(camera.getLargeur() / cote), (int) Math.ceil(camera.getHauteur() / cote));
+        face.focale = u > 0 && u < OUVERTURE ? focale : Double.NaN;
+        return face;
     }
 
     /** La case de cette direction, -1 si elle n'est pas dans la fenêtre. */
@@ -93,9 +98,11 @@ final class Face {
      * dans l'image.
      */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
-        double ecart = ECART * vz;
-        return pz == 0 && Math.abs(vx * Camera.FOCALE - px * vz) <= ecart
-                && Math.abs(vy * Camera.FOCALE - py * vz) <= ecart ? casePlane(px * PAR_FOCALE, py * PAR_FOCALE) : -1;
+        // écart permis entre la direction du rayon et celle de l'œil, en z = 1 : le quart de la marge
+        double ecart = MARGE / 4 * focale * vz;
+        double parFocale = 1 / focale;
+        return pz == 0 && Math.abs(vx * focale - px * vz) <= ecart && Math.abs(vy * focale - py * vz) <= ecart
+                ? casePlane(px * parFocale, py * parFocale) : -1;
     }
 
     /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */

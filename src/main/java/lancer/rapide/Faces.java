@@ -6,9 +6,6 @@ package lancer.rapide;
  */
 final class Faces {
 
-    /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
-    private static final double OUVERTURE = 2;
-
     private static final double[][] CUBE = {
         {0, 1, 0, 0, 0, 1, 1, 0, 0}, {0, 1, 0, 0, 0, 1, -1, 0, 0},
         {0, 0, 1, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 1, 0, 0, 0, -1, 0},
@@ -53,10 +50,10 @@ final class Faces {
         if (e == null) {
             return null;
         }
-        double u0 = OUVERTURE;
-        double u1 = -OUVERTURE;
-        double v0 = OUVERTURE;
-        double v1 = -OUVERTURE;
+        double u0 = Face.OUVERTURE;
+        double u1 = -Face.OUVERTURE;
+        double v0 = Face.OUVERTURE;
+        double v1 = -Face.OUVERTURE;
         for (int s = 0; s < g.length; s += Spheres.PAS) {
             double x = g[s] - ox;
             double y = g[s + 1] - oy;
@@ -65,7 +62,7 @@ final class Faces {
             double cx = e[0] * x + e[1] * y + e[2] * z;
             double cy = e[3] * x + e[4] * y + e[5] * z;
             double cz = e[6] * x + e[7] * y + e[8] * z;
-            if (!(cz > 1.01 * r && cz > OUVERTURE / 10 * r)) {
+            if (!(cz > 1.01 * r && cz > Face.OUVERTURE / 10 * r)) {
                 return null;
             }
             double q = (cz - r) * (cz + r);
@@ -76,7 +73,7 @@ final class Faces {
             v0 = Math.min(v0, (cy * cz - rv) / q);
             v1 = Math.max(v1, (cy * cz + rv) / q);
         }
-        if (!(u0 > -OUVERTURE && u1 < OUVERTURE && v0 > -OUVERTURE && v1 < OUVERTURE)) {
+        if (!(u0 > -Face.OUVERTURE && u1 < Face.OUVERTURE && v0 > -Face.OUVERTURE && v1 < Face.OUVERTURE)) {
             return null;
         }
         u0 -= 4 * Face.MARGE;

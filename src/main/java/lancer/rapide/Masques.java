@@ -63,7 +63,7 @@ final class Masques implements Intersections {
     private void noterTuiles(int k) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
-        if (!image.silhouette(g[s], g[s + 1], g[s + 2] + Camera.FOCALE, g[s + 3])) {
+        if (!image.silhouette(g[s], g[s + 1], g[s + 2] + image.focale, g[s + 3])) {
             return;
         }
         for (int j = image.ligne0; j <= image.ligne1; j++) {

@@ -128,7 +128,7 @@ public final class Preparation implements IntConsumer {
     private void faire(Genre impose) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
-        double portee = Math.max(boite.portee(), Camera.FOCALE);
+        double portee = Math.max(boite.portee(), Math.abs(camera.getOeil().z));
         boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN;
         Genre genre = impose != null ? impose
                 : n <= PEU ? Genre.MASQUES : n <= SPHERES_PAR_PIXEL * pixels ? Genre.CARTES : Genre.ARBRE;
@@ -189,8 +189,9 @@ public final class Preparation implements IntConsumer {
 
     private Intersections deLOeil() {
         double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
-        Carte carte = Carte.de(spheres, new Point(0, 0, -Camera.FOCALE), true, new Face[] {Face.deLImage(camera, cote)},
-                structures.arbre, places());
+        // un œil hors de l'axe n'a pas de rayon dans cette carte
+        Carte carte = Carte.de(spheres, new Point(0, 0, camera.getOeil().z), true,
+                new Face[] {Face.deLImage(camera, cote)}, structures.arbre, places());
         return carte == null ? structures.arbre : carte;
     }
 

@@ -19,8 +19,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.DoubleConsumer;
 import javax.swing.JTextPane;
+import lancer.Couleur;
 import lancer.Objet3D;
+import lancer.PointContact;
 import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.scene.SceneLue;
@@ -297,6 +301,31 @@ class FenetreInspecteurTest extends EssaiInspecteur {
             texte.paint(vue.createGraphics());
             return Arrays.stream(BancFenetre.codes(vue)).map(code -> code >> 16 & 255).min().getAsInt();
         });
+    }
+
+    @Test
+    void leVerdictDitQuUneCouleurAUnTermeQueLeRecitNeConnaitPas() throws Exception {
+        Sphere braise = new Sphere(new lancer.Point(0, 0.2, 6), 1) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return super.getColor(scene, incident, contact, profondeur).add(new Couleur(0.25, 0.5, 0));
+            }
+        };
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                SceneLue lue = super.lireScene(fichier, suivi);
+                lue.lampes.clear();
+                lue.objets.clear();
+                lue.objets.add(braise);
+                return lue;
+            }
+        });
+        banc.imageAchevee();
+        cliquer(L / 2, 100);
+        attendreVerdict("Au bit près, la couleur du pixel dessiné : #408000\nLe récit ne connaît pas tous les termes de cette couleur.");
+        String recit = attendreRecit(" = #408000");
+        assertTrue(recit.contains("\n     autre = 0.25000 0.50000 0.0000 (que le récit ne connaît pas)\n   somme 1 = 0.25000 "), recit);
     }
 
     /** Un objet que rien ne touche, et dont l'intersection attend ce qu'on veut. */

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntPredicate;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
+import lancer.Vecteur;
 
 /**
  * Les boules trop petites à l'écran pour qu'un point par pixel les voie toutes : où elles sont, et leur rayon, se
@@ -31,22 +31,20 @@ final class Petites {
         hauteur = camera.getHauteur();
         for (Objet3D objet : objets) {
             if (objet instanceof Sphere) {
-                projeter((Sphere) objet);
+                projeter((Sphere) objet, camera);
             }
         }
     }
 
     /** Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son demi-axe est F r/(D cos²θ). */
-    private void projeter(Sphere sphere) {
-        Point c = sphere.getCentre();
-        double profondeur = c.z + Camera.FOCALE;
-        double echelle = Camera.FOCALE / profondeur * largeur / Constantes.ECHELLE;
-        double x = largeur / 2.0 + c.x * echelle;
-        double y = hauteur / 2.0 - c.y * echelle;
-        double r = sphere.getRayon() * echelle * Math.sqrt(1 + (c.x * c.x + c.y * c.y) / (profondeur * profondeur));
-        if (c.z > 0 && r < MAILLE && x > -1 && x < largeur + 1 && y > -1 && y < hauteur + 1) {
-            double[] disque = {x, y, r};
-            parcourir(x - r, y - r, x + r, y + r, pixel -> {
+    private void projeter(Sphere sphere, Camera camera) {
+        Vecteur c = new Vecteur(camera.getOeil(), sphere.getCentre());
+        Point vu = camera.projeter(sphere.getCentre());
+        double r = sphere.getRayon() * vu.z * Math.sqrt(1 + (c.x * c.x + c.y * c.y) / (c.z * c.z));
+        if (sphere.getCentre().z > camera.getEcran(0, 0).z && r < MAILLE && vu.x > -1 && vu.x < largeur + 1
+                && vu.y > -1 && vu.y < hauteur + 1) {
+            double[] disque = {vu.x, vu.y, r};
+            parcourir(vu.x - r, vu.y - r, vu.x + r, vu.y + r, pixel -> {
                 disques.computeIfAbsent(pixel, rang -> new ArrayList<>(1)).add(disque);
                 return false;
             });

@@ -16,7 +16,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
@@ -101,20 +100,19 @@ public final class Figure {
 
     /** L'endroit de l'image où se voit un point, et sa profondeur depuis l'œil. */
     private double[] projeter(Point p) {
-        double profondeur = p.z + Camera.FOCALE;
-        double pixels = camera.getLargeur() / Constantes.ECHELLE * Camera.FOCALE / profondeur;
-        return new double[] {camera.getLargeur() / 2.0 + p.x * pixels, camera.getHauteur() / 2.0 - p.y * pixels,
-            profondeur};
+        Point vu = camera.projeter(p);
+        return new double[] {vu.x, vu.y, p.z - camera.getOeil().z};
     }
 
     private void tracer(Point a, Point b, Color couleur, boolean sansFin) {
         Vecteur ab = new Vecteur(a, b);
-        if (a.z + Camera.FOCALE < PRES) {
+        double pres = camera.getOeil().z + PRES;
+        if (a.z < pres) {
             return;
         }
-        boolean derriere = b.z + Camera.FOCALE < PRES;
+        boolean derriere = b.z < pres;
         double[] de = projeter(a);
-        double[] vers = projeter(derriere ? a.add((PRES - Camera.FOCALE - a.z) / ab.z, ab) : b);
+        double[] vers = projeter(derriere ? a.add((pres - a.z) / ab.z, ab) : b);
         double[] parts = couper(de, vers, new Rectangle(camera.getLargeur(), camera.getHauteur()));
         if (parts[0] < parts[1]) {
             traits.add(new Trait(de, vers, parts, couleur, derriere || sansFin || parts[1] < 1));
@@ -166,7 +164,7 @@ public final class Figure {
         private boolean estDerriere(double xe, double ye, double profondeur) {
             Rayon rayon = camera.getRayon(xe, ye);
             scene.getClosestIntersection(rayon);
-            return rayon.getDistance() < DEVANT * (profondeur - Camera.FOCALE) / rayon.getV().z;
+            return rayon.getDistance() < DEVANT * (profondeur + camera.getOeil().z - rayon.getP().z) / rayon.getV().z;
         }
 
         void peindre(Graphics2D g, Rectangle place, Rectangle vue) {

@@ -1,8 +1,8 @@
 package lancer.fenetre.figures;
 
 import java.awt.Color;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.RenderingHints;
 import java.awt.Stroke;
 import java.awt.event.MouseAdapter;
@@ -23,8 +23,6 @@ import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JPanel;
-import lancer.Camera;
-import lancer.Constantes;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
@@ -92,10 +90,11 @@ public final class VueDeCote extends JPanel {
     private void cadrer() {
         List<Point> vus = pixel.getEtapes().stream().map(etape -> etape.contact).filter(Objects::nonNull)
                 .collect(Collectors.toCollection(ArrayList::new));
-        vus.add(0, new Point(0, demiEcran(), 0));
+        vus.add(0, pixel.camera.getEcran(0, 0));
         int rang = Math.min(seul, vus.size() - 1);
         if (rang == 0) {
-            vus.add(new Point(0, -demiEcran(), -Camera.FOCALE));
+            vus.add(pixel.camera.getEcran(0, pixel.camera.getHauteur()));
+            vus.add(pixel.camera.getOeil());
         } else {
             Point ici = vus.get(rang);
             vus = vus.subList(rang - 1, Math.min(rang + 2, vus.size()));
@@ -116,10 +115,6 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    private double demiEcran() {
-        return Constantes.ECHELLE / 2 * pixel.camera.getHauteur() / pixel.camera.getLargeur();
-    }
-
     private Line2D ligne(Point a, Point b) {
         return new Line2D.Double(h(a.z), v(a.y), h(b.z), v(b.y));
     }
@@ -134,12 +129,12 @@ public final class VueDeCote extends JPanel {
 
     private void peindre(Graphics2D g) {
         g.setColor(Color.BLACK);
-        g.draw(new Line2D.Double(h(0), v(-demiEcran()), h(0), v(demiEcran())));
-        g.fill(new Ellipse2D.Double(h(-Camera.FOCALE) - 3, v(0) - 3, 6, 6));
-        g.drawString("œil", (float) h(-Camera.FOCALE), (float) v(0) - 6);
+        Point depart = pixel.camera.getOeil();
+        g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
+        g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
+        g.drawString("œil", (float) h(depart.z), (float) v(depart.y) - 6);
         numeros.clear();
         noms.clear();
-        Point depart = Camera.OEIL;
         for (Etape etape : pixel.getEtapes()) {
             boolean montre = seul == 0 || seul == etape.numero;
             Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, etape.V) : etape.contact;

@@ -81,7 +81,8 @@ final class Besoin {
         long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), utiles, ombresInutiles, recherche, octets(recherche, new HashSet<>()));
+                compteurs.rayons(), utiles, ombresInutiles, recherche == null ? "boucles" : recherche,
+                octets(recherche, new HashSet<>()));
     }
 
     private Lancer preparer(Scene copie, double seuil) {

@@ -1,0 +1,103 @@
+package lancer.fenetre.figures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.util.Collections;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.essai.CameraDeplacee;
+import lancer.inspection.Inspection;
+import lancer.scene.Origines;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Les figures de l'inspecteur suivent l'œil et l'écran de la caméra. */
+class OeilDeplaceFiguresTest {
+
+    private static final int L = 320;
+    private static final int H = 240;
+    private static final int CARACTERE = 12;
+    private static final int BLANC = 200;
+
+    private static Inspection pixel(Camera camera, int x, int y) {
+        Sphere boule = new Sphere(new Point(0.2, -0.1, 6), 2.5);
+        boule.setKd(new Couleur(0.8));
+        Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
+                Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), new Origines(), camera, 0, x, y);
+        pixel.faire();
+        assertTrue(pixel.getEtapes().get(0).contact != null && pixel.getEtapes().get(0).lampes.get(0).eclaire());
+        return pixel;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.2, -4.2, 0, 150, 110", "0.3, 0.2, -4.2, 0, 190, 90", "-0.4, 0, -2, 0.5, 150, 130", "0, -0.6, -6, -1, 170, 120"})
+    void lAnneauEstAutourDuPixelEtLeTraitVaVersLaLampeLaOuElleSeVoit(double x, double y, double z, double plan, int i, int j) {
+        Camera camera = new CameraDeplacee(L, H, new Point(x, y, z), plan);
+        BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
+        new Figure(pixel(camera, i, j), 0).peindre(g, new Rectangle(0, 0, L, H), new Dimension(L, H));
+        int blancs = 0;
+        for (int k = 0; k < 16; k++) {
+            int plusClair = 0;
+            for (double rayon = 0.75 * CARACTERE - 1; rayon <= 0.75 * CARACTERE + 1; rayon += 0.25) {
+                Color vu = new Color(image.getRGB((int) (i + 0.5 + rayon * Math.cos(k * Math.PI / 8)),
+                        (int) (j + 0.5 + rayon * Math.sin(k * Math.PI / 8))));
+                plusClair = Math.max(plusClair, Math.min(vu.getRed(), Math.min(vu.getGreen(), vu.getBlue())));
+            }
+            blancs += plusClair > BLANC ? 1 : 0;
+        }
+        assertTrue(blancs >= 12, blancs + " points blancs autour de " + i + ", " + j);
+        // le trait est devant tout, donc plein : jaune jusqu'à la lampe
+        Point lampe = camera.projeter(new Point(0.5, 0.5, 1));
+        for (double part = 0.6; part < 0.95; part += 0.05) {
+            assertTrue(voisins(image, i + 0.5 + part * (lampe.x - i - 0.5), j + 0.5 + part * (lampe.y - j - 0.5), false),
+                    "pas de trait à la part " + part);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.2, -4.2, 0", "-0.4, 0.7, -2, 0.5", "0, -0.6, -6, -1"})
+    void laVueDeCoteMontreLOeilOuIlEstEtLeRayonParLePointDeLEcran(double x, double y, double z, double plan) {
+        Camera camera = new CameraDeplacee(L, H, new Point(x, y, z), plan);
+        Inspection pixel = pixel(camera, 165, 100);
+        VueDeCote vue = new VueDeCote(numero -> { });
+        vue.setSize(500, 240);
+        vue.montrer(pixel, 0);
+        BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
+        vue.paint(image.createGraphics());
+        assertEquals(0xFF000000, image.getRGB((int) vue.h(z) - 2, (int) vue.v(y)), "l'œil");
+        for (double haut : new double[] {0.1, 0.5, 0.9}) {
+            Point bord = camera.getEcran(0, haut * H);
+            assertTrue(new Color(image.getRGB((int) vue.h(bord.z), (int) vue.v(bord.y))).getRed() < BLANC, "l'écran");
+        }
+        Point ecran = camera.getEcran(165.5, 100.5);
+        Point contact = pixel.getEtapes().get(0).contact;
+        for (Point passe : new Point[] {new Point(0, (y + ecran.y) / 2, (z + plan) / 2), ecran,
+            new Point(0, (contact.y + ecran.y) / 2, (contact.z + plan) / 2)}) {
+            assertTrue(voisins(image, vue.h(passe.z), vue.v(passe.y), true), "le rayon en " + passe);
+        }
+    }
+
+    /** Dit s'il y a du bleu, ou du jaune, à un pixel près. */
+    private static boolean voisins(BufferedImage image, double x, double y, boolean bleu) {
+        for (int k = 0; k < 9; k++) {
+            Color vu = new Color(image.getRGB((int) x - 1 + k % 3, (int) y - 1 + k / 3));
+            if (bleu ? vu.getBlue() > vu.getRed() + 60 : vu.getRed() > vu.getBlue() + 60) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
