@@ -3,7 +3,7 @@ package lancer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.IntConsumer;
+import java.util.function.Consumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -11,31 +11,43 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Fautes;
+import lancer.fils.Ouvrier;
+import lancer.fils.Retenu;
 
 /**
  * L'algorithme : de la scène à l'image (cours, « Algorithme général »). Des fils se partagent l'image, pavé par pavé ;
  * elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
  */
-public final class Lancer {
+public final class Lancer implements Calcul {
 
     private final Scene scene;
     private final Camera camera;
     private final Equipe equipe;
     private final Fautes fautes;
+    /** Le point de l'écran que l'on calcule, ou qu'on a calculé en dernier. */
+    private double xe;
+    private double ye;
+    private Consumer<PixelFautif> siLent;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
     public Lancer(Scene scene, Camera camera) {
-        this(scene, camera, new Equipe("lancer"), new Fautes(camera.getLargeur()));
-    }
-
-    private Lancer(Scene scene, Camera camera, Equipe equipe, Fautes fautes) {
         this.scene = scene;
         this.camera = camera;
-        this.equipe = equipe;
-        this.fautes = fautes;
+        equipe = new Equipe("lancer");
+        fautes = new Fautes(camera.getLargeur());
+    }
+
+    /** Le lancer d'un fil de plus, avec sa propre vue de la scène. */
+    private Lancer(Lancer autre) {
+        scene = autre.scene.avec(autre.scene.getModele());
+        camera = autre.camera;
+        equipe = autre.equipe;
+        fautes = autre.fautes;
+        siLent = autre.siLent;
     }
 
     /**
@@ -96,6 +108,8 @@ public final class Lancer {
      * @throws CancellationException si {@link #arreter()} a été appelé
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
+        this.xe = xe;
+        this.ye = ye;
         scene.getCompteurs().primaires++;
         try {
             Rayon initial = camera.getRayon(xe, ye);
@@ -126,9 +140,9 @@ public final class Lancer {
     }
 
     /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
-    private final class Fil implements IntConsumer, Vue {
+    private final class Fil implements Ouvrier, Vue {
 
-        private final Lancer sien = new Lancer(scene.avec(scene.getModele()), camera, equipe, fautes);
+        private final Lancer sien = new Lancer(Lancer.this);
         private final boolean brouillon;
         private final Echantillonnage choisi;
         private final Toile toile;
@@ -155,14 +169,52 @@ public final class Lancer {
         }
 
         @Override
+        public Calcul getCalcul() {
+            return sien;
+        }
+
+        @Override
         public Couleur couleur(double xe, double ye) {
             return sien.getCouleurPixel(xe, ye, profondeur);
         }
 
         @Override
         public long rayons() {
-            return sien.scene.getCompteurs().rayons();
+            return sien.rayons();
         }
+    }
+
+    /** {@inheritDoc} Un pixel. */
+    @Override
+    public long getLieu() {
+        return (long) ye * camera.getLargeur() + (long) xe;
+    }
+
+    /** {@inheritDoc} Les rayons de toutes sortes. */
+    @Override
+    public long getProgres(Thread fil) {
+        return rayons();
+    }
+
+    private long rayons() {
+        return scene.getCompteurs().rayons();
+    }
+
+    @Override
+    public PixelFautif nommer(Retenu cause) {
+        return new PixelFautif(xe, ye, cause);
+    }
+
+    @Override
+    public void ralentir(Retenu cause) {
+        if (siLent != null) {
+            siLent.accept(nommer(cause));
+        }
+    }
+
+    /** Fait dire ici le premier pixel qui dure dix secondes, pendant que les autres se dessinent. */
+    public void setSiLent(Consumer<PixelFautif> siLent) {
+        this.siLent = siLent;
     }
 
     /** Abandonne le dessin en cours, dans les 50 millisecondes, et tous les suivants. */

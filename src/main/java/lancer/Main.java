@@ -26,7 +26,7 @@ public class Main implements Toile, Lecture {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        dessin = new Dessin(options, this, options.scene, options.largeur, options.hauteur);
+        dessin = new Dessin(options, this, erreur, options.scene, options.largeur, options.hauteur);
     }
 
     /** @param args voir {@code --aide} */
@@ -90,7 +90,7 @@ public class Main implements Toile, Lecture {
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }
-        dessin.direEcart(erreur);
+        dessin.direEcart();
         if (options.statistiques) {
             sortie.println(dessin.statistiques(lancer, lancer.getDureeNs()));
             sortie.flush();

@@ -86,7 +86,7 @@ class DependancesTest {
     void lesClassesDuCoursNeDependentQueDesContratsEtDeLaPrecision() {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
         verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
-        verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\.(Equipe|Fautes)");
+        verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\..*");
         verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|SceneLue|Jumelles)");
     }
 
@@ -95,7 +95,7 @@ class DependancesTest {
         verifier("lancer\\.contrat\\..*", COURS + "lancer\\.texte\\..*");
         verifier("lancer\\.precision\\..*", COURS);
         verifier("lancer\\.texte\\..*", JAVA);
-        verifier("lancer\\.fils\\..*", COURS + "lancer\\.contrat\\..*");
+        verifier("lancer\\.fils\\..*", COURS + "lancer\\.(contrat|texte)\\..*");
     }
 
     @Test

@@ -31,12 +31,6 @@ class ProprietesScenesTest {
         return new RechercheSimple(scene.getObjets(), scene.getCompteurs());
     }
 
-    /** La recherche que choisit le programme, ou les boucles s'il n'en prépare pas. */
-    private static Recherche rapide(Scene scene) {
-        Recherche rapide = Preparation.pour(scene, CAMERA, part -> { });
-        return rapide == null ? simple(scene) : rapide;
-    }
-
     private static Rayon copie(Rayon rayon) {
         return new Rayon(rayon.getP(), rayon.getV(), new Couleur(1));
     }
@@ -51,7 +45,7 @@ class ProprietesScenesTest {
         int quittes = 0;
         while (quittes < RAYONS) {
             Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
-            Recherche[] recherches = {simple(scene), rapide(scene)};
+            Recherche[] recherches = {simple(scene), Preparation.pour(scene, CAMERA, part -> { })};
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
                 Objet3D depart = null;
@@ -89,7 +83,7 @@ class ProprietesScenesTest {
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = tirages.scene(1 + tirages.hasard.nextInt(n % 3 == 0 ? 120 : 20));
             Recherche simple = simple(scene);
-            Recherche rapide = rapide(scene);
+            Recherche rapide = Preparation.pour(scene, CAMERA, part -> { });
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 String cas = "graine 42, rayon " + (n + k);
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());

@@ -5,11 +5,12 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
-import java.util.function.IntConsumer;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Vue;
+import lancer.fils.Calcul;
 import lancer.fils.Equipe;
+import lancer.fils.Ouvrier;
 
 /** Essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
 final class Essais {
@@ -49,10 +50,9 @@ final class Essais {
         while (fin > faits) {
             int debut = faits;
             Equipe equipe = new Equipe("lancer");
-            List<IntConsumer> ouvriers = new ArrayList<>();
+            List<Ouvrier> ouvriers = new ArrayList<>();
             for (int k = 0; k < Math.min(fils, fin - debut); k++) {
-                Vue vue = vue(equipe, reflets, seuil);
-                ouvriers.add(rang -> essai.accept(debut + rang, vue));
+                ouvriers.add(ouvrier(equipe, reflets, seuil, (rang, vue) -> essai.accept(debut + rang, vue)));
             }
             try {
                 equipe.faire(fin - debut, ouvriers);
@@ -72,11 +72,11 @@ final class Essais {
         return faits;
     }
 
-    /** Vue d'un fil, qui arrête l'équipe s'il passe la borne. */
-    private Vue vue(Equipe equipe, int reflets, double seuil) {
+    /** Travail d'un fil, qui arrête l'équipe s'il passe la borne. */
+    private Ouvrier ouvrier(Equipe equipe, int reflets, double seuil, BiConsumer<Integer, Vue> essai) {
         Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
         sien.getScene().getModele().setSeuil(seuil);
-        return new Vue() {
+        Vue vue = new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
                 equipe.verifier();
@@ -91,6 +91,17 @@ final class Essais {
             @Override
             public long rayons() {
                 return sien.getScene().getCompteurs().rayons();
+            }
+        };
+        return new Ouvrier() {
+            @Override
+            public void accept(int rang) {
+                essai.accept(rang, vue);
+            }
+
+            @Override
+            public Calcul getCalcul() {
+                return sien;
             }
         };
     }

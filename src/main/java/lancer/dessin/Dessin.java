@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -20,6 +21,10 @@ import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.fils.Calcul;
+import lancer.fils.Equipe;
+import lancer.fils.Ouvrier;
+import lancer.fils.Retenu;
 import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
@@ -32,7 +37,7 @@ import lancer.texte.Texte;
  * Ce qui se dessine : une scène, ses réglages, une taille, puis l'image et le lancer qui la fait. Un fil lit, prépare
  * et dessine, dans cet ordre ; d'autres regardent où il en est. Chaque dessin a son image.
  */
-public final class Dessin implements DoubleConsumer {
+public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -41,6 +46,7 @@ public final class Dessin implements DoubleConsumer {
 
     private final Options options;
     private final Lecture lecture;
+    private final PrintStream erreur;
     public final String fichier;
     public final int largeur;
     public final int hauteur;
@@ -51,6 +57,7 @@ public final class Dessin implements DoubleConsumer {
     private volatile ImageMemoire image;
     private volatile Lancer lancer;
     private volatile String ecart;
+    private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
     private Runnable entracte;
@@ -58,10 +65,11 @@ public final class Dessin implements DoubleConsumer {
     private long preparationNs;
     private long construitNs;
 
-    /** Un dessin de cette scène, qui est à lire. */
-    public Dessin(Options options, Lecture lecture, String fichier, int largeur, int hauteur) {
+    /** Un dessin de cette scène, qui est à lire. @param erreur où dire ce qui ne l'arrête pas */
+    public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
         this.options = options;
         this.lecture = lecture;
+        this.erreur = erreur;
         this.fichier = fichier;
         this.largeur = largeur;
         this.hauteur = hauteur;
@@ -69,7 +77,7 @@ public final class Dessin implements DoubleConsumer {
 
     /** Un dessin de cette autre scène, qui est à lire. */
     public Dessin pour(String autreFichier, int autreLargeur, int autreHauteur) {
-        return new Dessin(options, lecture, autreFichier, autreLargeur, autreHauteur);
+        return new Dessin(options, lecture, erreur, autreFichier, autreLargeur, autreHauteur);
     }
 
     /** Un dessin de la même scène à cette taille ; elle est lue si elle l'était. */
@@ -88,14 +96,19 @@ public final class Dessin implements DoubleConsumer {
      * @throws CancellationException si ce fil a été interrompu
      */
     public void lire() {
-        long debut = System.nanoTime();
-        SceneLue nouvelle = lecture.lireScene(fichier, this);
-        scene = new Scene(nouvelle.objets, nouvelle.lampes);
-        ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
-        regler(initiaux);
-        initiaux.verifier(options);
-        lectureNs = System.nanoTime() - debut;
-        lue = nouvelle;
+        new Etape() {
+            @Override
+            public void accept(int tache) {
+                long debut = System.nanoTime();
+                SceneLue nouvelle = lecture.lireScene(fichier, Dessin.this);
+                scene = new Scene(nouvelle.objets, nouvelle.lampes);
+                ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
+                regler(initiaux);
+                initiaux.verifier(options);
+                lectureNs = System.nanoTime() - debut;
+                lue = nouvelle;
+            }
+        }.faire("lecture");
     }
 
     /**
@@ -124,13 +137,53 @@ public final class Dessin implements DoubleConsumer {
         avancement = 0;
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-        ecart = chercher(scene, camera, options.simple, this);
+        new Etape() {
+            @Override
+            public void accept(int tache) {
+                ecart = chercher(scene, camera, options.simple, Dessin.this);
+            }
+        }.faire("préparation");
         Lancer pret = new Lancer(scene, camera);
+        pret.setSiLent(this);
         construitNs = construitNs();
         preparationNs = System.nanoTime() - debut;
         image = vierge;
         lancer = pret;
         return pret;
+    }
+
+    /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */
+    private abstract class Etape implements Ouvrier, Calcul {
+
+        void faire(String nom) {
+            try {
+                new Equipe("lancer").faire(1, Collections.singletonList(this));
+            } catch (Retenu e) {
+                throw Echec.panne(nom + " de " + Texte.echappe(fichier) + " : " + Texte.cause(e, Texte.HORS_DE_JAVA));
+            }
+        }
+
+        @Override
+        public Calcul getCalcul() {
+            return this;
+        }
+
+        @Override
+        public long getProgres(Thread fil) {
+            return Calcul.super.getProgres(fil) ^ Double.doubleToLongBits(avancement);
+        }
+    }
+
+    /** Dit qu'un pixel est lent : le dessin continue. */
+    @Override
+    public void accept(PixelFautif lent) {
+        lenteur = nommer(lent).getMessage();
+        Pannes.avertir(Collections.singletonList(lenteur), erreur);
+    }
+
+    /** Phrase qui dit le premier pixel lent ; {@code null} s'il n'y en a pas. */
+    public String getLenteur() {
+        return lenteur;
     }
 
     /**
@@ -146,7 +199,8 @@ public final class Dessin implements DoubleConsumer {
 
     /** Donne à la scène la recherche qui lui va. @return ce qui l'a fait écarter ; {@code null} si rien */
     private static String chercher(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        RechercheRapide recherche = simple ? null : Preparation.pour(scene, camera, suivi);
+        RechercheRapide recherche = simple || !Preparation.estUtile(scene, camera) ? null
+                : Preparation.pour(scene, camera, suivi);
         String ecart = recherche == null ? null : Sondage.ecart(scene, camera, recherche);
         scene.getModele().setRecherche(ecart == null ? recherche : null);
         return ecart;
@@ -209,7 +263,7 @@ public final class Dessin implements DoubleConsumer {
     }
 
     /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
-    public void direEcart(PrintStream erreur) {
+    public void direEcart() {
         if (ecart != null) {
             Pannes.avertir(Collections.singletonList(ecart), erreur);
         }

@@ -101,7 +101,7 @@ public final class SansFenetre {
         }
         // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
         Pannes.avertir(dessin.getLue().avertissements, erreur);
-        dessin.direEcart(erreur);
+        dessin.direEcart();
     }
 
     /**

@@ -68,6 +68,8 @@ final class Atelier {
 
     /** Le dernier dessin dont la scène s'est lue sans faute. */
     private Tracage lu;
+    /** Le dernier dessin dont un pixel lent s'est dit. */
+    private Tracage lent;
     /** La dernière image achevée. */
     private ImageMemoire complete;
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
@@ -253,6 +255,10 @@ final class Atelier {
                 montre = dessin;
                 adopter();
             }
+        }
+        if (dessin.getLenteur() != null && courant != lent) {
+            lent = courant;
+            panneau.bandeau.dire(Sujet.DESSIN, dessin.getLenteur());
         }
         if (fini && enCours) {
             finir();

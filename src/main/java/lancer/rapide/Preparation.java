@@ -3,15 +3,15 @@ package lancer.rapide;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleConsumer;
-import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.fils.Calcul;
 import lancer.fils.Equipe;
+import lancer.fils.Ouvrier;
 
 /**
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
@@ -25,18 +25,17 @@ import lancer.fils.Equipe;
  * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de
  * ses ombres 1 Mo au plus.
  */
-public final class Preparation implements IntConsumer {
+public final class Preparation implements Ouvrier, Calcul {
 
     /** Nombre d'objets jusqu'auquel les boucles du cours répondent plus vite que toute structure. */
     private static final int DEUX = 2;
 
     /**
      * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces
-     * boucles avant qu'une structure soit faite et sondée. Mesuré sur des programmes entiers :
-     * {@code java -jar target/lancer.jar --taille 40x30 --image x.png scenes/scene1.ini}, avec et sans
-     * {@code --simple}.
+     * boucles avant qu'une structure soit faite et sondée. Mesuré sur des programmes entiers, avec et sans
+     * {@code --simple} : {@code make mesure-processus}.
      */
-    private static final long VITE_FAIT = 1 << 16;
+    private static final long VITE_FAIT = 1 << 20;
 
     /** Nombre de sphères jusqu'auquel ce sont des masques. */
     static final int PEU = 40;
@@ -99,21 +98,21 @@ public final class Preparation implements IntConsumer {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
+    /** Dit si préparer une recherche pour cette image prend moins de temps que les boucles du cours. */
+    public static boolean estUtile(Scene scene, Camera camera) {
+        int objets = scene.getObjets().size();
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
+    }
+
     /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
      * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche de même image et mêmes comptes de rayons que les boucles du cours ; {@code null} si ces
-     *     boucles répondent aussi vite
+     * @return une recherche de même image et mêmes comptes de rayons que les boucles du cours
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static RechercheRapide pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        List<Objet3D> objets = scene.getObjets();
-        long pixels = (long) camera.getLargeur() * camera.getHauteur();
-        if (objets.size() <= DEUX || objets.size() <= PEU
-                && pixels * objets.size() * (1 + scene.getLampes().size()) <= VITE_FAIT) {
-            return null;
-        }
         return pour(scene, camera, null, suivi);
     }
 
@@ -173,6 +172,11 @@ public final class Preparation implements IntConsumer {
             structures.premiers = deLOeil();
         }
         suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
+    }
+
+    @Override
+    public Calcul getCalcul() {
+        return this;
     }
 
     private Occultations deLaLampe(Lampe lampe) {

@@ -9,9 +9,11 @@ import java.io.InputStreamReader;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.rapide.Preparation;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -42,7 +44,10 @@ class AllocationsTest {
 
     /** Dessine cette scène dans ce fil, et dit ce que chaque pixel lui a demandé. */
     public static void main(String[] args) {
-        Lancer lancer = Dessin.lancer(new Scene(args[0]), LARGEUR, HAUTEUR, false);
+        Scene scene = new Scene(args[0]);
+        Camera camera = new Camera(LARGEUR, HAUTEUR);
+        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+        Lancer lancer = new Lancer(scene, camera);
         com.sun.management.ThreadMXBean fils = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long avant = 0;
         // les classes se chargent au premier passage

@@ -69,9 +69,6 @@ class SondageTest {
     void unRayonDeplaceOuTorduALaReponseDesBoucles() {
         for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(20).entrySet()) {
             Scene scene = rapide(e.getValue(), CAMERA);
-            if (scene.getModele().getRecherche() == null) {
-                continue;
-            }
             RechercheSimple boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
             java.util.Random hasard = new java.util.Random(5);
             for (int k = 0; k < 400; k++) {
