@@ -3,6 +3,7 @@ package lancer.fenetre;
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -11,6 +12,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import javax.swing.JDialog;
@@ -21,6 +24,7 @@ import lancer.Objet3D;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
@@ -109,6 +113,40 @@ class FenetreFautesTest extends EssaiFenetre {
                 && recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le verdict", () -> verdict.getText().equals("Ce pixel n'a pu être calculé."));
+    }
+
+    /** Les pixels qui sont là restent, la phrase se lit, et le dessin suivant se fait. */
+    @Test
+    void unObjetQuiNeRendJamaisLaMainEstNommeEtNeRetientPasLeDessinSuivant() throws Exception {
+        CountDownLatch fin = new CountDownLatch(1);
+        AtomicBoolean retenu = new AtomicBoolean(true);
+        banc = new BancFenetre(new MainLent(args()) {
+            @Override
+            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+                SceneLue lue = super.lireScene(fichier, suivi);
+                lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
+                    @Override
+                    public Vecteur getNormale(lancer.Point contact) {
+                        if (retenu.get()) {
+                            attendreSansEtreInterrompu(fin);
+                        }
+                        return super.getNormale(contact);
+                    }
+                });
+                return lue;
+            }
+        });
+        banc.attendreMessage("pixel ");
+        assertTrue(banc.message().contains(" : ce calcul dure depuis dix secondes (lancer."), banc.message());
+        attendre("le dessin s'arrête", () -> !banc.atelier.enCours);
+        assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
+        retenu.set(false);
+        banc.frapper(KeyEvent.VK_F5);
+        int[] codes = banc.imageAchevee().codes.clone();
+        banc.attendreMessage("");
+        fin.countDown();
+        attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
+        assertArrayEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
     }
 
     @Test
