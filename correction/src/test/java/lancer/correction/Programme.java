@@ -151,6 +151,11 @@ final class Programme {
                 .enableImplicitConfigurationParameters(false).build(), ecoute);
     }
 
+    /** Les classes de ce programme, à la place de celles de la base. */
+    ClassLoader chargeur() {
+        return new Execution.Classes(compiler(), Programme.class.getClassLoader());
+    }
+
     /** Ce que dit « make test » : le bilan de la classe {@code Etapes}. */
     String bilan() throws IOException, ReflectiveOperationException {
         Path projet = Files.createTempDirectory(dossier, "sources");
@@ -162,7 +167,7 @@ final class Programme {
         ByteArrayOutputStream dit = new ByteArrayOutputStream();
         System.setOut(new PrintStream(dit, true, "UTF-8"));
         try {
-            ClassLoader chargeur = new Execution.Classes(compiler(), Programme.class.getClassLoader());
+            ClassLoader chargeur = chargeur();
             lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance());
         } finally {
             System.setOut(sortie);
