@@ -158,6 +158,8 @@ public final class Lancer implements Calcul {
         @Override
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+            sien.xe = pave.i0;
+            sien.ye = pave.j0;
             if (brouillon) {
                 sien.TracerBrouillon(pave, toile, profondeur);
             } else if (choisi == null) {
@@ -176,6 +178,11 @@ public final class Lancer implements Calcul {
         @Override
         public Couleur couleur(double xe, double ye) {
             return sien.getCouleurPixel(xe, ye, profondeur);
+        }
+
+        @Override
+        public void noter(Compteurs autres) {
+            sien.scene.getCompteurs().ajouter(autres);
         }
 
         @Override

@@ -86,7 +86,7 @@ public class Main implements Toile, Lecture {
         Lancer lancer = dessin.preparer(largeur, hauteur);
         lancer.getFautes().tolerer();
         try {
-            lancer.TracerImage(this, dessin.getReglages().getReflets(), options.fils);
+            lancer.TracerImage(this, dessin.getReglages().getProfondeur(), options.fils);
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }

@@ -101,6 +101,9 @@ public final class Scene {
      * @param distance du contact à la lampe
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
+        if (!modele.avecOmbres()) {
+            return false;
+        }
         compteurs.ombre++;
         Ecoute.ombre(modele.getEcoute(), L, distance);
         if (estLointaine(lampe)) {

@@ -25,6 +25,8 @@ public final class Options {
         {"--taille", "une taille, par exemple 800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
                 + " chacune, et au plus " + PIXELS_MAX + " pixels"},
         {"--reflets", "un entier de 0 à 1000"},
+        {"--etape", "une étape du cours : lambert, phong, ombres ou reflets"},
+        {"--vue", "une vue : normales, distance, lampes, rayons ou difference"},
         {"--seuil", "un nombre positif ou nul", "un nombre positif ou nul, par exemple 0.001"},
         {"--sans", "une variante, par exemple Brume",
             "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
@@ -44,6 +46,11 @@ public final class Options {
     /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
     private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
 
+    private static final List<String> VUES = Arrays.asList("normales", "distance", "lampes", "rayons", "difference");
+
+    /** Une vue s'écrit dans un PNG. */
+    private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};
+
     /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
     public boolean aide;
     public boolean version;
@@ -56,6 +63,10 @@ public final class Options {
     public int hauteur = Constantes.HAUTEUR_IMAGE;
     public int reflets = Constantes.MAX_REFLETS;
     public double seuil = Constantes.SEUIL;
+    public Etape etape = Etape.REFLETS;
+
+    /** La vue en fausses couleurs à écrire, {@code null} si c'est l'image. */
+    public String vue;
     public int fils = Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors());
     public int repeter = 1;
     public boolean statistiques;
@@ -201,6 +212,13 @@ public final class Options {
         }
         reflets = entier("--reflets", reflets, 0, 1000);
         seuil = positif("--seuil", seuil);
+        String nom = valeur("--etape");
+        for (Etape celle : Etape.values()) {
+            etape = celle.toString().equals(nom) ? celle : etape;
+        }
+        exiger(nom == null || etape.toString().equals(nom), "--etape");
+        vue = valeur("--vue");
+        exiger(vue == null || VUES.contains(vue), "--vue");
         String variantes = valeur("--sans");
         sans = variantes == null ? sans : Arrays.asList(variantes.split(",", -1));
         exiger(!sans.contains(""), "--sans");
@@ -249,6 +267,15 @@ public final class Options {
                 throw demande("rien à comparer à " + Texte.cite(comparer), "une scène, ou une image PNG ou PFM");
             }
             refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
+        }
+        if (vue != null) {
+            refuser(SANS_VUE, "--vue ne va pas avec %s");
+            if (image == null) {
+                throw demande("--vue ne sert pas seule", "avec elle, --image FICHIER.png");
+            }
+            if (comparer != null && !vue.equals("difference")) {
+                throw demande("--vue " + vue + " ne va pas avec --comparer", "--vue difference");
+            }
         }
         for (String nom : new String[] {"--tolerance", "--part"}) {
             if (comparer == null && estDonnee(nom)) {

@@ -16,6 +16,7 @@ public final class Modele {
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
     private Ecoute ecoute;
+    private boolean avecOmbres = true;
 
     /** Le modèle de la base : un rayon par pixel, les boucles du cours. */
     public Modele() {
@@ -28,6 +29,7 @@ public final class Modele {
         recherche = autre.recherche;
         seuil = autre.seuil;
         ecoute = autre.ecoute;
+        avecOmbres = autre.avecOmbres;
     }
 
     /** Modèle d'un fil de plus, identique, dont la recherche comptera dans {@code compteurs}. */
@@ -68,6 +70,20 @@ public final class Modele {
     /** @throws SceneFautive si une autre variante a déjà changé le reflet des lampes */
     public void setSpecularite(Specularite specularite) {
         this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
+    }
+
+    /** Ôte le reflet des lampes, quel qu'il soit. */
+    public void oterSpecularite() {
+        specularite = Specularite.AUCUNE;
+    }
+
+    /** Faux si toute lampe devant un contact l'éclaire. */
+    public boolean avecOmbres() {
+        return avecOmbres;
+    }
+
+    public void oterOmbres() {
+        avecOmbres = false;
     }
 
     /** Échantillonnage de l'image ; {@code null} : un rayon au centre de chaque pixel. */

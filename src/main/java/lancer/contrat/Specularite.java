@@ -11,6 +11,9 @@ public interface Specularite {
     /** Le reflet de la base : max(0, R·L)^ns. */
     Specularite PHONG = new Phong();
 
+    /** Pas de reflet : l'éclairement de Lambert seul. */
+    Specularite AUCUNE = (V, N, L, R, ns) -> 0;
+
     /** Exposant au-delà duquel la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
     int EXPOSANT_ENTIER_MAX = 1024;
 

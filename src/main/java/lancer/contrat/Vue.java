@@ -12,6 +12,10 @@ public interface Vue {
      */
     Couleur couleur(double xe, double ye);
 
+    /** Note ces rayons, lancés par ce fil sans passer par cette vue. */
+    default void noter(Compteurs compteurs) {
+    }
+
     /** Les rayons de toutes sortes lancés jusqu'ici par ce fil ; 0 s'ils ne sont pas comptés. */
     default long rayons() {
         return 0;

@@ -96,7 +96,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
      * @throws CancellationException si ce fil a été interrompu
      */
     public void lire() {
-        new Etape() {
+        new Prealable() {
             @Override
             public void accept(int tache) {
                 long debut = System.nanoTime();
@@ -137,7 +137,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         avancement = 0;
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-        new Etape() {
+        new Prealable() {
             @Override
             public void accept(int tache) {
                 ecart = chercher(scene, camera, options.simple, Dessin.this);
@@ -153,7 +153,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     }
 
     /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */
-    private abstract class Etape implements Ouvrier, Calcul {
+    private abstract class Prealable implements Ouvrier, Calcul {
 
         void faire(String nom) {
             try {

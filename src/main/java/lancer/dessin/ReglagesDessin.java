@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.commande.Echec;
+import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
@@ -25,6 +26,7 @@ import lancer.texte.Texte;
  */
 public final class ReglagesDessin {
 
+    private final Etape etape;
     private final int reflets;
     private final double seuil;
     /** Section du fichier de chaque variante présente, de ligne 0 s'il ne l'a pas. */
@@ -37,8 +39,9 @@ public final class ReglagesDessin {
     /** Réglages de la ligne de commande et du fichier ; {@code null} si ceux-ci le sont. */
     private final ReglagesDessin initiaux;
 
-    private ReglagesDessin(int reflets, double seuil, Map<Variante, Section> lues,
+    private ReglagesDessin(Etape etape, int reflets, double seuil, Map<Variante, Section> lues,
             Map<String, Section> changees, SortedSet<String> debranchees, ReglagesDessin initiaux) {
+        this.etape = etape;
         this.reflets = reflets;
         this.seuil = seuil;
         this.lues = lues;
@@ -49,7 +52,8 @@ public final class ReglagesDessin {
 
     /** Réglages de la ligne de commande et du fichier, dont voici la section de chaque variante présente. */
     ReglagesDessin(Map<Variante, Section> lues, Options options) {
-        this(options.reflets, options.seuil, lues, new HashMap<>(), new TreeSet<>(String.CASE_INSENSITIVE_ORDER), null);
+        this(options.etape, options.reflets, options.seuil, lues, new HashMap<>(),
+                new TreeSet<>(String.CASE_INSENSITIVE_ORDER), null);
         debranchees.addAll(options.sans);
     }
 
@@ -71,6 +75,15 @@ public final class ReglagesDessin {
 
     public int getReflets() {
         return reflets;
+    }
+
+    public Etape getEtape() {
+        return etape;
+    }
+
+    /** Le nombre de réflexions que permet l'étape du cours. */
+    public int getProfondeur() {
+        return etape == Etape.REFLETS ? reflets : 0;
     }
 
     public double getSeuil() {
@@ -136,7 +149,12 @@ public final class ReglagesDessin {
 
     /** Réglages identiques, à tant de réflexions et à ce seuil. */
     public ReglagesDessin avec(int autresReflets, double autreSeuil) {
-        return new ReglagesDessin(autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
+        return new ReglagesDessin(etape, autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
+    }
+
+    /** Réglages identiques, à cette étape du cours. */
+    public ReglagesDessin avec(Etape autre) {
+        return new ReglagesDessin(autre, reflets, seuil, lues, changees, debranchees, initiaux());
     }
 
     /** Réglages identiques, cette variante étant branchée ou non. */
@@ -147,14 +165,14 @@ public final class ReglagesDessin {
         } else {
             autres.add(variante.getSection());
         }
-        return new ReglagesDessin(reflets, seuil, lues, changees, autres, initiaux());
+        return new ReglagesDessin(etape, reflets, seuil, lues, changees, autres, initiaux());
     }
 
     /** Réglages identiques, cette variante étant réglée par cette section. */
     public ReglagesDessin avec(Variante variante, Section section) {
         Map<String, Section> autres = new HashMap<>(changees);
         autres.put(variante.getSection(), section);
-        return new ReglagesDessin(reflets, seuil, lues, autres, debranchees, initiaux());
+        return new ReglagesDessin(etape, reflets, seuil, lues, autres, debranchees, initiaux());
     }
 
     /**
@@ -171,7 +189,7 @@ public final class ReglagesDessin {
                 gardees.remove(apres.getSection());
             }
         }
-        return new ReglagesDessin(reflets, seuil, luesApres.lues, gardees, debranchees, luesApres);
+        return new ReglagesDessin(etape, reflets, seuil, luesApres.lues, gardees, debranchees, luesApres);
     }
 
     /**
@@ -190,12 +208,19 @@ public final class ReglagesDessin {
                 section.verifierCles();
             }
         }
+        if (etape == Etape.LAMBERT) {
+            modele.oterSpecularite();
+        }
+        if (etape.compareTo(Etape.OMBRES) < 0) {
+            modele.oterOmbres();
+        }
         return modele;
     }
 
     /** Les options à donner au programme pour dessiner ainsi ; vide, ou un blanc puis ce texte. */
     public String getOptions() {
-        return (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
+        return (etape == Etape.REFLETS ? "" : " --etape " + etape)
+                + (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
                 + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil)
                 + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
     }
@@ -203,7 +228,8 @@ public final class ReglagesDessin {
     /** Texte à lire : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
-        StringBuilder s = new StringBuilder(reflets + (reflets > 1 ? " réflexions" : " réflexion"));
+        StringBuilder s = new StringBuilder(etape != Etape.REFLETS ? "étape " + etape
+                : reflets + (reflets > 1 ? " réflexions" : " réflexion"));
         if (seuil != Constantes.SEUIL) {
             s.append(", seuil ").append(seuil);
         }

@@ -14,6 +14,7 @@ import lancer.auto.Auto;
 import lancer.auto.Candidat;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
+import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
@@ -24,6 +25,7 @@ import lancer.image.FichierPfm;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.image.LectureImage;
+import lancer.inspection.FaussesCouleurs;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.scene.FichierScene;
@@ -66,6 +68,8 @@ public final class SansFenetre {
             }
             if (options.pixel) {
                 travail.dessinerUnPixel();
+            } else if (options.vue != null) {
+                travail.dessinerUneVue();
             } else {
                 travail.versFichiers();
             }
@@ -78,17 +82,18 @@ public final class SansFenetre {
     private void versFichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         dessin.lire();
+        int profondeur = dessin.getReglages().getProfondeur();
         Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur,
                 options.image != null, options.lineaire != null));
         long debut = System.nanoTime();
         Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
-                options.estDonnee("--reflets") ? options.reflets : null,
+                options.estDonnee("--reflets") || options.etape != Etape.REFLETS ? profondeur : null,
                 options.estDonnee("--seuil") ? options.seuil : null,
                 options.fils, dessin.getReglages().getEssayees(), enCours -> { }) : null;
         Lancer lancer = auto == null ? prepare : auto.lancer;
         double essais = (System.nanoTime() - debut) / NS_PAR_S;
         long[] traces = tracer(lancer, auto == null ? toile : auto.surveiller(toile),
-                auto == null ? options.reflets : auto.choisi.reflets);
+                auto == null ? profondeur : auto.choisi.reflets);
         Ecriture.ecrire(dessin.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessin.statistiques(lancer, traces);
@@ -170,10 +175,24 @@ public final class SansFenetre {
         return String.format(Locale.ROOT, format, valeurs);
     }
 
+    private void dessinerUneVue() {
+        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
+        dessin.lire();
+        Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur, false, false));
+        FaussesCouleurs vues = new FaussesCouleurs(prepare, dessin.getReglages().getProfondeur(), options.fils);
+        Ecriture.ecrire(vues.dessiner(options.vue), fichiers);
+        if (options.statistiques) {
+            Pannes.repondre(dessin.statistiques(vues.getLancer(), vues.getLancer().getDureeNs()), sortie);
+        }
+        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        dessin.direEcart();
+    }
+
     private void dessinerUnPixel() {
         dessin.lire();
         Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
-                new Camera(options.largeur, options.hauteur), options.reflets, options.pixelX, options.pixelY);
+                new Camera(options.largeur, options.hauteur), dessin.getReglages().getProfondeur(),
+                options.pixelX, options.pixelY);
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(dessin.getLue().avertissements, erreur);
@@ -187,11 +206,12 @@ public final class SansFenetre {
         if (autre == null) {
             dessin.lire();
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
-            dessin.preparer(autre).TracerPixels(toile, options.reflets, options.fils);
+            dessin.preparer(autre).TracerPixels(toile, dessin.getReglages().getProfondeur(), options.fils);
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
-            Ecriture.ecrire(comparaison.getDifferences(), fichiers);
+            Ecriture.ecrire(options.vue == null ? comparaison.getDifferences() : comparaison.getPlusGrandsEcarts(),
+                    fichiers);
         }
         Pannes.repondre(comparaison.toString(), sortie);
         return comparaison.sontPareilles() ? 0 : 1;

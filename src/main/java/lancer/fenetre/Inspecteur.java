@@ -229,7 +229,7 @@ final class Inspecteur extends JDialog {
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
         setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
         Inspection nouvelle = new Inspection(montre.getScene(), montre.getLue().origines, camera,
-                montre.getReglages().getReflets(), pixel.x, pixel.y);
+                montre.getReglages().getProfondeur(), pixel.x, pixel.y);
         int voulu = rang;
         int seul = rebond;
         enCours = nouvelle;

@@ -14,6 +14,7 @@ import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
+import lancer.commande.Etape;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 
@@ -21,10 +22,13 @@ import lancer.dessin.ReglagesDessin;
 final class MenuDessin {
 
     private static final int[] REFLEXIONS = {0, 1, 2, 5, 10};
+    private static final String[] NOMS_DES_ETAPES = {"Lambert", "+ Phong", "+ ombres", "+ reflets"};
 
     final JMenu menu = Menus.menu("Dessin");
     private final JMenu reflexions = Menus.menu("Réflexions");
     private final ButtonGroup nombres = new ButtonGroup();
+    private final JMenu etapes = Menus.menu("Étapes du cours");
+    private final ButtonGroup lesEtapes = new ButtonGroup();
     private final Atelier atelier;
     private final JMenuItem arreter;
     private Window parametres;
@@ -43,6 +47,13 @@ final class MenuDessin {
             Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
         }
         menu.add(Menus.siScene(atelier, reflexions));
+        for (Etape etape : Etape.values()) {
+            Menus.choix(etapes, lesEtapes, NOMS_DES_ETAPES[etape.ordinal()],
+                    KeyStroke.getKeyStroke(KeyEvent.VK_1 + etape.ordinal(),
+                            InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK),
+                    () -> atelier.dessiner(atelier.reglages.avec(etape), false));
+        }
+        menu.add(Menus.siScene(atelier, etapes));
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
@@ -105,6 +116,10 @@ final class MenuDessin {
         nombres.clearSelection();
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
             reflexions.getItem(k).setSelected(REFLEXIONS[k] == reglages.getReflets());
+        }
+        lesEtapes.clearSelection();
+        if (reglages != null) {
+            etapes.getItem(reglages.getEtape().ordinal()).setSelected(true);
         }
     }
 }

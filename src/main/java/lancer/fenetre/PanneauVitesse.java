@@ -149,7 +149,7 @@ final class PanneauVitesse extends JDialog {
     private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
         montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
                 fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(),
-                        montre.getReglages().getReflets()));
+                        montre.getReglages().getProfondeur()));
     }
 
     /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */

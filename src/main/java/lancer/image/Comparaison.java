@@ -12,6 +12,7 @@ public final class Comparaison {
 
     private static final int PEU = 1;
     private static final int BEAUCOUP = 8;
+    private static final int GROSSI = 8;
 
     private final ImageMemoire a;
     private final ImageMemoire b;
@@ -85,6 +86,16 @@ public final class Comparaison {
         for (int p = 0; p < pixels; p++) {
             Couleur ecarts = new Couleur(ecart(p, 0), ecart(p, 1), ecart(p, 2)).div(BEAUCOUP);
             image.drawPixel(ecarts, p % a.largeur, p / a.largeur);
+        }
+        return image;
+    }
+
+    /** Le plus grand écart de chaque pixel, en gris : noir s'il est nul, blanc à partir de 32 niveaux. */
+    public ImageMemoire getPlusGrandsEcarts() {
+        ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
+        for (int p = 0; p < pixels; p++) {
+            double pire = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));
+            image.drawPixel(new Couleur(GROSSI * pire / 255), p % a.largeur, p / a.largeur);
         }
         return image;
     }

@@ -125,6 +125,20 @@ class OptionsTest {
     }
 
     @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--etape | option sans sa valeur : --etape ; attendu : une étape du cours : lambert, phong, ombres ou reflets",
+        "--etape=Lambert | valeur impossible pour --etape : « Lambert » ; attendu : une étape du cours : lambert, phong, ombres ou reflets",
+        "--vue x --image a.png | valeur impossible pour --vue : « x » ; attendu : une vue : normales, distance, lampes, rayons ou difference",
+        "--vue rayons | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
+        "--vue rayons --image a.png --lineaire a.pfm | --vue ne va pas avec --lineaire ; attendu : l'une ou l'autre",
+        "--vue rayons --image a.png --auto erreur=1 | --vue ne va pas avec --auto ; attendu : l'une ou l'autre",
+        "--vue rayons --pixel 1,1 | --vue ne va pas avec --pixel ; attendu : l'une ou l'autre",
+        "--vue rayons --image a.png --comparer b.png | --vue rayons ne va pas avec --comparer ; attendu : --vue difference"})
+    void uneEtapeOuUneVueImpossibleEstRefusee(String ligne, String message) {
+        verifierRefus("s.ini " + ligne, message);
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"--image a", "--image a.jpg", "--image a.pfm", "--image a.png/", "--image png", "--image /dev/stdout",
         "--image=/dev/fd/1", "--lineaire a.png", "--lineaire /dev/stdout", "--lineaire=a.pfm.gz"})
     void uneSortieQuiNeFinitPasCommeUneImageEstRefusee(String ligne) {

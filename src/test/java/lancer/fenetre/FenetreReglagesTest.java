@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.faire;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
@@ -46,6 +47,24 @@ class FenetreReglagesTest extends EssaiFenetre {
         attendre("le menu le montre", () -> reflexions.getItem(4).isSelected() && !reflexions.getItem(1).isSelected());
         faire(article("Revenir aux réglages de la scène")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));
+    }
+
+    @Test
+    void lesEtapesDuCoursSeSuiventAuClavierEtAuMenu() throws Exception {
+        ouvrir();
+        int[] touches = {KeyEvent.VK_1, KeyEvent.VK_2, KeyEvent.VK_3, KeyEvent.VK_4};
+        String[] noms = {"lambert", "phong", "ombres", "reflets"};
+        JMenu etapes = (JMenu) article("Étapes du cours");
+        for (int k = 0; k < noms.length; k++) {
+            int rang = k;
+            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, touches[k]);
+            banc.attendreImage(noms[k], attendue("--etape=" + noms[k]));
+            attendre("le menu le montre", () -> etapes.getItem(rang).isSelected());
+            attendre("et la ligne de l'image", () -> banc.resume.getText().contains("étape " + noms[rang]) == (rang < 3));
+        }
+        faire(() -> etapes.getItem(0).doClick());
+        banc.attendreImage("par le menu", attendue("--etape=lambert"));
+        assertTrue(banc.atelier.getCommande().contains(" --etape lambert"), banc.atelier.getCommande());
     }
 
     @Test

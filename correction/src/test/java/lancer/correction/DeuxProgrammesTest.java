@@ -78,7 +78,8 @@ class DeuxProgrammesTest {
             }
             spheres.add(sphere);
         }
-        Object scene = creer("Scene", spheres, Arrays.asList(creer("Lampe", creer("Point", -3.0, 4.0, -2.0), creer("Couleur", 0.9, 0.8, 0.7)),
+        Object scene = creer("Scene", spheres, Arrays.asList(
+                creer("Lampe", creer("Point", -3.0, 4.0, -2.0), creer("Couleur", 0.9, 0.8, 0.7)),
                 creer("Lampe", creer("Point", 5.0, 1.0, 0.0), creer("Couleur", 0.2, 0.3, 0.4))));
         Object camera = creer("Camera", 40, 30);
         Object lancer = creer("Lancer", scene, camera);

@@ -1,0 +1,189 @@
+package lancer.inspection;
+
+import java.util.Arrays;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
+import lancer.contrat.Pave;
+import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
+import lancer.contrat.Vue;
+import lancer.image.Comparaison;
+import lancer.image.ImageMemoire;
+
+/** Vues d'une scène en fausses couleurs ({@code --vue}) : ce qu'une image ne montre pas. Le ciel est noir. */
+public final class FaussesCouleurs {
+
+    /** Rayons par pixel de la référence à laquelle l'image se compare, sur un côté. */
+    private static final int COTE = 8;
+
+    /** Nombre de rayons qui est blanc, en puissance de deux ; un rayon est noir. */
+    private static final double DOUBLEMENTS = 12;
+
+    /** L'échelle des nombres de rayons, du noir au blanc, de plus en plus claire. */
+    private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
+
+    private final Lancer lancer;
+    private final Camera camera;
+    private final int profondeur;
+    private final int fils;
+    private Lancer dernier;
+
+    /**
+     * @param lancer la scène préparée
+     * @param profondeur nombre de réflexions permises
+     */
+    public FaussesCouleurs(Lancer lancer, int profondeur, int fils) {
+        this.lancer = lancer;
+        this.profondeur = profondeur;
+        this.fils = fils;
+        camera = lancer.getCamera();
+    }
+
+    /** La vue de ce nom : {@code normales}, {@code distance}, {@code lampes}, {@code rayons} ou {@code difference}. */
+    public ImageMemoire dessiner(String nom) {
+        ImageMemoire image = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), false);
+        if (nom.equals("difference")) {
+            ImageMemoire dessinee = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), true);
+            ImageMemoire reference = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), true);
+            tracer(FaussesCouleurs::enGrille, reference);
+            tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
+            return new Comparaison(dessinee, reference, 0, 0).getPlusGrandsEcarts();
+        }
+        if (nom.equals("rayons")) {
+            tracer(this::compter, image);
+        } else if (nom.equals("distance")) {
+            dessinerLesDistances(image);
+        } else {
+            boolean normales = nom.equals("normales");
+            tracer((pave, voulus, vue, toile) -> parPixel(voulus, vue, toile, (scene, contact) ->
+                    normales ? normale(contact) : new Couleur(lampes(scene, contact))), image);
+        }
+        return image;
+    }
+
+    /** Ce qui a dessiné la vue, et ses comptes. */
+    public Lancer getLancer() {
+        return dernier;
+    }
+
+    private void tracer(Echantillonnage echantillonnage, Toile toile) {
+        Modele modele = lancer.getScene().getModele();
+        dernier = new Lancer(lancer.getScene().avec(modele.avec(echantillonnage, modele.getSeuil())), camera);
+        dernier.TracerPixels(toile, profondeur, fils);
+    }
+
+    /** Ce qu'une vue montre d'un contact. */
+    private interface Teinte {
+        Couleur de(Scene scene, PointContact contact);
+    }
+
+    /** Peint chaque pixel d'après le premier contact vu en son centre. */
+    private int parPixel(Pave voulus, Vue vue, Toile toile, Teinte teinte) {
+        Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
+                try {
+                    scene.getCompteurs().primaires++;
+                    Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
+                    PointContact contact = scene.getClosestIntersection(rayon);
+                    toile.drawPixel(contact == null ? new Couleur() : teinte.de(scene, contact), i, j);
+                } catch (RuntimeException e) {
+                    throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
+                }
+            }
+        }
+        vue.noter(scene.getCompteurs());
+        return 0;
+    }
+
+    /** (N + 1)/2, où N est la normale. */
+    private static Couleur normale(PointContact contact) {
+        Vecteur N = contact.objet.getNormale(contact);
+        return new Couleur((N.x + 1) / 2, (N.y + 1) / 2, (N.z + 1) / 2);
+    }
+
+    /** La part des lampes de la scène qui éclairent ce contact. */
+    private static double lampes(Scene scene, PointContact contact) {
+        Vecteur N = contact.objet.getNormale(contact);
+        int eclairent = 0;
+        for (Lampe lampe : scene.getLampes()) {
+            Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+            eclairent += N.dot(versLampe) > 0 && !scene.estCachee(lampe, contact, versLampe.normalized(),
+                    versLampe.norme(), contact.objet) ? 1 : 0;
+        }
+        return (double) eclairent / Math.max(1, scene.getLampes().size());
+    }
+
+    /** 1 − d/d_max, où d_max est la plus grande distance d'un contact de l'image. */
+    private void dessinerLesDistances(ImageMemoire image) {
+        double[] distances = new double[image.codes.length];
+        tracer((pave, voulus, vue, toile) -> parPixel(voulus, vue, toile,
+                (scene, contact) -> new Couleur(contact.distance)),
+                (couleur, i, j) -> distances[j * image.largeur + i] = couleur.r);
+        double max = Arrays.stream(distances).max().orElse(0);
+        for (int k = 0; k < distances.length; k++) {
+            image.drawPixel(new Couleur(distances[k] == 0 ? 0 : 1 - distances[k] / max), k % image.largeur,
+                    k / image.largeur);
+        }
+    }
+
+    /** Les rayons de toutes sortes que demande chaque pixel d'un pavé, dessiné comme le veut la scène. */
+    private int compter(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        long[] rayons = new long[(pave.i1 - pave.i0) * (pave.j1 - pave.j0)];
+        Vue comptee = (xe, ye) -> {
+            long avant = vue.rayons();
+            Couleur couleur = vue.couleur(xe, ye);
+            rayons[((int) ye - pave.j0) * (pave.i1 - pave.i0) + (int) xe - pave.i0] += vue.rayons() - avant;
+            return couleur;
+        };
+        Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
+        int raffines = choisi == null ? auCentre(voulus, comptee)
+                : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
+        for (int k = 0; k < rayons.length; k++) {
+            toile.drawPixel(teinte(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0), pave.j0 + k / (pave.i1 - pave.i0));
+        }
+        return raffines;
+    }
+
+    private static int auCentre(Pave voulus, Vue vue) {
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
+                vue.couleur(i + 0.5, j + 0.5);
+            }
+        }
+        return 0;
+    }
+
+    /** La couleur de ce nombre de rayons, sur une échelle logarithmique. */
+    private static Couleur teinte(long rayons) {
+        double place = Math.max(0, Math.min(1, Math.log(rayons) / Math.log(2) / DOUBLEMENTS)) * (ECHELLE.length - 1);
+        int k = Math.min(ECHELLE.length - 2, (int) place);
+        return couleur(ECHELLE[k]).mul(k + 1 - place).add(couleur(ECHELLE[k + 1]).mul(place - k));
+    }
+
+    private static Couleur couleur(int code) {
+        return new Couleur(code >> 16 & 255, code >> 8 & 255, code & 255).div(255);
+    }
+
+    /** La référence : la moyenne des rayons d'une grille, dans chaque pixel. */
+    private static int enGrille(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
+                Couleur somme = new Couleur();
+                for (int k = 0; k < COTE * COTE; k++) {
+                    somme = somme.add(vue.couleur(i + (k % COTE + 0.5) / COTE, j + (k / COTE + 0.5) / COTE));
+                }
+                toile.drawPixel(somme.div(COTE * COTE), i, j);
+            }
+        }
+        return 0;
+    }
+}
