@@ -6,11 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import lancer.Constantes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -127,8 +133,8 @@ class OptionsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "--etape | option sans sa valeur : --etape ; attendu : une étape du cours : lambert, phong, ombres ou reflets",
-        "--etape=Lambert | valeur impossible pour --etape : « Lambert » ; attendu : une étape du cours : lambert, phong, ombres ou reflets",
-        "--vue x --image a.png | valeur impossible pour --vue : « x » ; attendu : une vue : normales, distance, lampes, rayons ou difference",
+        "--etape=P | valeur impossible pour --etape : « P » ; attendu : une étape du cours : lambert, phong, ombres ou reflets",
+        "--vue x | valeur impossible pour --vue : « x » ; attendu : une vue : normales, distance, lampes, rayons ou difference",
         "--vue rayons | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
         "--vue rayons --image a.png --lineaire a.pfm | --vue ne va pas avec --lineaire ; attendu : l'une ou l'autre",
         "--vue rayons --image a.png --auto erreur=1 | --vue ne va pas avec --auto ; attendu : l'une ou l'autre",
@@ -300,5 +306,19 @@ class OptionsTest {
             verifierRefus("s.ini --sans=" + sans, "valeur impossible pour --sans : « " + sans
                     + " » ; attendu : des noms de variantes séparés par une virgule, par exemple Brume,Blinn");
         }
+    }
+
+    @Test
+    void chaqueOptionEstDansLAideEtDansSaPage() throws IOException {
+        String source = new String(Files.readAllBytes(Paths.get("src/main/java/lancer/commande/Options.java")), StandardCharsets.UTF_8);
+        String page = new String(Files.readAllBytes(Paths.get("docs/options.md")), StandardCharsets.UTF_8);
+        Matcher m = Pattern.compile("\"(--[a-z]+)\"").matcher(source);
+        int options = 0;
+        while (m.find()) {
+            assertTrue(Options.getAide().contains(m.group(1)), m.group(1) + " n'est pas dans l'aide");
+            assertTrue(page.contains("`" + m.group(1)) || m.group(1).equals("--help"), m.group(1) + " n'est pas dans docs/options.md");
+            options++;
+        }
+        assertTrue(options > 20, options + " options");
     }
 }
