@@ -48,7 +48,7 @@ abstract class EssaiFormes {
                 blocs.add(paragraphe.substring(bloc + 1).replaceAll("(?m)^    ", ""));
             }
         }
-        assertTrue(section.contains("`src/main/java/lancer/Plan.java`") && section.contains("`src/main/resources/" + SERVICE + "`"));
+        assertTrue(section.contains("`src/main/java/lancer/Plan.java`") && section.contains("> src/main/resources/" + SERVICE + "\n"));
         panneau = blocs.get(0).replace("Plan", "Panneau").replace("plan", "panneau");
         classesDuPanneau = Files.createDirectory(commun.resolve("panneau"));
         inscrire(classesDuPanneau, SERVICE, panneau);
