@@ -9,8 +9,8 @@ SCENE ?= scenes/$(or $(basename $(notdir $(wildcard $(RACINE)/scenes/$(VARIANTE)
 OPTIONS ?=
 VARIANTES ?= $(VARIANTE)
 
-# Sans UTF-8, Java montrerait « sph?re » et ne saurait ouvrir un fichier au nom accentué. Des trois, la première donnée compte.
-ifeq ($(filter %UTF-8 %UTF8 %utf-8 %utf8,$(firstword $(subst @, ,$(or $(LC_ALL),$(LC_CTYPE),$(LANG))))),)
+# Sans UTF-8, Java montrerait « sph?re » et ne saurait ouvrir un fichier au nom accentué. La machine le sait : LANG peut nommer ce qu'elle n'a pas.
+ifneq ($(shell locale charmap 2>/dev/null),UTF-8)
 export LC_ALL := C.UTF-8
 endif
 
