@@ -37,14 +37,14 @@ class MakefileTest extends EssaiProcessus {
     }
 
     @Test
-    void laLangueEstCelleDeLaPremiereVariableDonnee() throws Exception {
+    void laLangueEstChangeeLaOuLaMachineNEstPasEnUtf8QuoiQueDisentLesVariables() throws Exception {
         assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
-        assertEquals("", langue(null, null, "fr_FR.UTF-8"), "rien à changer : c'est de l'UTF-8");
-        assertEquals("", langue("", "fr_FR.utf8@euro", "C"), "vide, c'est comme absente");
-        assertEquals("fr_FR.UTF-8", langue("fr_FR.UTF-8", "C", "C"));
+        assertEquals("", langue(null, null, "C.UTF-8"), "rien à changer : c'est de l'UTF-8");
+        assertEquals("C.UTF-8", langue("C.UTF-8", "C", "C"));
         assertEquals("C.UTF-8", langue(null, null, null));
-        assertEquals("C.UTF-8", langue(null, "C", "fr_FR.UTF-8"), "LC_CTYPE l'emporte sur LANG");
-        assertEquals("C.UTF-8", langue("POSIX", "fr_FR.UTF-8", "fr_FR.UTF-8"), "LC_ALL l'emporte sur tout");
+        assertEquals("C.UTF-8", langue(null, "C", "C.UTF-8"), "LC_CTYPE l'emporte sur LANG");
+        assertEquals("C.UTF-8", langue("POSIX", "C.UTF-8", "C.UTF-8"), "LC_ALL l'emporte sur tout");
+        assertEquals("C.UTF-8", langue(null, null, "xx_YY.UTF-8"), "cette machine n'a pas cette langue");
     }
 
     /** La scène que montre make dans le dossier de cette variante, ou à la racine. */
