@@ -137,6 +137,43 @@ class FormeTest {
         assertFalse(demande(Paths.get("README.md")).containsKey("max_line_length"));
     }
 
+    @Test
+    void uneClasseOuUneMethodeQueNommeUnePageExiste() throws IOException {
+        Map<String, String> sources = new HashMap<>();
+        for (Path fichier : FICHIERS) {
+            String nom = fichier.getFileName().toString();
+            // deux modules ont une classe Scene
+            sources.merge(nom.replace(".java", ""), nom.endsWith(".java")
+                    ? new String(Files.readAllBytes(RACINE.resolve(fichier)), StandardCharsets.UTF_8) : "", String::concat);
+        }
+        List<String> fautes = new ArrayList<>();
+        Pattern nomme = Pattern.compile("`(?:lancer\\.[a-z.]*)?([A-Z][a-z]\\w{2,})(?:\\.([a-z]\\w+))?[^`]*`");
+        int noms = 0;
+        for (Path fichier : FICHIERS) {
+            Matcher m = nomme.matcher(fichier.toString().endsWith(".md") && !fichier.startsWith("correction/src")
+                    ? new String(Files.readAllBytes(RACINE.resolve(fichier)), StandardCharsets.UTF_8) : "");
+            while (m.find()) {
+                noms++;
+                String source = sources.get(m.group(1));
+                boolean existe = source != null && (m.group(2) == null || source.isEmpty() || source.contains(m.group(2)));
+                if (!existe && !deJava(m.group(1))) {
+                    fautes.add(fichier + " : " + m.group());
+                }
+            }
+        }
+        assertTrue(noms > 50, noms + " noms de classes");
+        assertEquals("", String.join("\n", fautes));
+    }
+
+    private static boolean deJava(String classe) {
+        try {
+            Class.forName("java.lang." + classe);
+            return true;
+        } catch (ClassNotFoundException e) {
+            return false;
+        }
+    }
+
     /** Une ligne qui commence par un commentaire se lit comme du HTML : elle coupe son paragraphe, et n'a plus de liens. */
     @Test
     void aucuneLigneDeTexteDUnePageNeCommenceParUneMarque() throws IOException {
