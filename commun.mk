@@ -63,7 +63,7 @@ $(LISTES): toujours
 toujours:
 
 $(BASE): $(POMS) $(call sources,$(RACINE)) | outils
-	@echo "Construction de $@"
+	@echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : la première fois, Maven télécharge une trentaine de Mo)"
 	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :lancer -DskipTests package
 	@touch $@
 
