@@ -5,8 +5,8 @@ import lancer.texte.Texte;
 /** Un calcul que fait un fil, tel qu'un autre fil le voit. */
 public interface Calcul {
 
-    /** Noms des classes du programme qui ne sont ni au cours, ni à une variante. */
-    String DU_PROGRAMME = "(lancer\\.(?!contrat|precision|brume|antialias|blinn)[a-z]|org\\.ini4j).*";
+    /** Noms des classes du programme qui ne sont ni au cours, ni à une variante, ni à une forme. */
+    String DU_PROGRAMME = "(lancer\\.(rapide|scene|dessin|fils|texte|fenetre)|org\\.ini4j)\\..*";
 
     /** Ce qui se calcule : le rang d'un pixel, par exemple. */
     default long getLieu() {
