@@ -2,10 +2,7 @@ package lancer.contrat;
 
 import lancer.Couleur;
 
-/**
- * Effet de l'air sur la couleur que voit un rayon. Appelé une fois au bout de chaque rayon, le premier comme les
- * réfléchis, par tous les fils à la fois : une atmosphère n'a pas d'état.
- */
+/** Effet de l'air sur la couleur que voit chaque rayon, demandé par tous les fils à la fois : elle n'a pas d'état. */
 public interface Atmosphere {
 
     /** L'air de la base : il ne change rien. */

@@ -6,10 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import lancer.texte.Nombre;
 
-/**
- * Une clé de la section d'une variante, que la fenêtre laisse régler à la souris. L'intervalle est celui où il est
- * utile de la promener ; le fichier de scène peut donner toute valeur que la variante accepte. Immuable.
- */
+/** Une clé de variante, que la fenêtre règle dans un intervalle utile ; un fichier peut en sortir. Immuable. */
 public final class Parametre {
 
     public final String cle;

@@ -38,10 +38,7 @@ public final class Pave {
         return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
     }
 
-    /**
-     * Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel,
-     * ce qui se dessine d'abord ressemble quand même à tout le reste.
-     */
+    /** Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : il ressemble au reste. */
     public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
         int nombre = nombre(largeur, hauteur, cote);
         // environ la part d'or, et premier avec le nombre : chaque pavé une fois

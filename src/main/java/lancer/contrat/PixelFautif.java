@@ -4,9 +4,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import lancer.Couleur;
 
-/**
- * Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou répond ce qui n'est pas un nombre.
- */
+/** Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou ne répond pas un nombre. */
 public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

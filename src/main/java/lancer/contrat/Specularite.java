@@ -27,9 +27,8 @@ public interface Specularite {
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
     /**
-     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à
-     * un arrondi près ont un produit qui peut dépasser 1) ; 0^0 = 1. L'exposant est positif ou nul ; petit et entier,
-     * il se fait par carrés successifs, à quelques unités du dernier chiffre.
+     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant, malgré les arrondis, jamais pour plus de 1 ; 0^0 = 1.
+     * L'exposant est positif ou nul ; petit et entier, il se fait par carrés, à quelques unités du dernier chiffre.
      */
     static double puissance(double cosinus, double exposant) {
         if (!(cosinus > 0 && cosinus < 1)) {

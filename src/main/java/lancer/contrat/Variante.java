@@ -6,8 +6,7 @@ import java.util.List;
 /**
  * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
  * {@link Specularite} ou {@link Echantillonnage}) et se fait connaître par une ligne du fichier
- * {@code META-INF/services/lancer.contrat.Variante} ; {@link java.util.ServiceLoader} la trouve, et la base n'en sait
- * rien de plus.
+ * {@code META-INF/services/lancer.contrat.Variante}, où {@link java.util.ServiceLoader} la trouve.
  */
 public interface Variante {
 

@@ -33,10 +33,10 @@ public final class FichierScene {
     }
 
     /**
-     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
+     * Le chemin de la scène, tel quel ou, s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
      * dossiers au-dessus d'où il mène à quelque chose.
      *
-     * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
+     * @throws SceneFautive s'il ne mène à aucun fichier
      */
     public static Path trouver(String fichier) {
         Path chemin;

@@ -15,7 +15,6 @@ public final class Origines {
 
     /** Le nom d'une section, et sa ligne. */
     static final class Origine {
-
         final String nom;
         final int ligne;
 

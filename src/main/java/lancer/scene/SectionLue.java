@@ -27,7 +27,6 @@ public final class SectionLue extends Section {
 
     /** Une ligne de la section. */
     private static final class Entree {
-
         final String cle;
         final String valeur;
         final int ligne;
@@ -186,13 +185,13 @@ public final class SectionLue extends Section {
         return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
     }
 
-    @Override
-    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
+    /** Deux clés qui disent la même chose : c'est la seconde écrite qui est de trop. */
+    SceneFautive synonymes(String cle, String autre) {
         boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
         Entree premiere = entree(dansLOrdre ? cle : autre);
         Entree seconde = entree(dansLOrdre ? autre : cle);
-        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
-                attendu);
+        return fautive(seconde.ligne, seconde.cle, "synonyme de " + premiere.cle + ", déjà ligne " + premiere.ligne,
+                cle + " ou " + autre + ", pas les deux");
     }
 
     @Override

@@ -3,10 +3,7 @@ package lancer.scene;
 import java.util.Timer;
 import java.util.TimerTask;
 
-/**
- * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
- * enregistre en renommant échappe aux notifications du système.
- */
+/** Veille sur le fichier de la scène, dans un fil à elle : un éditeur qui renomme échappe aux notifications. */
 public final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
