@@ -85,8 +85,6 @@ public final class Auto {
     }
 
     /**
-     * Choisit, en essayant.
-     *
      * @param prepare la scène, prête à être dessinée
      * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
      * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
@@ -152,7 +150,6 @@ public final class Auto {
                 presente);
     }
 
-    /** Les rayons des essais, contrôle compris. */
     public long getRayonsDesEssais() {
         return essais.rayons.get();
     }

@@ -12,8 +12,6 @@ import lancer.contrat.Pave;
 /** Pixels semés dans l'image par petits carreaux, et un rayon de chacun : où l'erreur doit être. */
 final class Semis {
 
-    private static final double NIVEAUX = 255;
-
     /** Côté d'un carreau, en pixels, et combien en semer. */
     static final int COTE = 6;
     private static final int CARREAUX = 1000;
@@ -33,7 +31,6 @@ final class Semis {
     /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */
     final BitSet petits = new BitSet();
 
-    /** Sème autant de carreaux que le permettent ces rayons. */
     Semis(Essais essais, double permis) {
         Camera camera = essais.prepare.getCamera();
         largeur = camera.getLargeur();
@@ -77,7 +74,7 @@ final class Semis {
     /** Les trois composantes, limitées et en niveaux. */
     static double[] niveaux(Couleur couleur) {
         return Arrays.stream(new double[] {couleur.r, couleur.v, couleur.b})
-                .map(composante -> NIVEAUX * Math.max(0, Math.min(1, composante))).toArray();
+                .map(composante -> 255 * Math.max(0, Math.min(1, composante))).toArray();
     }
 
     /** La moyenne de (x − a)(x − b) : sans biais, le carré de l'écart de x à ce que a et b, indépendants, estiment. */

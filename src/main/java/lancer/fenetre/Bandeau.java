@@ -21,10 +21,7 @@ import javax.swing.Timer;
 import javax.swing.UIManager;
 import lancer.texte.Texte;
 
-/**
- * Messages de la fenêtre, par-dessus le bas de l'image, sur autant de lignes qu'il y tient ; invisible s'il n'y a
- * rien à dire. La faute de la scène reste tant qu'elle y est, et les autres messages viennent dessous.
- */
+/** Messages de la fenêtre, par-dessus le bas de l'image : la faute de la scène, tant qu'elle y est, puis les autres. */
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
 
@@ -70,7 +67,6 @@ final class Bandeau extends JTextArea {
         setComponentPopupMenu(menu);
     }
 
-    /** Une étiquette de plusieurs lignes. */
     static JTextArea etiquette(String nom) {
         JTextArea etiquette = new JTextArea(" ");
         etiquette.setName(nom);

@@ -49,8 +49,7 @@ import lancer.image.ImageMemoire;
 
 /**
  * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des
- * événements ne calcule pas, ne lit pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par
- * seconde où en est le dessin.
+ * événements ne calcule, ne lit, n'écrit ni n'attend : une horloge lui fait regarder où en est le dessin.
  */
 @SuppressWarnings("serial")
 public final class Fenetre {
@@ -79,9 +78,7 @@ public final class Fenetre {
     private JCheckBoxMenuItem plein;
     /** Place du cadre avant le plein écran. */
     private Rectangle place;
-    /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
     private Inspecteur inspecteur;
-    private Window touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
             ExecutorService dessins, Runnable fin) {
@@ -105,10 +102,8 @@ public final class Fenetre {
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         aide.setMnemonic(KeyEvent.VK_I);
-        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
-            touches = touches == null ? Dialogues.touches(cadre) : touches;
-            Dialogues.aCote(touches);
-        });
+        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1),
+                Dialogues.aLaDemande(() -> Dialogues.touches(cadre)));
         cadre.setJMenuBar(menus);
     }
 
@@ -209,7 +204,6 @@ public final class Fenetre {
         }
     }
 
-    /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
     private final class Depot extends TransferHandler {
 
         @Override
@@ -222,7 +216,7 @@ public final class Fenetre {
             try {
                 List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (fichiers.size() == 1) {
-                    atelier.ouvrir((File) fichiers.get(0));
+                    atelier.ouvrir(((File) fichiers.get(0)).getPath());
                 } else {
                     panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
                 }
@@ -233,13 +227,11 @@ public final class Fenetre {
         }
     }
 
-    /** La taille où dessiner l'image, en pixels. */
     private Dimension getTaille() {
         return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee.width, demandee.height)
                 : demandee;
     }
 
-    /** Entre dans le plein écran, ou en sort. */
     private void basculer() {
         boolean entre = plein.isSelected();
         GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
@@ -263,7 +255,7 @@ public final class Fenetre {
     private void choisirScene() {
         File choisi = Dialogues.choisirScene(cadre, atelier.fichier);
         if (choisi != null) {
-            atelier.ouvrir(choisi);
+            atelier.ouvrir(choisi.getPath());
         }
     }
 
@@ -310,10 +302,7 @@ public final class Fenetre {
                 .reduce(null, (une, autre) -> une != null && une.isFocused() ? une : autre);
     }
 
-    /**
-     * Une touche dont rien n'a été fait est un caractère du cadre ou, d'une fenêtre d'à côté, une de ses touches ; mais
-     * elle n'y ouvre pas un menu.
-     */
+    /** Une touche dont rien n'a été fait, même à côté, est un caractère du cadre ou une de ses touches, hors menus. */
     private boolean renvoyer(KeyEvent e) {
         boolean aCote = aCote() != null && aCote().isFocused();
         boolean libre = !e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10;
@@ -347,7 +336,6 @@ public final class Fenetre {
         cadre.dispose();
     }
 
-    /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
         if (atelier.enCours) {
             horloge.start();

@@ -100,11 +100,7 @@ public final class Ecriture {
         ecrire(image, Collections.singletonMap(this, format));
     }
 
-    /**
-     * Écrit l'image dans tous ces fichiers, chacun à son format, ou dans aucun.
-     *
-     * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant, sauf ceux qu'il nomme
-     */
+    /** Écrit l'image dans tous ces fichiers ou aucun. @throws Echec s'il échoue ; il nomme ceux qui sont écrits */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
         String ecrits = "";
         Ecriture enCours = null;

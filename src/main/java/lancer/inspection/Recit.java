@@ -51,7 +51,6 @@ public final class Recit {
         /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
         public final boolean changee;
 
-        /** Ligne dont voici les cinq champs. */
         public Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
             this.texte = texte;
             this.etape = etape;
@@ -275,7 +274,6 @@ public final class Recit {
         dire(apport.equals(e.produit) ? "       = %s" : "       diffus + reflet ne donne pas %s", apport);
     }
 
-    /** Sort d'une lampe et de ses pareilles. */
     private static String sort(Eclairage e) {
         return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
                 : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";

@@ -18,7 +18,6 @@ public final class FichierScene {
 
     /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
     private static final int DOSSIERS_AU_DESSUS = 4;
-    private static final String INTROUVABLE = "fichier introuvable";
 
     private FichierScene() {
     }
@@ -74,13 +73,14 @@ public final class FichierScene {
 
     /** Raison pour laquelle ce chemin ne mène à rien, et d'où il a été suivi. */
     private static String absente(Path chemin) {
-        String faute = INTROUVABLE;
+        String introuvable = "fichier introuvable";
+        String faute = introuvable;
         try {
             chemin.toRealPath();
         } catch (IOException e) {
             faute = pourquoi(e, Texte.panne(e));
         }
-        if (chemin.isAbsolute() || !faute.equals(INTROUVABLE)) {
+        if (chemin.isAbsolute() || !faute.equals(introuvable)) {
             return faute;
         }
         Path ici = Paths.get("").toAbsolutePath();

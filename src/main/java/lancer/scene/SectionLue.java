@@ -25,7 +25,6 @@ public final class SectionLue extends Section {
     private final boolean ouverte;
     private final List<Entree> entrees = new ArrayList<>(5);
 
-    /** Une ligne de la section. */
     private static final class Entree {
         final String cle;
         final String valeur;
@@ -224,8 +223,7 @@ public final class SectionLue extends Section {
 
     /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom}, {@code cle} null : inconnus. */
     static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
-        return Texte.echappe(fichier)
-                + (ligne > 0 ? ", ligne " + ligne : "")
+        return Texte.echappe(fichier) + (ligne > 0 ? ", ligne " + ligne : "")
                 + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")
                 + (cle != null ? ", " + Texte.abrege(cle) : "")
                 + " : " + faute + " ; attendu : " + attendu;

@@ -83,8 +83,7 @@ public final class Brume implements Variante, Atmosphere {
 
     /**
      * Part de brume : k = (d − debut) / (fin − debut), ou 1 − exp(−densite·(d − debut)), la loi d'une brume également
-     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien la traverse toute : il ne voit qu'elle, si légère
-     * soit-elle.
+     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien ne voit qu'elle, si légère soit-elle.
      *
      * @param distance longueur du rayon, en unités de la scène
      * @return de 0 (on ne voit que l'objet) à 1 (on ne voit que la brume), jamais NaN

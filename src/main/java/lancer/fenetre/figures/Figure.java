@@ -56,11 +56,7 @@ public final class Figure {
     /** Place où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
 
-    /**
-     * Figure à calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène.
-     *
-     * @param seul le numéro du seul rebond à montrer, avec ses lampes ; 0 : tous
-     */
+    /** Figure à calculer hors du fil des événements. @param seul rebond à montrer, avec ses lampes ; 0 : tous */
     public Figure(Inspection pixel, int seul) {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());

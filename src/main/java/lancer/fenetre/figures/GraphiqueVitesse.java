@@ -105,7 +105,6 @@ public final class GraphiqueVitesse extends JPanel {
         });
     }
 
-    /** Vide le graphique : c'est une autre scène. */
     public void vider() {
         mesures.clear();
         choisi = -1;
