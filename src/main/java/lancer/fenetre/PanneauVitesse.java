@@ -59,7 +59,6 @@ final class PanneauVitesse extends JDialog {
         atelier.prevenir(this::suivre);
     }
 
-    /** Montré, il essaie ce qui ne l'a pas été ; caché, plus rien. */
     @Override
     public void setVisible(boolean visible) {
         super.setVisible(visible);
@@ -133,7 +132,7 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(montre.getLancer(), 0, null, null, atelier.fils,
+            Auto fait = new Auto(montre.getLancer(), 0, null, null, atelier.fils,
                     montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             evaluer(scene, fait, montre);
