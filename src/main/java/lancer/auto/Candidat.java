@@ -16,12 +16,10 @@ public final class Candidat {
     /** La section de variante qui donne l'échantillonnage ; {@code null} pour celui de la scène. */
     public final Section section;
 
-    /** L'erreur attendue, en niveaux, et entre quoi elle devrait être, neuf fois sur dix à peu près. */
+    /** Attendus : l'erreur, en niveaux, entre quoi elle est neuf fois sur dix, et les rayons par pixel. */
     public final double erreur;
     public final double auMoins;
     public final double auPlus;
-
-    /** Rayons de toutes sortes par pixel, attendus. */
     public final double prix;
 
     final Estimation estimation;

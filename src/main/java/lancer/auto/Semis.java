@@ -12,20 +12,16 @@ import lancer.contrat.Pave;
 /** Pixels semés dans l'image par petits carreaux, et un rayon de chacun : où l'erreur doit être. */
 final class Semis {
 
-    /** Côté d'un carreau, en pixels, et combien en semer. */
+    /** Côté d'un carreau, en pixels, et combien en semer ; plus grand rayon d'un petit objet, en pixels. */
     static final int COTE = 6;
     private static final int CARREAUX = 1000;
-
-    /** Rayon d'un petit objet, en pixels, au plus. */
     private static final double PETIT = 1;
 
     final int largeur;
 
-    /** Pixels, dans l'ordre de la lecture, carreau après carreau ; et ce qu'un rayon sans limite voit en chacun. */
+    /** Pixels, carreau après carreau ; ce qu'un rayon sans limite voit en chacun ; son prix, tous rayons comptés. */
     final int[] pixels;
     final double[][] niveaux;
-
-    /** Prix d'un rayon de l'écran sans limite, en rayons de toutes sortes. */
     final double prix;
 
     /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */

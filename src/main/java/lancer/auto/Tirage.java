@@ -57,11 +57,7 @@ final class Tirage {
         long lances;
     }
 
-    /**
-     * @param debut de 0 à 1 : un autre tire d'autres pixels
-     * @param erreur qu'il s'agit de mesurer, en niveaux : plus elle est petite, plus les références ont de points
-     * @param permis rayons ; moins de pixels ont leurs références s'ils n'y suffisent pas
-     */
+    /** @param debut de 0 à 1 : un autre tire ailleurs @param erreur à mesurer, en niveaux @param permis rayons */
     Tirage(Essais essais, Semis semis, double debut, double erreur, double permis) {
         this.essais = essais;
         this.semis = semis;

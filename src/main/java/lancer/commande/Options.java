@@ -298,7 +298,6 @@ public final class Options {
         return Nombre.lire(texte);
     }
 
-    /** Les deux {@link #chiffres} autour du premier séparateur. */
     private static double[] deuxEntiers(String texte, char separateur) {
         int k = texte.indexOf(separateur);
         return k < 0 ? new double[] {-1, -1}

@@ -23,14 +23,11 @@ public final class Ecoute {
     /** Vue d'un rayon : un contact et ses lampes, ou le ciel. */
     public static final class Etape {
 
-        /** Rang dans la chaîne, 1 pour le rayon parti de l'écran. */
+        /** Rang dans la chaîne, depuis 1 ; direction ; contact, {@code null} pour le ciel ; longueur, alors +∞. */
         public final int numero;
-
-        /** Direction du rayon. */
         public final Vecteur V;
-
-        /** Contact rencontré, {@code null} pour le ciel. */
         public final PointContact contact;
+        public final double distance;
         private final Etape avant;
 
         public final List<Eclairage> lampes = new ArrayList<>();
@@ -55,6 +52,7 @@ public final class Ecoute {
             this.V = V;
             this.contact = contact;
             this.avant = avant;
+            distance = contact == null ? Constantes.INFINI : contact.distance;
         }
 
         /** Passe à ce terme : ce qui s'ajoute désormais en est, ou le suit. */
@@ -70,21 +68,14 @@ public final class Ecoute {
                     (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));
             return N == null || somme == null ? new Couleur() : somme.sub(connue);
         }
-
-        /** Longueur du rayon, +∞ si c'est le ciel. */
-        public double distance() {
-            return contact == null ? Constantes.INFINI : contact.distance;
-        }
     }
 
     /** Lampe vue d'un contact, ou reflet ; et ce qui s'ajoute, de la lampe à la suivante. */
     public static final class Eclairage {
 
-        /** La lampe, ou ce que voit le rayon réfléchi ; ni l'une ni l'autre avant la première lampe. */
+        /** La lampe, ou ce que voit le reflet ; ni l'un ni l'autre au début. Et N·(lampe − contact), positif devant. */
         public final Lampe lampe;
         public final Etape suite;
-
-        /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
         public final double devant;
 
         public double cosinus;
@@ -122,7 +113,6 @@ public final class Ecoute {
         }
     }
 
-    /** Étape du rayon dont se calcule la couleur. */
     public Etape enCours() {
         return enCours;
     }

@@ -6,11 +6,9 @@ public final class Pave {
     /** Côté d'un pavé du dessin, en pixels ; les pavés du bord sont plus petits. */
     public static final int COTE = 32;
 
-    /** Première colonne et première ligne. */
+    /** Première colonne et première ligne, puis celles qui suivent les dernières. */
     public final int i0;
     public final int j0;
-
-    /** Colonne et ligne qui suivent les dernières. */
     public final int i1;
     public final int j1;
 

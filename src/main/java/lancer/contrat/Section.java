@@ -15,10 +15,8 @@ public abstract class Section {
     /** Plus grande coordonnée d'un point ou d'une direction, et plus grande longueur, en unités de la scène. */
     private static final double COORDONNEE_MAX = 1e100;
 
-    /** Le nom, tel qu'écrit entre les crochets. */
+    /** Le nom, tel qu'écrit entre les crochets, et leur ligne, 0 si la section n'est pas dans le fichier. */
     public final String nom;
-
-    /** La ligne des crochets, 0 si la section n'est pas dans le fichier. */
     public final int ligne;
 
     protected Section(String nom, int ligne) {

@@ -2,10 +2,7 @@ package lancer.contrat;
 
 import lancer.Vecteur;
 
-/**
- * Le reflet d'une lampe sur une surface brillante (cours, « Éclairement spéculaire »). Appelé par tous les fils à la
- * fois : une spécularité n'a pas d'état.
- */
+/** Le reflet d'une lampe (cours, « Éclairement spéculaire »), sans état : tous les fils le demandent à la fois. */
 public interface Specularite {
 
     /** Le reflet de la base : max(0, R·L)^ns. */

@@ -29,10 +29,8 @@ public interface Variante {
     }
 
     /**
-     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante : ils
-     * ne diffèrent que par la précision et le prix. Du moins cher au plus juste.
-     *
-     * @param sienne sa section, d'où viennent celles des réglages : {@link Section#sansFichier}
+     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante, du
+     * moins cher au plus juste, faits de {@code sienne} par {@link Section#sansFichier}.
      */
     default List<Barreau> getEchelle(Section sienne) {
         return Collections.emptyList();

@@ -57,9 +57,8 @@ final class Atelier {
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
-    /** Le dernier dessin dont la scène s'est lue sans faute. */
+    /** Les derniers dessins dont la scène s'est lue sans faute, et dont un pixel lent s'est dit. */
     private Tracage lu;
-    /** Le dernier dessin dont un pixel lent s'est dit. */
     private Tracage lent;
     private ImageMemoire complete;
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */

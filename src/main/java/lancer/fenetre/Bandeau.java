@@ -35,7 +35,6 @@ final class Bandeau extends JTextArea {
     private static final int MARGE_H = 10;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(Sujet.AVIS, ""));
-    /** Action qui copie ce qui se lit. */
     final Action copie = new AbstractAction("Copier le message") {
         @Override
         public void actionPerformed(ActionEvent e) {

@@ -64,7 +64,7 @@ final class Dialogues {
         }
     }
 
-    /** Pose, avant le premier dialogue, les textes des siens : selon Java, il en manque en français. */
+    /** Pose, avant le premier dialogue, ses textes : selon Java, il en manque en français. */
     private static void traduire() {
         for (String[] texte : lire("dialogues.txt")) {
             UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);

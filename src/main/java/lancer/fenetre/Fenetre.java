@@ -54,10 +54,8 @@ import lancer.image.ImageMemoire;
 @SuppressWarnings("serial")
 public final class Fenetre {
 
-    /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
+    /** Temps entre deux regards sur le dessin en cours, et sans changement de taille avant de redessiner. */
     private static final int PERIODE_MS = 33;
-
-    /** Temps sans changement de taille avant de redessiner à la nouvelle, en millisecondes. */
     private static final int REPOS_MS = 200;
 
     final JFrame cadre = new Cadre();
@@ -118,7 +116,6 @@ public final class Fenetre {
         return menu;
     }
 
-    /** La taille où l'image se dessine, celle où elle se montre, et le plein écran. */
     private JMenu menuAffichage() {
         JMenu menu = Menus.menu("Affichage");
         ButtonGroup tailles = new ButtonGroup();
@@ -158,7 +155,6 @@ public final class Fenetre {
         cadre.setVisible(true);
     }
 
-    /** Branche ce à quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
         cadre.getRootPane().setTransferHandler(new Depot());
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
@@ -269,7 +265,6 @@ public final class Fenetre {
         }
     }
 
-    /** Mène l'inspecteur au pixel qui est sous la souris, ou au milieu. */
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
@@ -278,13 +273,11 @@ public final class Fenetre {
         }
     }
 
-    /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
     private void tenir(boolean tenue) {
         panneau.tenir(tenue ? atelier.avant : null);
         decrire();
     }
 
-    /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté. */
     private void echapper() {
         if (atelier.enCours) {
             atelier.arreter();
@@ -366,7 +359,6 @@ public final class Fenetre {
         }
     }
 
-    /** Dit où en est le dessin : au bas de la fenêtre, et en plein écran sur l'image. */
     private void avancer() {
         barre.avancer(atelier.courant);
         if (plein.isSelected()) {

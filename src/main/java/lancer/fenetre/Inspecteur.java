@@ -192,7 +192,6 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    /** Caché, il n'explique plus rien. */
     @Override
     public void setVisible(boolean visible) {
         super.setVisible(visible);

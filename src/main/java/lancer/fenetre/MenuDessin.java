@@ -68,7 +68,6 @@ final class MenuDessin {
         montrer();
     }
 
-    /** Passe à plus ou moins de réflexions, parmi celles du menu. */
     void changer(boolean plus) {
         if (atelier.reglages != null) {
             int actuel = atelier.reglages.getReflets();

@@ -214,7 +214,6 @@ final class PanneauImage extends JPanel {
         suivre(suivi);
     }
 
-    /** Grossit autour de la souris, ou du milieu si elle n'est pas là. */
     private void grossir(boolean plus) {
         if (montree == null) {
             return;
@@ -337,7 +336,6 @@ final class PanneauImage extends JPanel {
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
     }
 
-    /** Le pixel de cette image à cet endroit, ou le plus près. */
     private Point getPixel(ImageMemoire image, Point ou) {
         Rectangle place = getPlace(image);
         long x = (long) (ou.x - place.x) * image.largeur / place.width;

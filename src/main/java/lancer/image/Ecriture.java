@@ -21,7 +21,6 @@ import lancer.texte.Texte;
  */
 public final class Ecriture {
 
-    /** Écriture d'une image dans un flux, sous un format. */
     public interface Format {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }

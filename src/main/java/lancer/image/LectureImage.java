@@ -37,10 +37,7 @@ public final class LectureImage {
     private LectureImage() {
     }
 
-    /**
-     * @return l'image, sans couleurs non limitées si elle n'a que 8 bits par composante
-     * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
-     */
+    /** L'image, sans couleurs non limitées si elle n'a que 8 bits. @throws Echec si ce n'est ni un PNG, ni un PFM */
     public static ImageMemoire lire(String nom) {
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));

@@ -64,8 +64,6 @@ public final class LecteurScene {
     }
 
     /**
-     * Lit un fichier en entier.
-     *
      * @param nomFichier voir {@link FichierScene#trouver}
      * @param suivi appelé à mesure, avec la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé

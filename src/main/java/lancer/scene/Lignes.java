@@ -32,7 +32,6 @@ final class Lignes extends Reader {
     private int debut;
     private int longueur;
     private int occupes;
-    /** Vrai si la ligne en cours contient un caractère de contrôle. */
     private boolean controles;
     private CharBuffer ligne = CharBuffer.allocate(0);
     private int numero;
@@ -45,7 +44,6 @@ final class Lignes extends Reader {
         this.suivi = suivi;
     }
 
-    /** Le numéro de la ligne donnée, à partir de 1. */
     int getNumero() {
         return numero;
     }
@@ -156,7 +154,6 @@ final class Lignes extends Reader {
         return n > 0;
     }
 
-    /** Une ligne que personne n'a pu vouloir. */
     static final class LigneTropLongue extends IOException {
         private static final long serialVersionUID = 1;
     }

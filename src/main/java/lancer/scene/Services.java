@@ -113,7 +113,6 @@ public final class Services {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
     }
 
-    /** Tous les types de section que l'on peut écrire. */
     String types() {
         return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe"),
                 VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))

@@ -19,10 +19,7 @@ public final class Surveillance extends TimerTask {
     private String connue;
     private String vue;
 
-    /**
-     * @param siChange appelé dans ce fil, une fois par changement
-     * @param siEfface appelé de même quand le fichier a disparu ; qu'il revienne est un changement
-     */
+    /** @param siChange appelé dans ce fil, une fois par changement @param siEfface de même, s'il n'y a plus rien */
     public Surveillance(Runnable siChange, Runnable siEfface) {
         this.siChange = siChange;
         this.siEfface = siEfface;

@@ -88,10 +88,7 @@ public final class Texte {
         return abrege(raison);
     }
 
-    /**
-     * La cause première d'un échec, et où elle est née : la première ligne de la pile dont la classe a le premier de
-     * ces noms, qui sont des expressions régulières, à défaut un des suivants.
-     */
+    /** Cause d'un échec, et première ligne de sa pile dont la classe suit l'une de ces expressions, par préférence. */
     public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
         while (cause.getCause() != null) {

@@ -204,11 +204,7 @@ public final class Figure {
         g.draw(trait);
     }
 
-    /**
-     * @param g en pixels de l'écran ; sa police dit ce qu'il en faut pour être lu
-     * @param place celle de l'image
-     * @param vue ce qui s'en voit : à la loupe, elle déborde
-     */
+    /** @param g en pixels de l'écran, de police lisible @param place celle de l'image @param vue ce qui s'en voit */
     public void peindre(Graphics2D g, Rectangle place, Dimension vue) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double rayon = TAILLE * g.getFont().getSize2D();

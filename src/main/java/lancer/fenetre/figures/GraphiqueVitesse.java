@@ -58,11 +58,7 @@ public final class GraphiqueVitesse extends JPanel {
     private double xMax;
     private double yMax;
 
-    /**
-     * @param clic reçoit le réglage du point choisi
-     * @param siAtteint reçoit ce qu'il y a à dire du point où mènent la souris et les flèches
-     * @param estPresent dit si l'image montrée est dessinée avec ce réglage
-     */
+    /** @param clic reçoit le réglage choisi @param siAtteint la légende du point visé @param estPresent l'image l'a */
     public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
         this.siAtteint = siAtteint;
         this.estPresent = estPresent;
@@ -128,7 +124,6 @@ public final class GraphiqueVitesse extends JPanel {
         repaint();
     }
 
-    /** Dit si un des points est celui des réglages présents. */
     public boolean aUnPresent() {
         return points.stream().anyMatch(estPresent);
     }

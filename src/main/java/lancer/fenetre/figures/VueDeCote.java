@@ -43,9 +43,8 @@ public final class VueDeCote extends JPanel {
 
     private Inspection pixel;
     private int seul;
-    /** Place où se lit le numéro de chaque contact. */
+    /** Places où se lisent le numéro de chaque contact, et le nom de chaque sphère nommée. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
-    /** Place du nom de chaque sphère nommée. */
     final Map<Objet3D, Rectangle2D> noms = new HashMap<>();
     private double echelle;
     private double y0;
