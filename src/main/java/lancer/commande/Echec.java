@@ -3,10 +3,8 @@ package lancer.commande;
 /** Une demande qui ne peut être faite : un message d'une ligne, et un statut de sortie. */
 public final class Echec extends RuntimeException {
 
-    /** La machine n'a pas pu : disque plein, sortie impossible à écrire, mémoire épuisée, pas d'écran. */
+    /** La machine n'a pas pu (disque, mémoire, écran), ou la demande était fausse (option, valeur, scène). */
     public static final int PANNE = 1;
-
-    /** La demande était fausse : option, valeur, scène. */
     public static final int DEMANDE = 2;
 
     private static final long serialVersionUID = 1;

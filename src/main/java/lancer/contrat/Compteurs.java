@@ -8,16 +8,12 @@ public final class Compteurs {
     public long ombre;
     public long reflechis;
 
-    /** Intersections calculées d'un rayon et d'une sphère. */
+    /** Intersections calculées, et celles que leur forme directe laissait en doute, sauf dans les boucles du cours. */
     public long testsSpheres;
-
-    /** Celles que leur forme directe laissait en doute ; les boucles du cours ne les comptent pas. */
     public long testsPrecis;
 
-    /** Nœuds ou cases de structures de recherche visités. */
+    /** Nœuds ou cases de structures de recherche visités, et pixels que l'échantillonnage a raffinés. */
     public long noeudsVisites;
-
-    /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
     public void ajouter(Compteurs autres) {

@@ -11,8 +11,8 @@ import lancer.Vecteur;
 /**
  * Récit d'un point de l'écran, que font les classes du cours en calculant sa couleur, à qui le demande ; d'ordinaire
  * personne, et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le
- * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}. Pour que personne
- * ne coûte rien, un récit ne garde que des copies, et qui calcule ne nomme pas {@link Etape} dans ses signatures.
+ * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}. Un récit ne garde
+ * que des copies, et qui calcule ne nomme pas {@link Etape} dans ses signatures : ne pas écouter ne coûte rien.
  */
 public final class Ecoute {
 
@@ -36,11 +36,9 @@ public final class Ecoute {
         public final List<Eclairage> termes = new ArrayList<>();
         public Eclairage enCours = suivre(new Eclairage(null, null, 0));
 
-        /** Normale, et miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
+        /** Normale, miroir du rayon, et produit des Ks si un reflet était permis ; une forme peut n'en rien dire. */
         public Vecteur N;
         public Vecteur R;
-
-        /** Produit des Ks, si un reflet était permis. */
         public Couleur poids;
 
         /** Somme du contact, ou ciel ; et ce qu'en voit le rayon, à travers l'air. */

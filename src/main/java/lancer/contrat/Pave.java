@@ -36,7 +36,7 @@ public final class Pave {
         return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
     }
 
-    /** Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : il ressemble au reste. */
+    /** Le k-ième pavé de ce côté, dans un ordre qui saute d'un bout à l'autre : les premiers ressemblent à l'image. */
     public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
         int nombre = nombre(largeur, hauteur, cote);
         // environ la part d'or, et premier avec le nombre : chaque pavé une fois

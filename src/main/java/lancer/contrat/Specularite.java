@@ -12,14 +12,10 @@ public interface Specularite {
     int EXPOSANT_ENTIER_MAX = 1024;
 
     /**
-     * Part de la lumière d'une lampe que la surface reflète. Tous les vecteurs sont de longueur 1.
+     * Part de la lumière d'une lampe que la surface reflète, finie, dans [0, 1]. V suit le rayon incident, N sort de la
+     * surface, L va vers la lampe (N·L est strictement positif), R est le miroir de V, tous de longueur 1.
      *
-     * @param V direction du rayon incident
-     * @param N normale au contact, vers l'extérieur
-     * @param L direction de la lampe ; N·L est strictement positif
-     * @param R miroir de V
      * @param ns poli de la surface, dans [0, 1e9]
-     * @return dans [0, 1], fini
      */
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 

@@ -27,10 +27,8 @@ import lancer.scene.Surveillance;
  */
 final class Atelier {
 
-    /** Temps laissé au premier brouillon avant d'en montrer ce qui est dessiné, en nanosecondes. */
+    /** Temps laissé au premier brouillon avant d'en montrer un morceau ; plus grande image d'avant qui se garde. */
     private static final long PATIENCE_NS = 300_000_000;
-
-    /** Taille au-delà de laquelle l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
     private static final int PIXELS_GARDES = 16_000_000;
 
     final int fils;
@@ -225,7 +223,8 @@ final class Atelier {
         if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
                 // à défaut d'image, un morceau de brouillon vaut mieux que du gris
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
-            panneau.montrer(image);
+            panneau.montree = image;
+            panneau.repaint();
             if (montre != dessin) {
                 montre = dessin;
                 adopter();

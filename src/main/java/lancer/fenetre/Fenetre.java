@@ -274,7 +274,8 @@ public final class Fenetre {
     }
 
     private void tenir(boolean tenue) {
-        panneau.tenir(tenue ? atelier.avant : null);
+        panneau.tenue = tenue ? atelier.avant : null;
+        panneau.repaint();
         decrire();
     }
 

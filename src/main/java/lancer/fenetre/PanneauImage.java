@@ -164,12 +164,6 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
-    void tenir(ImageMemoire image) {
-        tenue = image;
-        repaint();
-    }
-
     ImageMemoire getVisible() {
         return tenue != null ? tenue : montree;
     }
@@ -252,11 +246,6 @@ final class PanneauImage extends JPanel {
         centreY = Math.max(0, Math.min(1, y));
         repaint();
         siBouge.run();
-    }
-
-    void montrer(ImageMemoire image) {
-        montree = image;
-        repaint();
     }
 
     /** Peint ceci par-dessus l'image, à l'écran seulement ; un clic sur un numéro va à {@code siChoisi}. */

@@ -43,10 +43,8 @@ public final class Recit {
         final int etape;
         final String sujet;
 
-        /** Titre qui remplace cette ligne et ses pareilles, tant qu'on ne les demande pas ; {@code null} : aucun. */
+        /** Titre qui la remplace, avec ses pareilles, tant qu'on ne les demande pas, ou null ; et si elle a changé. */
         public final String repli;
-
-        /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
         public final boolean changee;
 
         public Ligne(String texte, int etape, String sujet, String repli, boolean changee) {

@@ -58,7 +58,7 @@ public final class GraphiqueVitesse extends JPanel {
     private double xMax;
     private double yMax;
 
-    /** @param clic reçoit le réglage choisi @param siAtteint la légende du point visé @param estPresent l'image l'a */
+    /** @param clic reçoit un réglage choisi @param siAtteint la légende d'un visé @param estPresent dit s'il se voit */
     public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
         this.siAtteint = siAtteint;
         this.estPresent = estPresent;
