@@ -56,10 +56,19 @@ public final class Auto {
     public final Lancer lancer;
     private Tirage controle;
 
-    private Auto(Lancer prepare, double voulue, Limite[] limites, int fils, Map<Variante, Section> variantes,
-            Consumer<Auto> suivi) {
+    /**
+     * @param prepare la scène, prête à être dessinée
+     * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
+     * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
+     * @param variantes celles dont les réglages sont permis, chacune avec sa section
+     * @param suivi appelé dans ce fil après chaque essai
+     * @throws lancer.SceneFautive si une variante propose un réglage fautif
+     * @throws java.util.concurrent.CancellationException si ce fil est interrompu
+     */
+    public Auto(Lancer prepare, double voulue, Integer reflets, Double seuil, int fils,
+            Map<Variante, Section> variantes, Consumer<Auto> suivi) {
         this.voulue = voulue;
-        this.limites = limites;
+        limites = Limite.permises(reflets, seuil);
         essais = new Essais(prepare, fils);
         deLaScene = prepare.getScene().getModele().getEchantillonnage();
         variantes.forEach((variante, sienne) -> {
@@ -82,22 +91,6 @@ public final class Auto {
         choisi = monter(suivi);
         Modele modele = prepare.getScene().getModele().avec(choisi.echantillonnage, choisi.seuil);
         lancer = new Lancer(prepare.getScene().avec(modele), prepare.getCamera());
-    }
-
-    /**
-     * Choisit, en essayant.
-     *
-     * @param prepare la scène, prête à être dessinée
-     * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
-     * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
-     * @param variantes celles dont les réglages sont permis, chacune avec sa section
-     * @param suivi appelé dans ce fil après chaque essai
-     * @throws lancer.SceneFautive si une variante propose un réglage fautif
-     * @throws java.util.concurrent.CancellationException si ce fil est interrompu
-     */
-    public static Auto choisir(Lancer prepare, double voulue, Integer reflets, Double seuil, int fils,
-            Map<Variante, Section> variantes, Consumer<Auto> suivi) {
-        return new Auto(prepare, voulue, Limite.permises(reflets, seuil), fils, variantes, suivi);
     }
 
     /** Les rayons qui restent à cette part des essais, si le dessin est à ce prix par pixel. */
@@ -152,7 +145,6 @@ public final class Auto {
                 presente);
     }
 
-    /** Les rayons des essais, contrôle compris. */
     public long getRayonsDesEssais() {
         return essais.rayons.get();
     }

@@ -9,19 +9,15 @@ public final class Candidat {
     /** Écarts types de l'attendu au promis : neuf fois sur dix, de part et d'autre, d'une loi normale. */
     static final double PRUDENCE = 1.64;
 
-    /** Le nombre de réflexions d'un rayon, et sous quel produit des Ks un reflet n'est plus suivi. */
+    /** Réflexions, seuil des reflets, section de variante qui donne l'échantillonnage, ou null pour la scène. */
     public final int reflets;
     public final double seuil;
-
-    /** La section de variante qui donne l'échantillonnage ; {@code null} pour celui de la scène. */
     public final Section section;
 
-    /** L'erreur attendue, en niveaux, et entre quoi elle devrait être, neuf fois sur dix à peu près. */
+    /** Attendus : l'erreur, en niveaux, entre quoi elle est neuf fois sur dix, et les rayons par pixel. */
     public final double erreur;
     public final double auMoins;
     public final double auPlus;
-
-    /** Rayons de toutes sortes par pixel, attendus. */
     public final double prix;
 
     final Estimation estimation;

@@ -36,11 +36,8 @@ final class Essais {
     }
 
     /**
-     * Fait les essais de 0 à {@code nombre} − 1, ou autant que le permettent ces rayons : quelques-uns d'abord, puis ce
-     * que leur prix laisse espérer. Au-delà, tout s'arrête, dans un pixel au besoin, et les derniers ne comptent pas.
-     *
-     * @param essai ce qu'on fait de chaque rang, dans un ordre quelconque, de ce qu'un fil voit sous ces limites
-     * @return combien sont faits
+     * Fait les essais de 0 à {@code nombre} − 1, ou autant que le permettent ces rayons, et dit combien : quelques-uns
+     * d'abord, puis ce que leur prix laisse espérer. Au-delà, tout s'arrête, et les derniers ne comptent pas.
      */
     int passer(int nombre, int reflets, double seuil, double permis, BiConsumer<Integer, Vue> essai) {
         long avant = rayons.get();
@@ -72,7 +69,6 @@ final class Essais {
         return faits;
     }
 
-    /** Travail d'un fil, qui arrête l'équipe s'il passe la borne. */
     private Ouvrier ouvrier(Equipe equipe, int reflets, double seuil, BiConsumer<Integer, Vue> essai) {
         Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
         sien.getScene().getModele().setSeuil(seuil);

@@ -12,28 +12,21 @@ import lancer.contrat.Pave;
 /** Pixels semés dans l'image par petits carreaux, et un rayon de chacun : où l'erreur doit être. */
 final class Semis {
 
-    private static final double NIVEAUX = 255;
-
-    /** Côté d'un carreau, en pixels, et combien en semer. */
+    /** Côté d'un carreau, en pixels, et combien en semer ; plus grand rayon d'un petit objet, en pixels. */
     static final int COTE = 6;
     private static final int CARREAUX = 1000;
-
-    /** Rayon d'un petit objet, en pixels, au plus. */
     private static final double PETIT = 1;
 
     final int largeur;
 
-    /** Pixels, dans l'ordre de la lecture, carreau après carreau ; et ce qu'un rayon sans limite voit en chacun. */
+    /** Pixels, carreau après carreau ; ce qu'un rayon sans limite voit en chacun ; son prix, tous rayons comptés. */
     final int[] pixels;
     final double[][] niveaux;
-
-    /** Prix d'un rayon de l'écran sans limite, en rayons de toutes sortes. */
     final double prix;
 
     /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène le sait. */
     final BitSet petits = new BitSet();
 
-    /** Sème autant de carreaux que le permettent ces rayons. */
     Semis(Essais essais, double permis) {
         Camera camera = essais.prepare.getCamera();
         largeur = camera.getLargeur();
@@ -77,7 +70,7 @@ final class Semis {
     /** Les trois composantes, limitées et en niveaux. */
     static double[] niveaux(Couleur couleur) {
         return Arrays.stream(new double[] {couleur.r, couleur.v, couleur.b})
-                .map(composante -> NIVEAUX * Math.max(0, Math.min(1, composante))).toArray();
+                .map(composante -> 255 * Math.max(0, Math.min(1, composante))).toArray();
     }
 
     /** La moyenne de (x − a)(x − b) : sans biais, le carré de l'écart de x à ce que a et b, indépendants, estiment. */

@@ -17,10 +17,9 @@ import lancer.contrat.Vue;
 
 /**
  * Quelques pixels d'un semis, tirés avec une probabilité qui croît avec leur contraste (tirage systématique à
- * probabilités inégales, Madow, 1949) : un pixel de ciel n'apprend rien, un pixel de bord beaucoup. Chaque mesure est
- * divisée par sa probabilité : leur somme est sans biais (Horvitz et Thompson, 1952). Les pixels des petits objets sont
- * une strate à part. Deux références indépendantes disent la couleur juste de chacun. Les pixels sont dans un ordre au
- * hasard : si les rayons ne suffisent pas à tous, les premiers en sont un tirage encore.
+ * probabilités inégales, Madow, 1949). Chaque mesure est divisée par sa probabilité : la somme est sans biais (Horvitz
+ * et Thompson, 1952). Les pixels des petits objets sont une strate à part. Deux références indépendantes disent la
+ * couleur de chacun. Ils sont dans un ordre au hasard : les premiers, si les rayons manquent, en sont un tirage encore.
  */
 final class Tirage {
 
@@ -58,11 +57,7 @@ final class Tirage {
         long lances;
     }
 
-    /**
-     * @param debut de 0 à 1 : un autre tire d'autres pixels
-     * @param erreur qu'il s'agit de mesurer, en niveaux : plus elle est petite, plus les références ont de points
-     * @param permis rayons ; moins de pixels ont leurs références s'ils n'y suffisent pas
-     */
+    /** @param debut de 0 à 1 : un autre tire ailleurs @param erreur à mesurer, en niveaux @param permis rayons */
     Tirage(Essais essais, Semis semis, double debut, double erreur, double permis) {
         this.essais = essais;
         this.semis = semis;
@@ -160,7 +155,6 @@ final class Tirage {
                 / pixels.stream().limit(dessines).mapToDouble(pixel -> pixel.partDeLImage).sum();
     }
 
-    /** L'erreur du dernier dessin de ces pixels. */
     Estimation erreur() {
         double fois = (double) pixels.size() / dessines;
         double somme = 0;

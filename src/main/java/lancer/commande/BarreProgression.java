@@ -27,16 +27,11 @@ public final class BarreProgression extends TimerTask {
     private boolean visible;
     private boolean effacee;
 
-    private BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
+    /** @param avancement la part faite, de 0 à 1 */
+    public BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
         this.avancement = avancement;
         this.terminal = terminal;
-    }
-
-    /** @param avancement la part faite, de 0 à 1 */
-    public static BarreProgression commencer(DoubleSupplier avancement, PrintStream terminal) {
-        BarreProgression barre = new BarreProgression(avancement, terminal);
-        barre.horloge.schedule(barre, PERIODE_MS, PERIODE_MS);
-        return barre;
+        horloge.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
     /** Dit si l'erreur standard est un terminal : ailleurs, dans un fichier ou un tube, une barre se lirait. */

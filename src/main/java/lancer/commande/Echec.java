@@ -1,20 +1,14 @@
 package lancer.commande;
 
-/**
- * Le programme ne peut pas faire ce qu'on lui demande : un message d'une ligne, et un statut de sortie. Le statut est 0
- * si tout est fait ; après Ctrl+C, la machine virtuelle rend 130.
- */
+/** Une demande qui ne peut être faite : un message d'une ligne, et un statut de sortie. */
 public final class Echec extends RuntimeException {
 
-    /** La machine n'a pas pu : disque plein, sortie impossible à écrire, mémoire épuisée, pas d'écran. */
+    /** La machine n'a pas pu (disque, mémoire, écran), ou la demande était fausse (option, valeur, scène). */
     public static final int PANNE = 1;
-
-    /** La demande était fausse : option, valeur, scène. */
     public static final int DEMANDE = 2;
 
     private static final long serialVersionUID = 1;
 
-    /** Le statut de sortie. */
     public final int code;
 
     private Echec(int code, String message) {

@@ -83,17 +83,13 @@ public final class Options {
     public boolean auto;
     public double erreurVoulue;
 
-    /** L'image à laquelle comparer, {@code null} si aucune. */
+    /** L'image à laquelle comparer, ou null ; l'écart permis, en niveaux ; la part, de 0 à 1, qui peut le dépasser. */
     public String comparer;
-
-    /** Le plus grand écart permis, en niveaux, et la part des pixels, de 0 à 1, qui peuvent le dépasser. */
     public double tolerance;
     public double part;
 
-    /** Les variantes présentes à débrancher. */
+    /** Les variantes présentes à débrancher, et la scène, {@code null} si aucune n'est nommée. */
     public List<String> sans = Collections.emptyList();
-
-    /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
 
     /** Chaque option donnée, et sa valeur : vide si elle n'en prend pas, ou si elle est oubliée. */
@@ -113,14 +109,12 @@ public final class Options {
         return options;
     }
 
-    /** Le texte de {@code --aide}. */
     public static String getAide() {
         try (Scanner texte = new Scanner(Options.class.getResourceAsStream("aide.txt"), "UTF-8")) {
             return texte.useDelimiter("\\n\\z").next();
         }
     }
 
-    /** Le texte de {@code --version}. */
     public static String getVersion() {
         String version = Options.class.getPackage().getImplementationVersion();
         return "lancer " + (version != null ? version : "(non empaqueté)");
@@ -135,7 +129,6 @@ public final class Options {
         return image != null || lineaire != null;
     }
 
-    /** Vrai si cette option est sur la ligne de commande. */
     public boolean estDonnee(String nom) {
         return donnees.containsKey(nom);
     }
@@ -254,7 +247,6 @@ public final class Options {
         exiger(part >= 0 && part <= 1, "--part");
     }
 
-    /** Refuse les options qui ne vont pas ensemble, ou pas seules. */
     private void accorder() {
         if (pixel) {
             refuser(SANS_PIXEL, "--pixel ne va pas avec %s");
@@ -333,7 +325,6 @@ public final class Options {
         return Nombre.lire(texte);
     }
 
-    /** Les deux {@link #chiffres} autour du premier séparateur. */
     private static double[] deuxEntiers(String texte, char separateur) {
         int k = texte.indexOf(separateur);
         return k < 0 ? new double[] {-1, -1}

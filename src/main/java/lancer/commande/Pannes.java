@@ -23,7 +23,6 @@ public final class Pannes {
                 : panne instanceof SceneFautive ? Echec.DEMANDE : Echec.PANNE;
     }
 
-    /** Message d'une panne. */
     public static String message(Throwable panne) {
         if (panne instanceof Echec || panne instanceof SceneFautive) {
             return panne.getMessage();
@@ -37,7 +36,6 @@ public final class Pannes {
         return "échec du programme : " + Texte.cause(panne, Texte.HORS_DE_JAVA);
     }
 
-    /** Dit ces messages, une ligne chacun. */
     public static void avertir(List<String> messages, PrintStream erreur) {
         for (String message : messages) {
             erreur.println("lancer : " + Texte.echappe(message));
@@ -65,12 +63,7 @@ public final class Pannes {
         }
     }
 
-    /**
-     * Une ligne : le pixel et la scène, la cause la plus profonde et l'endroit du code, et la commande qui dessine ce
-     * pixel de nouveau, avec ces options et cette taille, en pixels.
-     *
-     * @param classes où situer l'échec : voir {@link Texte#cause}
-     */
+    /** Ligne qui dit le pixel, {@link Texte#cause} de son échec dans ces classes, et la commande pour le revoir. */
     public static String duPixel(PixelFautif panne, String[] classes, String options, String scene, int largeur,
             int hauteur) {
         return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "

@@ -3,10 +3,8 @@ package lancer.contrat;
 /** Un barreau de l'échelle d'une variante : un réglage, et ce qu'il donne sur une scène ordinaire. Immuable. */
 public final class Barreau {
 
-    /** Les valeurs du réglage, pour {@link Variante#installer}. */
+    /** Les valeurs du réglage, son erreur ordinaire, en niveaux, et son prix, en fois celui d'un rayon par pixel. */
     public final Section section;
-
-    /** Erreur ordinaire de ce réglage, en niveaux, et son prix, en fois celui d'un rayon par pixel. */
     public final double erreur;
     public final double prix;
 

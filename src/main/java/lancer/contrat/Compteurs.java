@@ -3,28 +3,17 @@ package lancer.contrat;
 /** Comptes d'un fil qui dessine. Chaque fil a les siens, additionnés à la fin. */
 public final class Compteurs {
 
-    /** Rayons partis de l'écran. */
+    /** Rayons partis de l'écran, rayons d'ombre (une lampe est-elle cachée d'un contact ?), rayons réfléchis. */
     public long primaires;
-
-    /** Rayons d'ombre : questions « cette lampe est-elle cachée de ce contact ? ». */
     public long ombre;
-
-    /** Rayons réfléchis. */
     public long reflechis;
 
-    /** Intersections d'un rayon et d'une sphère calculées. */
+    /** Intersections calculées, et celles que leur forme directe laissait en doute, sauf dans les boucles du cours. */
     public long testsSpheres;
-
-    /**
-     * Intersections que leur forme directe laissait en doute, reprises par
-     * {@link lancer.precision.IntersectionCompensee}. Les boucles du cours ne les comptent pas.
-     */
     public long testsPrecis;
 
-    /** Nœuds ou cases de structures de recherche visités. */
+    /** Nœuds ou cases de structures de recherche visités, et pixels que l'échantillonnage a raffinés. */
     public long noeudsVisites;
-
-    /** Pixels que l'échantillonnage a raffinés. */
     public long pixelsRaffines;
 
     public void ajouter(Compteurs autres) {

@@ -5,9 +5,8 @@ import lancer.Camera;
 import lancer.Objet3D;
 
 /**
- * Passage des points de l'écran aux pixels : où prendre la couleur de chaque pixel d'un pavé, s'il y faut plus que le
- * rayon de son centre. Un pavé entier à la fois, pour que des pixels voisins puissent partager des points. Appelé par
- * tous les fils à la fois : un échantillonnage n'a pas d'état.
+ * Points de l'écran dont viennent les couleurs d'un pavé, s'il y faut plus que le centre de chaque pixel : un pavé
+ * entier, où des voisins partagent des points. Appelé par tous les fils à la fois, un échantillonnage n'a pas d'état.
  */
 public interface Echantillonnage {
 

@@ -1,8 +1,6 @@
 package lancer.contrat;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -13,29 +11,24 @@ import lancer.Vecteur;
 /**
  * Récit d'un point de l'écran, que font les classes du cours en calculant sa couleur, à qui le demande ; d'ordinaire
  * personne, et {@code e} est {@code null}. Un rayon se dit dans l'ordre : son contact, les lampes, le reflet (donc le
- * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}.
- *
- * <p>Un récit ne garde que des copies : un objet qu'on lui donnerait n'aurait plus le droit de ne vivre que dans les
- * registres, même quand personne n'écoute. Et qui calcule ne nomme pas {@link Etape} dans ses signatures : tant que
- * personne n'écoute, cette classe n'est pas chargée, et ce qui la nomme ne se compile pas avec ce qui l'appelle.
+ * rayon suivant, en entier), et enfin ce qu'il voit. Ce qui n'a pas été calculé reste {@code null}. Un récit ne garde
+ * que des copies, et qui calcule ne nomme pas {@link Etape} dans ses signatures : ne pas écouter ne coûte rien.
  */
 public final class Ecoute {
 
     /** Rayons, dans l'ordre où ils sont partis. */
     public final List<Etape> etapes = new ArrayList<>();
-    private final Deque<Etape> ouvertes = new ArrayDeque<>();
+    private Etape enCours;
 
     /** Vue d'un rayon : un contact et ses lampes, ou le ciel. */
     public static final class Etape {
 
-        /** Rang dans la chaîne, 1 pour le rayon parti de l'écran. */
+        /** Rang dans la chaîne, depuis 1 ; direction ; contact, {@code null} pour le ciel ; longueur, alors +∞. */
         public final int numero;
-
-        /** Direction du rayon. */
         public final Vecteur V;
-
-        /** Contact rencontré, {@code null} pour le ciel. */
         public final PointContact contact;
+        public final double distance;
+        private final Etape avant;
 
         public final List<Eclairage> lampes = new ArrayList<>();
 
@@ -43,21 +36,21 @@ public final class Ecoute {
         public final List<Eclairage> termes = new ArrayList<>();
         public Eclairage enCours = suivre(new Eclairage(null, null, 0));
 
-        /** Normale, et miroir du rayon ; une forme qui se colore à sa façon n'en dit rien. */
+        /** Normale, miroir du rayon, et produit des Ks si un reflet était permis ; une forme peut n'en rien dire. */
         public Vecteur N;
         public Vecteur R;
-
-        /** Produit des Ks, si un reflet était permis. */
         public Couleur poids;
 
         /** Somme du contact, ou ciel ; et ce qu'en voit le rayon, à travers l'air. */
         public Couleur somme;
         public Couleur vue;
 
-        Etape(int numero, Vecteur V, PointContact contact) {
+        Etape(int numero, Vecteur V, PointContact contact, Etape avant) {
             this.numero = numero;
             this.V = V;
             this.contact = contact;
+            this.avant = avant;
+            distance = contact == null ? Constantes.INFINI : contact.distance;
         }
 
         /** Passe à ce terme : ce qui s'ajoute désormais en est, ou le suit. */
@@ -73,21 +66,14 @@ public final class Ecoute {
                     (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));
             return N == null || somme == null ? new Couleur() : somme.sub(connue);
         }
-
-        /** Longueur du rayon, +∞ si c'est le ciel. */
-        public double distance() {
-            return contact == null ? Constantes.INFINI : contact.distance;
-        }
     }
 
     /** Lampe vue d'un contact, ou reflet ; et ce qui s'ajoute, de la lampe à la suivante. */
     public static final class Eclairage {
 
-        /** La lampe, ou ce que voit le rayon réfléchi ; ni l'une ni l'autre avant la première lampe. */
+        /** La lampe, ou ce que voit le reflet ; ni l'un ni l'autre au début. Et N·(lampe − contact), positif devant. */
         public final Lampe lampe;
         public final Etape suite;
-
-        /** Produit N·(lampe − contact) : la lampe est devant la surface s'il est positif. */
         public final double devant;
 
         public double cosinus;
@@ -125,26 +111,25 @@ public final class Ecoute {
         }
     }
 
-    /** Étape du rayon dont se calcule la couleur. */
     public Etape enCours() {
-        return ouvertes.peek();
+        return enCours;
     }
 
     /** Dit un rayon de direction V, et ce qu'il rencontre d'abord : {@code null} si c'est le ciel. */
     public static void rayon(Ecoute e, Vecteur V, PointContact contact) {
         if (e != null) {
-            if (e.ouvertes.isEmpty()) {
+            if (e.enCours == null) {
                 e.etapes.clear();
             }
-            e.ouvertes.push(new Etape(e.etapes.size() + 1, new Vecteur(V.x, V.y, V.z), contact));
-            e.etapes.add(e.ouvertes.peek());
+            e.enCours = new Etape(e.etapes.size() + 1, new Vecteur(V.x, V.y, V.z), contact, e.enCours);
+            e.etapes.add(e.enCours);
         }
     }
 
     /** Dit la question d'un rayon d'ombre. {@code L} va du contact à la lampe. */
     public static void ombre(Ecoute e, Vecteur L, double distance) {
         if (e != null) {
-            Eclairage lampe = e.enCours().enCours;
+            Eclairage lampe = e.enCours.enCours;
             lampe.L = new Vecteur(L.x, L.y, L.z);
             lampe.distance = distance;
         }
@@ -153,12 +138,13 @@ public final class Ecoute {
     /** Dit ce que voit enfin le rayon : la somme de son contact, ou le ciel, puis à travers l'air. */
     public static void vue(Ecoute e, Couleur somme, Couleur vue) {
         if (e != null) {
-            Etape etape = e.ouvertes.pop();
+            Etape etape = e.enCours;
             etape.somme = new Couleur(somme.r, somme.v, somme.b);
             etape.vue = new Couleur(vue.r, vue.v, vue.b);
-            if (!e.ouvertes.isEmpty()) {
-                Etape ici = e.ouvertes.peek();
-                ici.suivre(new Eclairage(null, etape, 0)).produit = ici.contact.objet.getKs().mul(etape.vue);
+            e.enCours = etape.avant;
+            if (e.enCours != null) {
+                Couleur Ks = e.enCours.contact.objet.getKs();
+                e.enCours.suivre(new Eclairage(null, etape, 0)).produit = Ks.mul(etape.vue);
             }
         }
     }

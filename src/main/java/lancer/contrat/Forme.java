@@ -3,28 +3,18 @@ package lancer.contrat;
 import lancer.Objet3D;
 
 /**
- * Une sorte d'objets qu'un fichier de scène peut nommer. Une classe d'objets, par exemple
- * {@code class Plan extends Objet3D implements Forme}, se fait connaître par une ligne du fichier
- * {@code META-INF/services/lancer.contrat.Forme}, dans la base ou dans une variante ; {@link java.util.ServiceLoader}
- * en fait un premier objet, sans valeurs, qui ne sert qu'à lire les autres.
+ * Une sorte d'objets qu'un fichier de scène peut nommer, par exemple {@code class Plan extends Objet3D implements
+ * Forme}, inscrite dans {@code META-INF/services/lancer.contrat.Forme} de la base ou d'une variante ;
+ * {@link java.util.ServiceLoader} en fait un premier objet, sans valeurs, qui ne sert qu'à lire les autres.
  */
 public interface Forme {
 
     /** Le type de ses sections dans les fichiers de scène, par exemple {@code Plan}. */
     String getSection();
 
-    /**
-     * Les clés que demande {@link #lire}. La matière (Kd, Ks ou Kr, ns) n'en est pas : toute forme a ces clés, et
-     * elles se lisent sans elle. Toute autre clé est refusée.
-     */
+    /** Les clés que demande {@link #lire}, les seules permises avec celles de la matière (Kd, Ks ou Kr, ns). */
     String[] getCles();
 
-    /**
-     * Lit un objet.
-     *
-     * @param valeurs l'une de ses sections, qui refuse les valeurs hors de leurs limites
-     * @return un objet neuf
-     * @throws lancer.SceneFautive si une valeur ne va pas ; voir {@link Section#fautive}
-     */
+    /** Lit un objet, neuf, de cette section. @throws lancer.SceneFautive si une valeur ne va pas */
     Objet3D lire(Section valeurs);
 }

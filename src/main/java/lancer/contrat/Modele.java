@@ -4,9 +4,8 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 
 /**
- * Façon de dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer ; la
- * recherche et le seuil des reflets ; et qui écoute. Un contrat ne se prend qu'une fois : deux variantes qui veulent le
- * même ne vont pas ensemble.
+ * Façon de dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer,
+ * chacun une fois ; la recherche et le seuil des reflets ; et qui écoute.
  */
 public final class Modele {
 

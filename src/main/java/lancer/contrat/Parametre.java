@@ -6,24 +6,16 @@ import java.util.Collections;
 import java.util.List;
 import lancer.texte.Nombre;
 
-/**
- * Une clé de la section d'une variante, que la fenêtre laisse régler à la souris. L'intervalle est celui où il est
- * utile de la promener ; le fichier de scène peut donner toute valeur que la variante accepte. Immuable.
- */
+/** Une clé de variante, que la fenêtre règle dans un intervalle utile ; un fichier peut en sortir. Immuable. */
 public final class Parametre {
 
+    /** La clé, sa valeur par défaut, telle qu'on l'écrirait, et la clé qui ne va pas avec elle, ou {@code null}. */
     public final String cle;
-
-    /** La valeur là où la section ne la donne pas, telle qu'on l'écrirait ; {@code null} s'il n'y en a pas. */
     public final String defaut;
-
-    /** Les mots entre lesquels choisir ; vide si ce n'est pas un mot. */
-    public final List<String> mots;
-
-    /** La clé qui ne va pas avec celle-ci, {@code null} s'il n'y en a pas. */
     public final String autre;
 
-    /** Nombre de pas d'un bout à l'autre de l'intervalle d'un nombre. */
+    /** Les mots entre lesquels choisir, vide si ce n'en est pas un ; le nombre de pas de l'intervalle d'un nombre. */
+    public final List<String> mots;
     public final int crans;
     private final BigDecimal min;
     private final BigDecimal pas;

@@ -6,11 +6,9 @@ public final class Pave {
     /** Côté d'un pavé du dessin, en pixels ; les pavés du bord sont plus petits. */
     public static final int COTE = 32;
 
-    /** Première colonne et première ligne. */
+    /** Première colonne et première ligne, puis celles qui suivent les dernières. */
     public final int i0;
     public final int j0;
-
-    /** Colonne et ligne qui suivent les dernières. */
     public final int i1;
     public final int j1;
 
@@ -38,10 +36,7 @@ public final class Pave {
         return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
     }
 
-    /**
-     * Le k-ième pavé de ce côté dans un ordre qui saute d'un bout à l'autre de l'image : si elle commence par du ciel,
-     * ce qui se dessine d'abord ressemble quand même à tout le reste.
-     */
+    /** Le k-ième pavé de ce côté, dans un ordre qui saute d'un bout à l'autre : les premiers ressemblent à l'image. */
     public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
         int nombre = nombre(largeur, hauteur, cote);
         // environ la part d'or, et premier avec le nombre : chaque pavé une fois

@@ -4,9 +4,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import lancer.Couleur;
 
-/**
- * Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou répond ce qui n'est pas un nombre.
- */
+/** Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou ne répond pas un nombre. */
 public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -14,11 +12,9 @@ public final class PixelFautif extends RuntimeException {
     /** Pile de la première cause de chaque classe : une fois le code compilé, Java n'en donne plus aux suivantes. */
     private static final Map<Class<?>, StackTraceElement[]> PILES = new ConcurrentHashMap<>();
 
-    /** Colonne et ligne, depuis le haut à gauche. */
+    /** Colonne et ligne, depuis le haut à gauche, et le point de l'écran qui n'a pu être vu, en pixels. */
     public final int x;
     public final int y;
-
-    /** Le point de l'écran, en pixels : celui de ce pixel qui n'a pu être vu. */
     public final double xe;
     public final double ye;
 

@@ -14,18 +14,14 @@ import lancer.Vecteur;
 public interface Recherche {
 
     /**
-     * Cherche quel objet ce rayon, de direction unitaire, rencontre d'abord. Note le contact dans le rayon (+∞ si
-     * rien), sans égard à ce qui y était. De deux contacts à la même distance, celui de l'objet qui vient d'abord dans
-     * la scène ; {@code saufLui}, ou {@code null}, n'en est pas.
+     * Note dans ce rayon, de direction unitaire, son premier contact (+∞ si rien), sans égard à ce qui y était : à la
+     * même distance, celui de l'objet qui vient d'abord dans la scène ; jamais celui de {@code saufLui}.
      */
     void plusProche(Rayon incident, Objet3D saufLui);
 
     /**
-     * Un rayon d'ombre de cette lampe rencontre-t-il un autre objet avant cette distance ?
-     *
-     * @param P le départ du rayon : d'ordinaire, la lampe
-     * @param V sa direction, de longueur 1
-     * @param objet celui qui est éclairé : il ne se cache pas lui-même
+     * Un rayon d'ombre de cette lampe, parti de P (d'ordinaire, d'elle) vers V, de longueur 1, rencontre-t-il un autre
+     * objet que celui-ci, qui est éclairé, avant cette distance ?
      */
     boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet);
 

@@ -7,18 +7,16 @@ import lancer.Vecteur;
 import lancer.texte.Texte;
 
 /**
- * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Toute valeur
- * refusée l'est par une {@link SceneFautive} d'une ligne, toute clé que personne ne demande aussi.
+ * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Une valeur
+ * refusée, ou une clé que personne ne demande, l'est par une {@link SceneFautive} d'une ligne.
  */
 public abstract class Section {
 
     /** Plus grande coordonnée d'un point ou d'une direction, et plus grande longueur, en unités de la scène. */
     private static final double COORDONNEE_MAX = 1e100;
 
-    /** Le nom, tel qu'écrit entre les crochets. */
+    /** Le nom, tel qu'écrit entre les crochets, et leur ligne, 0 si la section n'est pas dans le fichier. */
     public final String nom;
-
-    /** La ligne des crochets, 0 si la section n'est pas dans le fichier. */
     public final int ligne;
 
     protected Section(String nom, int ligne) {
@@ -96,9 +94,6 @@ public abstract class Section {
 
     /** Refus de la valeur d'une clé, présente ou non : ce qui ne va pas, et ce qu'il faudrait. */
     public abstract SceneFautive fautive(String cle, String faute, String attendu);
-
-    /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
-    public abstract SceneFautive ensemble(String cle, String autre, String faute, String attendu);
 
     /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */
     public abstract String valeur(String cle);

@@ -2,10 +2,7 @@ package lancer.contrat;
 
 import lancer.Vecteur;
 
-/**
- * Le reflet d'une lampe sur une surface brillante (cours, « Éclairement spéculaire »). Appelé par tous les fils à la
- * fois : une spécularité n'a pas d'état.
- */
+/** Le reflet d'une lampe (cours, « Éclairement spéculaire »), sans état : tous les fils le demandent à la fois. */
 public interface Specularite {
 
     /** Le reflet de la base : max(0, R·L)^ns. */
@@ -18,21 +15,16 @@ public interface Specularite {
     int EXPOSANT_ENTIER_MAX = 1024;
 
     /**
-     * Part de la lumière d'une lampe que la surface reflète. Tous les vecteurs sont de longueur 1.
+     * Part de la lumière d'une lampe que la surface reflète, finie, dans [0, 1]. V suit le rayon incident, N sort de la
+     * surface, L va vers la lampe (N·L est strictement positif), R est le miroir de V, tous de longueur 1.
      *
-     * @param V direction du rayon incident
-     * @param N normale au contact, vers l'extérieur
-     * @param L direction de la lampe ; N·L est strictement positif
-     * @param R miroir de V
      * @param ns poli de la surface, dans [0, 1e9]
-     * @return dans [0, 1], fini
      */
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
     /**
-     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant jamais pour plus de 1 (deux vecteurs de longueur 1 à
-     * un arrondi près ont un produit qui peut dépasser 1) ; 0^0 = 1. L'exposant est positif ou nul ; petit et entier,
-     * il se fait par carrés successifs, à quelques unités du dernier chiffre.
+     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant, malgré les arrondis, jamais pour plus de 1 ; 0^0 = 1.
+     * L'exposant est positif ou nul ; petit et entier, il se fait par carrés, à quelques unités du dernier chiffre.
      */
     static double puissance(double cosinus, double exposant) {
         if (!(cosinus > 0 && cosinus < 1)) {

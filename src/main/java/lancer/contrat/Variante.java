@@ -6,8 +6,7 @@ import java.util.List;
 /**
  * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
  * {@link Specularite} ou {@link Echantillonnage}) et se fait connaître par une ligne du fichier
- * {@code META-INF/services/lancer.contrat.Variante} ; {@link java.util.ServiceLoader} la trouve, et la base n'en sait
- * rien de plus.
+ * {@code META-INF/services/lancer.contrat.Variante}, où {@link java.util.ServiceLoader} la trouve.
  */
 public interface Variante {
 
@@ -30,10 +29,8 @@ public interface Variante {
     }
 
     /**
-     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante : ils
-     * ne diffèrent que par la précision et le prix. Du moins cher au plus juste.
-     *
-     * @param sienne sa section, d'où viennent celles des réglages : {@link Section#sansFichier}
+     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante, du
+     * moins cher au plus juste, faits de {@code sienne} par {@link Section#sansFichier}.
      */
     default List<Barreau> getEchelle(Section sienne) {
         return Collections.emptyList();

@@ -5,11 +5,7 @@ import lancer.Couleur;
 /** Ce que voit un fil à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
 public interface Vue {
 
-    /**
-     * @param xe en pixels depuis la gauche ; le centre du pixel i est i + 0,5
-     * @param ye en pixels depuis le haut
-     * @return la couleur, non limitée
-     */
+    /** La couleur, non limitée, de ce point, en pixels depuis la gauche et le haut ; le centre du pixel i : i + 0,5. */
     Couleur couleur(double xe, double ye);
 
     /** Note ces rayons, lancés par ce fil sans passer par cette vue. */

@@ -86,7 +86,7 @@ public final class SansFenetre {
         Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur,
                 options.image != null, options.lineaire != null));
         long debut = System.nanoTime();
-        Auto auto = options.auto ? Auto.choisir(prepare, options.erreurVoulue,
+        Auto auto = options.auto ? new Auto(prepare, options.erreurVoulue,
                 options.estDonnee("--reflets") || options.etape != Etape.REFLETS ? profondeur : null,
                 options.estDonnee("--seuil") ? options.seuil : null,
                 options.fils, dessin.getReglages().getEssayees(), enCours -> { }) : null;
@@ -142,7 +142,7 @@ public final class SansFenetre {
     private long[] tracer(Lancer lancer, Toile surveillee, int reflets) {
         long[] traces = new long[options.repeter];
         BarreProgression barre = !BarreProgression.surUnTerminal() ? null
-                : BarreProgression.commencer(lancer::getAvancement, erreur);
+                : new BarreProgression(lancer::getAvancement, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
                 lancer.TracerPixels(surveillee, reflets, options.fils);

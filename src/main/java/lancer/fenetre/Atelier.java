@@ -2,7 +2,6 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -23,19 +22,15 @@ import lancer.image.ImageMemoire;
 import lancer.scene.Surveillance;
 
 /**
- * La vie d'un dessin dans la fenêtre : il commence, sa scène se lit, son brouillon puis son image se montrent, il
- * s'achève, s'arrête, ou dit pourquoi il n'a pu se faire. La scène montrée le reste tant que rien ne se voit d'une
- * autre. {@link Tracage} travaille ailleurs ; ici, tout s'appelle, et répond, dans le fil des événements.
+ * La vie d'un dessin dans la fenêtre, jusqu'à sa fin, son arrêt ou sa panne. La scène montrée le reste tant que rien ne
+ * se voit d'une autre. {@link Tracage} travaille ailleurs ; ici, tout s'appelle dans le fil des événements.
  */
 final class Atelier {
 
-    /** Temps laissé au premier brouillon avant d'en montrer ce qui est dessiné, en nanosecondes. */
+    /** Temps laissé au premier brouillon avant d'en montrer un morceau ; plus grande image d'avant qui se garde. */
     private static final long PATIENCE_NS = 300_000_000;
-
-    /** Taille au-delà de laquelle l'image d'avant ne se garde pas : elle prendrait autant que celle de maintenant. */
     private static final int PIXELS_GARDES = 16_000_000;
 
-    /** Le nombre de fils d'un dessin. */
     final int fils;
     private final Dessin premier;
     private final Consumer<Dessin> programme;
@@ -46,41 +41,28 @@ final class Atelier {
     private final List<Runnable> prevenus = new ArrayList<>();
 
     // ce qui suit se lit de toute la fenêtre, et ne s'écrit qu'ici
-    /**
-     * Le fichier de la scène montrée, ou de la première si elle est fautive : celui du titre, de F5 et de la
-     * surveillance ; {@code null} avant le premier.
-     */
+    /** Le fichier du titre, de F5 et de la surveillance : la scène montrée, ou la première si elle est fautive. */
     String fichier;
     /** Le dernier dessin commencé, et le premier de la scène montrée ; {@code null} s'il n'y en a pas. */
     Tracage courant;
     Tracage adopte;
     /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
     ReglagesDessin reglages;
-    /**
-     * Vrai tant qu'un dessin est en cours, lecture et préparation comprises ; faux seulement quand {@link #finir} est
-     * passé : il peut être fini un instant avant qu'on le sache ici.
-     */
+    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises, et que {@link #finir} n'est pas passé. */
     boolean enCours;
     /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
     Dessin montre;
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
-    /** Le dernier dessin dont la scène s'est lue sans faute. */
+    /** Les derniers dessins dont la scène s'est lue sans faute, et dont un pixel lent s'est dit. */
     private Tracage lu;
-    /** Le dernier dessin dont un pixel lent s'est dit. */
     private Tracage lent;
-    /** La dernière image achevée. */
     private ImageMemoire complete;
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
 
-    /**
-     * @param premier le premier dessin, dont sont faits ceux d'autres scènes
-     * @param programme ce qui dessine, dans le fil qui le demande
-     * @param dessins le fil où l'on dessine, une image à la fois
-     * @param taille celle où la dessiner, en pixels
-     */
+    /** @param premier dessin, dont sont faits ceux d'autres scènes @param programme qui dessine, dans ce fil-là */
     Atelier(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
             Supplier<Dimension> taille) {
         this.premier = premier;
@@ -133,7 +115,6 @@ final class Atelier {
         return complete == panneau.montree ? complete : null;
     }
 
-    /** Suit un dessin déjà commencé. */
     void commencer(Tracage tracage) {
         courant = tracage;
         if (tracage.dessin.getLue() != null) {
@@ -143,13 +124,13 @@ final class Atelier {
     }
 
     /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
-    void ouvrir(File scene) {
-        dessiner(scene.getPath());
+    void ouvrir(String scene) {
+        retenir();
+        lancer(premier.pour(scene, taille.get().width, taille.get().height));
     }
 
-    /** Relit la scène montrée et la redessine. */
     void relire() {
-        dessiner(fichier);
+        ouvrir(fichier);
     }
 
     /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
@@ -172,7 +153,6 @@ final class Atelier {
         }
     }
 
-    /** Redessine, si ce n'est plus à cette taille qu'il faut dessiner. */
     void ajuster() {
         Dimension voulue = taille.get();
         if (adopte != null && (voulue.width != courant.dessin.largeur || voulue.height != courant.dessin.hauteur)) {
@@ -187,7 +167,6 @@ final class Atelier {
         }
     }
 
-    /** Arrête tout : plus aucun dessin. */
     void terminer() {
         if (courant != null) {
             courant.arreter();
@@ -200,12 +179,6 @@ final class Atelier {
         // une scène qui se lit, et ne se voit pas encore, passe avant
         boolean autre = enCours && courant.aLire && courant != adopte;
         lancer((autre ? courant : adopte).dessin.avec(taille.get().width, taille.get().height));
-    }
-
-    /** Lit cette scène et la dessine. */
-    private void dessiner(String aLire) {
-        retenir();
-        lancer(premier.pour(aLire, taille.get().width, taille.get().height));
     }
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
@@ -250,7 +223,8 @@ final class Atelier {
         if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
                 // à défaut d'image, un morceau de brouillon vaut mieux que du gris
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
-            panneau.montrer(image);
+            panneau.montree = image;
+            panneau.repaint();
             if (montre != dessin) {
                 montre = dessin;
                 adopter();
@@ -281,7 +255,6 @@ final class Atelier {
         prevenus.forEach(Runnable::run);
     }
 
-    /** Le dessin est achevé, arrêté, ou n'a pas pu se faire. */
     private void finir() {
         enCours = false;
         courant.vue.countDown();

@@ -21,10 +21,7 @@ import javax.swing.Timer;
 import javax.swing.UIManager;
 import lancer.texte.Texte;
 
-/**
- * Messages de la fenêtre, par-dessus le bas de l'image, sur autant de lignes qu'il y tient ; invisible s'il n'y a
- * rien à dire. La faute de la scène reste tant qu'elle y est, et les autres messages viennent dessous.
- */
+/** Messages de la fenêtre, par-dessus le bas de l'image : la faute de la scène, tant qu'elle y est, puis les autres. */
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
 
@@ -38,7 +35,6 @@ final class Bandeau extends JTextArea {
     private static final int MARGE_H = 10;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(Sujet.AVIS, ""));
-    /** Action qui copie ce qui se lit. */
     final Action copie = new AbstractAction("Copier le message") {
         @Override
         public void actionPerformed(ActionEvent e) {
@@ -70,7 +66,6 @@ final class Bandeau extends JTextArea {
         setComponentPopupMenu(menu);
     }
 
-    /** Une étiquette de plusieurs lignes. */
     static JTextArea etiquette(String nom) {
         JTextArea etiquette = new JTextArea(" ");
         etiquette.setName(nom);

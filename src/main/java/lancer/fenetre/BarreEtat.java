@@ -29,7 +29,6 @@ final class BarreEtat extends JPanel {
     private final JTextArea resume = Bandeau.etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JButton bouton = new JButton("Redessiner");
-    /** Un carré de la couleur du pixel. */
     private final JLabel pastille = new JLabel("    ");
     private final int largeurMin;
     /** La largeur de la fenêtre, et la hauteur qu'il y a fallu. */
@@ -64,10 +63,7 @@ final class BarreEtat extends JPanel {
                 * resume.getFontMetrics(resume.getFont()).charWidth('0') / Math.max(largeurMin, image));
     }
 
-    /**
-     * Taille où se lit tout le résumé. La barre ne rapetisse qu'avec la fenêtre : une image qui remplit le reste se
-     * redessinerait sans fin.
-     */
+    /** Taille où se lit tout le résumé, et qui ne rapetisse qu'avec la fenêtre : l'image se redessinerait sans fin. */
     @Override
     public Dimension getPreferredSize() {
         if (getParent().getWidth() != largeur) {
@@ -90,8 +86,7 @@ final class BarreEtat extends JPanel {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        resume.setText(image == null ? " "
-                : image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + cout);
+        resume.setText(image == null ? " " : image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + cout);
         return resume.getText();
     }
 

@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.InputMap;
@@ -63,7 +64,7 @@ final class Dialogues {
         }
     }
 
-    /** Pose, avant le premier dialogue, les textes des siens : selon Java, il en manque en français. */
+    /** Pose, avant le premier dialogue, ses textes : selon Java, il en manque en français. */
     private static void traduire() {
         for (String[] texte : lire("dialogues.txt")) {
             UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);
@@ -80,7 +81,6 @@ final class Dialogues {
         }
     }
 
-    /** Place qu'une fenêtre peut prendre à l'écran. */
     static Rectangle ecran() {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
@@ -105,6 +105,15 @@ final class Dialogues {
         return touches;
     }
 
+    /** Action qui fait cette fenêtre, une seule fois, et la montre à côté. */
+    static Runnable aLaDemande(Supplier<Window> fenetre) {
+        Window[] faite = new Window[1];
+        return () -> {
+            faite[0] = faite[0] == null ? fenetre.get() : faite[0];
+            aCote(faite[0]);
+        };
+    }
+
     /** Montre cette fenêtre à côté de celle dont elle dépend, qui laisse la place qu'elle peut, et des autres. */
     static void aCote(Window fenetre) {
         if (!fenetre.isVisible()) {
@@ -122,11 +131,7 @@ final class Dialogues {
         fenetre.setVisible(true);
     }
 
-    /**
-     * La place d'une fenêtre dans l'écran : là où elle cache le moins des autres, puis du cadre ; plutôt à droite.
-     *
-     * @param prises la place des autres
-     */
+    /** La place d'une fenêtre dans l'écran : où elle cache le moins les autres, puis le cadre ; plutôt à droite. */
     static Point place(Dimension taille, Rectangle ecran, Rectangle cadre, List<Rectangle> prises) {
         List<Integer> xs = new ArrayList<>(Arrays.asList(cadre.x + cadre.width, ecran.x + ecran.width - taille.width,
                 ecran.x));
@@ -141,7 +146,6 @@ final class Dialogues {
                 .map(Rectangle::getLocation).orElse(ecran.getLocation());
     }
 
-    /** Les pixels de l'autre que cache cette place. */
     private static double cache(Rectangle place, Rectangle autre) {
         Rectangle commun = place.intersection(autre);
         return commun.isEmpty() ? 0 : (double) commun.width * commun.height;

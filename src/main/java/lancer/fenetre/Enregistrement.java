@@ -33,7 +33,6 @@ final class Enregistrement {
         this.bandeau = bandeau;
     }
 
-    /** Met l'image dans le presse-papiers. */
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
@@ -107,7 +106,6 @@ final class Enregistrement {
         });
     }
 
-    /** Appelle {@code fin} quand tout est écrit. */
     void terminer(Runnable fin) {
         disque.execute(fin);
         disque.shutdown();

@@ -49,16 +49,13 @@ import lancer.image.ImageMemoire;
 
 /**
  * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des
- * événements ne calcule pas, ne lit pas, n'écrit pas et n'attend pas ; une horloge lui fait regarder trente fois par
- * seconde où en est le dessin.
+ * événements ne calcule, ne lit, n'écrit ni n'attend : une horloge lui fait regarder où en est le dessin.
  */
 @SuppressWarnings("serial")
 public final class Fenetre {
 
-    /** Temps entre deux regards sur le dessin en cours, en millisecondes. */
+    /** Temps entre deux regards sur le dessin en cours, et sans changement de taille avant de redessiner. */
     private static final int PERIODE_MS = 33;
-
-    /** Temps sans changement de taille avant de redessiner à la nouvelle, en millisecondes. */
     private static final int REPOS_MS = 200;
 
     final JFrame cadre = new Cadre();
@@ -79,9 +76,7 @@ public final class Fenetre {
     private JCheckBoxMenuItem plein;
     /** Place du cadre avant le plein écran. */
     private Rectangle place;
-    /** L'inspecteur, dès qu'on l'a demandé ; {@code null} avant. */
     private Inspecteur inspecteur;
-    private Window touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
             ExecutorService dessins, Runnable fin) {
@@ -105,10 +100,8 @@ public final class Fenetre {
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         aide.setMnemonic(KeyEvent.VK_I);
-        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
-            touches = touches == null ? Dialogues.touches(cadre) : touches;
-            Dialogues.aCote(touches);
-        });
+        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1),
+                Dialogues.aLaDemande(() -> Dialogues.touches(cadre)));
         cadre.setJMenuBar(menus);
     }
 
@@ -123,7 +116,6 @@ public final class Fenetre {
         return menu;
     }
 
-    /** La taille où l'image se dessine, celle où elle se montre, et le plein écran. */
     private JMenu menuAffichage() {
         JMenu menu = Menus.menu("Affichage");
         ButtonGroup tailles = new ButtonGroup();
@@ -163,7 +155,6 @@ public final class Fenetre {
         cadre.setVisible(true);
     }
 
-    /** Branche ce à quoi la fenêtre répond, en plus de ses menus. */
     private void ecouter() {
         cadre.getRootPane().setTransferHandler(new Depot());
         Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
@@ -209,7 +200,6 @@ public final class Fenetre {
         }
     }
 
-    /** Ouvre la scène dont on dépose le fichier sur la fenêtre. */
     private final class Depot extends TransferHandler {
 
         @Override
@@ -222,7 +212,7 @@ public final class Fenetre {
             try {
                 List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (fichiers.size() == 1) {
-                    atelier.ouvrir((File) fichiers.get(0));
+                    atelier.ouvrir(((File) fichiers.get(0)).getPath());
                 } else {
                     panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
                 }
@@ -233,13 +223,11 @@ public final class Fenetre {
         }
     }
 
-    /** La taille où dessiner l'image, en pixels. */
     private Dimension getTaille() {
         return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee.width, demandee.height)
                 : demandee;
     }
 
-    /** Entre dans le plein écran, ou en sort. */
     private void basculer() {
         boolean entre = plein.isSelected();
         GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
@@ -263,7 +251,7 @@ public final class Fenetre {
     private void choisirScene() {
         File choisi = Dialogues.choisirScene(cadre, atelier.fichier);
         if (choisi != null) {
-            atelier.ouvrir(choisi);
+            atelier.ouvrir(choisi.getPath());
         }
     }
 
@@ -277,7 +265,6 @@ public final class Fenetre {
         }
     }
 
-    /** Mène l'inspecteur au pixel qui est sous la souris, ou au milieu. */
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
@@ -286,13 +273,12 @@ public final class Fenetre {
         }
     }
 
-    /** Montre l'image d'avant, ou de nouveau celle de maintenant. */
     private void tenir(boolean tenue) {
-        panneau.tenir(tenue ? atelier.avant : null);
+        panneau.tenue = tenue ? atelier.avant : null;
+        panneau.repaint();
         decrire();
     }
 
-    /** Arrête le dessin en cours ; sinon ferme la fenêtre d'à côté. */
     private void echapper() {
         if (atelier.enCours) {
             atelier.arreter();
@@ -310,10 +296,7 @@ public final class Fenetre {
                 .reduce(null, (une, autre) -> une != null && une.isFocused() ? une : autre);
     }
 
-    /**
-     * Une touche dont rien n'a été fait est un caractère du cadre ou, d'une fenêtre d'à côté, une de ses touches ; mais
-     * elle n'y ouvre pas un menu.
-     */
+    /** Une touche dont rien n'a été fait, même à côté, est un caractère du cadre ou une de ses touches, hors menus. */
     private boolean renvoyer(KeyEvent e) {
         boolean aCote = aCote() != null && aCote().isFocused();
         boolean libre = !e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10;
@@ -347,7 +330,6 @@ public final class Fenetre {
         cadre.dispose();
     }
 
-    /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
         if (atelier.enCours) {
             horloge.start();
@@ -378,7 +360,6 @@ public final class Fenetre {
         }
     }
 
-    /** Dit où en est le dessin : au bas de la fenêtre, et en plein écran sur l'image. */
     private void avancer() {
         barre.avancer(atelier.courant);
         if (plein.isSelected()) {

@@ -28,7 +28,6 @@ import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultCaret;
 import javax.swing.text.DefaultStyledDocument;
-import javax.swing.text.MutableAttributeSet;
 import javax.swing.text.SimpleAttributeSet;
 import javax.swing.text.StyleConstants;
 import lancer.Camera;
@@ -43,10 +42,7 @@ import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.texte.Nombre;
 
-/**
- * Explication de la couleur d'un pixel, dans une fenêtre à côté de l'image, qui le suit d'un dessin à l'autre. Tout se
- * calcule dans un fil à part.
- */
+/** Explication d'un pixel, dans une fenêtre à côté, qui le suit d'un dessin à l'autre ; un fil à part la calcule. */
 @SuppressWarnings("serial")
 final class Inspecteur extends JDialog {
 
@@ -162,7 +158,6 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    /** Ouvre la fenêtre sur ce pixel, ou l'y mène. */
     void montrer(Point voulu) {
         pixel = voulu;
         camera = null;
@@ -197,7 +192,6 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    /** Caché, il n'explique plus rien. */
     @Override
     public void setVisible(boolean visible) {
         super.setVisible(visible);
@@ -275,7 +269,7 @@ final class Inspecteur extends JDialog {
 
     /** Ajoute une ligne ; sa suite, si elle est trop longue, garde son retrait. */
     private void ajouter(DefaultStyledDocument document, Recit.Ligne ligne) {
-        MutableAttributeSet style = new SimpleAttributeSet();
+        SimpleAttributeSet style = new SimpleAttributeSet();
         if (ligne.changee) {
             StyleConstants.setBackground(style, CHANGE);
         }
@@ -284,7 +278,7 @@ final class Inspecteur extends JDialog {
         }
         float retrait = (ligne.texte.length() - ligne.texte.replaceFirst("^ +", "").length() + 2)
                 * texte.getFontMetrics(texte.getFont()).charWidth(' ');
-        MutableAttributeSet paragraphe = new SimpleAttributeSet();
+        SimpleAttributeSet paragraphe = new SimpleAttributeSet();
         StyleConstants.setLeftIndent(paragraphe, retrait);
         StyleConstants.setFirstLineIndent(paragraphe, -retrait);
         try {
@@ -296,7 +290,6 @@ final class Inspecteur extends JDialog {
         }
     }
 
-    /** Compare cette couleur à celle qui est dessinée, au bit près. */
     private String comparer(Couleur couleur) {
         ImageMemoire image = atelier.getImageComplete();
         if (image == null) {

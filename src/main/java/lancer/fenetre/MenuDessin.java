@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Window;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -31,8 +30,6 @@ final class MenuDessin {
     private final ButtonGroup lesEtapes = new ButtonGroup();
     private final Atelier atelier;
     private final JMenuItem arreter;
-    private Window parametres;
-    private Window vitesse;
 
     /** @param variantes les noms de celles qui sont présentes */
     MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
@@ -67,15 +64,11 @@ final class MenuDessin {
                     && atelier.reglages.estBranchee(atelier.reglages.getVariante(nom))));
         }
         if (!variantes.isEmpty()) {
-            Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2), () -> {
-                parametres = parametres == null ? new PanneauVariantes(cadre, atelier) : parametres;
-                Dialogues.aCote(parametres);
-            });
+            Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2),
+                    Dialogues.aLaDemande(() -> new PanneauVariantes(cadre, atelier)));
         }
-        Menus.siScene(atelier, menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3), () -> {
-            vitesse = vitesse == null ? new PanneauVitesse(cadre, atelier) : vitesse;
-            Dialogues.aCote(vitesse);
-        });
+        Menus.siScene(atelier, menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3),
+                Dialogues.aLaDemande(() -> new PanneauVitesse(cadre, atelier)));
         menu.addSeparator();
         Menus.siScene(atelier, menu, "Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.reglages.initiaux(), false));
@@ -86,7 +79,6 @@ final class MenuDessin {
         montrer();
     }
 
-    /** Passe à plus ou moins de réflexions, parmi celles du menu. */
     void changer(boolean plus) {
         if (atelier.reglages != null) {
             int actuel = atelier.reglages.getReflets();

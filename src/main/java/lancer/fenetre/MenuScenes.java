@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
@@ -52,13 +51,12 @@ final class MenuScenes {
         }, menu::setToolTipText);
     }
 
-    /** Les scènes du même dossier. */
     private static List<File> voisines(String fichier) {
         Path scene = FichierScene.trouver(fichier);
         String[] noms = scene.toAbsolutePath().getParent().toFile().list();
         return Arrays.stream(noms == null ? new String[0] : noms).sorted()
                 .map(nom -> scene.resolveSibling(nom).toFile())
-                .filter(f -> f.getName().toLowerCase(Locale.ROOT).endsWith(".ini") && f.isFile())
+                .filter(f -> Texte.minuscules(f.getName()).endsWith(".ini") && f.isFile())
                 .collect(Collectors.toList());
     }
 
@@ -70,7 +68,7 @@ final class MenuScenes {
         menu.removeAll();
         ButtonGroup groupe = new ButtonGroup();
         for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {
-            Menus.choix(menu, groupe, Texte.echappe(scene.getName()), null, () -> atelier.ouvrir(scene))
+            Menus.choix(menu, groupe, Texte.echappe(scene.getName()), null, () -> atelier.ouvrir(scene.getPath()))
                     .setSelected(scenes.indexOf(scene) == rang);
         }
         menu.addSeparator();
@@ -83,7 +81,7 @@ final class MenuScenes {
     private void voisine(int pas) {
         if (rang + pas >= 0 && rang + pas < voisines.size()) {
             rang += pas;
-            atelier.ouvrir(voisines.get(rang));
+            atelier.ouvrir(voisines.get(rang).getPath());
         }
     }
 }

@@ -10,7 +10,6 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
-import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.commande.Pannes;
@@ -30,10 +29,9 @@ public final class Ouverture {
      * Ouvre la fenêtre sur la scène demandée, et revient une fois celle-ci lue.
      *
      * @param dessin le premier, qui est à lire, s'il a un fichier
-     * @param programme ce qui dessine, dans le fil qui le demande
      * @param erreur où dire ce que cette première scène a de laissé de côté
      * @param fin ce que fait sa fermeture, dans un autre fil
-     * @throws SceneFautive si la scène ne peut être utilisée ; rien n'est ouvert
+     * @throws lancer.SceneFautive si la scène ne peut être utilisée ; rien n'est ouvert
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Options options, Dessin dessin, Consumer<Dessin> programme, PrintStream erreur,

@@ -26,9 +26,8 @@ import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
 
 /**
- * L'image au milieu d'un gris neutre qui ne fausse pas les couleurs, un de ses pixels sur chaque pixel de l'écran ;
- * réduite, ses proportions gardées, là où la place manque. Les places et la souris sont en pixels de l'écran, qui sont
- * plusieurs par point s'il est dense.
+ * L'image sur un gris neutre, pixel pour pixel ; réduite, ses proportions gardées, là où la place manque. Les places et
+ * la souris sont en pixels de l'écran, plusieurs par point s'il est dense.
  */
 @SuppressWarnings("serial")
 final class PanneauImage extends JPanel {
@@ -43,7 +42,6 @@ final class PanneauImage extends JPanel {
     /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
     ImageMemoire montree;
     ImageMemoire tenue;
-    /** Figure peinte par-dessus l'image ; {@code null} : aucune. */
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -56,7 +54,6 @@ final class PanneauImage extends JPanel {
     private float opacite;
     private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
 
-    /** Vrai dès qu'une image s'est vue. */
     boolean peinte;
 
     /** Grossissement de la loupe, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
@@ -167,13 +164,6 @@ final class PanneauImage extends JPanel {
         repaint();
     }
 
-    /** Montre cette image à la place des autres, qui peuvent changer pendant ce temps ; {@code null} : plus aucune. */
-    void tenir(ImageMemoire image) {
-        tenue = image;
-        repaint();
-    }
-
-    /** L'image qui se voit ; {@code null} avant la première. */
     ImageMemoire getVisible() {
         return tenue != null ? tenue : montree;
     }
@@ -184,7 +174,6 @@ final class PanneauImage extends JPanel {
                 .getDefaultTransform();
     }
 
-    /** La place qu'il y a pour l'image. */
     private Dimension getLibre() {
         AffineTransform ecran = getEchelle();
         return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
@@ -219,7 +208,6 @@ final class PanneauImage extends JPanel {
         suivre(suivi);
     }
 
-    /** Grossit autour de la souris, ou du milieu si elle n'est pas là. */
     private void grossir(boolean plus) {
         if (montree == null) {
             return;
@@ -258,12 +246,6 @@ final class PanneauImage extends JPanel {
         centreY = Math.max(0, Math.min(1, y));
         repaint();
         siBouge.run();
-    }
-
-    /** Montre cette image telle qu'elle est maintenant, à la place de la précédente. */
-    void montrer(ImageMemoire image) {
-        montree = image;
-        repaint();
     }
 
     /** Peint ceci par-dessus l'image, à l'écran seulement ; un clic sur un numéro va à {@code siChoisi}. */
@@ -343,7 +325,6 @@ final class PanneauImage extends JPanel {
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
     }
 
-    /** Le pixel de cette image à cet endroit, ou le plus près. */
     private Point getPixel(ImageMemoire image, Point ou) {
         Rectangle place = getPlace(image);
         long x = (long) (ou.x - place.x) * image.largeur / place.width;

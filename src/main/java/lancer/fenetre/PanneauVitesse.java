@@ -24,10 +24,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.image.ImageMemoire;
 
-/**
- * « Vitesse ou précision » : les réglages que {@code --auto} essaierait sur la scène montrée, chacun à son prix et à
- * son erreur attendue. Un fil à part les essaie, et le dit à mesure ; fermer l'arrête, changer de scène recommence.
- */
+/** Les réglages que {@code --auto} essaierait sur la scène montrée, essayés dans un fil à part tant qu'il se voit. */
 @SuppressWarnings("serial")
 final class PanneauVitesse extends JDialog {
 
@@ -42,7 +39,6 @@ final class PanneauVitesse extends JDialog {
     private Future<?> essais;
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
     private List<Object> essayee;
-    /** Essais de la scène, une fois finis. */
     private Auto auto;
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private Candidat voulu;
@@ -63,7 +59,6 @@ final class PanneauVitesse extends JDialog {
         atelier.prevenir(this::suivre);
     }
 
-    /** Montré, il essaie ce qui ne l'a pas été ; caché, plus rien. */
     @Override
     public void setVisible(boolean visible) {
         super.setVisible(visible);
@@ -84,7 +79,6 @@ final class PanneauVitesse extends JDialog {
         graphique.vider();
     }
 
-    /** Un dessin commence ou finit, ou une scène est lue. */
     private void suivre() {
         Dessin montre = atelier.montre;
         if (!isVisible() || montre == null) {
@@ -138,7 +132,7 @@ final class PanneauVitesse extends JDialog {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
         essais = Atelier.confier(fil, () -> {
-            Auto fait = Auto.choisir(montre.getLancer(), 0, null, null, atelier.fils,
+            Auto fait = new Auto(montre.getLancer(), 0, null, null, atelier.fils,
                     montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             evaluer(scene, fait, montre);

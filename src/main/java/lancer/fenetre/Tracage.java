@@ -15,14 +15,10 @@ import lancer.scene.FichierScene;
 /** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
-    /**
-     * Temps après lequel un brouillon que rien ne montre n'arrête plus l'image, car une fenêtre peut être réduite ; et
-     * un dessin qui n'a pas commencé dit ce qu'il attend.
-     */
+    /** Temps après lequel un brouillon jamais vu n'arrête plus l'image, et un dessin à venir dit ce qu'il attend. */
     private static final long PATIENCE_MS = 2000;
 
     final Dessin dessin;
-    /** Vrai si la scène est à lire. */
     final boolean aLire;
     private final Consumer<Dessin> programme;
     private final ReglagesDessin voulus;
@@ -35,11 +31,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Ouvert quand le brouillon se voit : la suite peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
 
-    /**
-     * @param programme ce qui dessine
-     * @param dessin à lire, s'il ne l'est pas
-     * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
-     */
+    /** @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier */
     Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus) {
         this.programme = programme;
         this.dessin = dessin;
@@ -104,7 +96,6 @@ final class Tracage extends SwingWorker<Void, Void> {
         return isDone() && !isCancelled() ? panne : null;
     }
 
-    /** Vrai si l'image est entière. */
     boolean isAcheve() {
         return isDone() && !isCancelled() && panne == null;
     }
@@ -119,7 +110,6 @@ final class Tracage extends SwingWorker<Void, Void> {
         return dessin.getLancer() == null || dessin.isBrouillonFait() ? dessin.getAvancement() : 0;
     }
 
-    /** État du dessin : où il en est, et depuis combien de temps. */
     String getEtat() {
         // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
         return isAcheve() ? "terminé"

@@ -27,8 +27,6 @@ public final class Comparaison {
     private int plusDeHuit;
 
     /**
-     * La comparaison de deux images.
-     *
      * @param a une image qui a ses codes ; sans couleurs non limitées, elle n'a que 8 bits par composante
      * @param tolerance le plus grand écart permis d'une composante, en niveaux
      * @param part la part des pixels, de 0 à 1, qui peuvent s'écarter davantage
@@ -77,10 +75,7 @@ public final class Comparaison {
         return (double) auDela / pixels <= part;
     }
 
-    /**
-     * Les différences : noir où les images sont pareilles, et d'autant plus clair qu'elles diffèrent, jusqu'à huit
-     * niveaux.
-     */
+    /** Les différences : noir où les images sont pareilles, de plus en plus clair jusqu'à huit niveaux. */
     public ImageMemoire getDifferences() {
         ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
         for (int p = 0; p < pixels; p++) {

@@ -21,7 +21,6 @@ import lancer.texte.Texte;
  */
 public final class Ecriture {
 
-    /** Écriture d'une image dans un flux, sous un format. */
     public interface Format {
         void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
     }
@@ -100,11 +99,7 @@ public final class Ecriture {
         ecrire(image, Collections.singletonMap(this, format));
     }
 
-    /**
-     * Écrit l'image dans tous ces fichiers, chacun à son format, ou dans aucun.
-     *
-     * @throws Echec si une écriture échoue ; les fichiers sont alors comme avant, sauf ceux qu'il nomme
-     */
+    /** Écrit l'image dans tous ces fichiers ou aucun. @throws Echec s'il échoue ; il nomme ceux qui sont écrits */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
         String ecrits = "";
         Ecriture enCours = null;

@@ -8,10 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
-/**
- * Une image au format PNG (ISO/IEC 15948), 8 bits par composante, sans passer par ImageIO : charger AWT coûterait plus
- * cher que de dessiner la scène du cours.
- */
+/** Une image PNG (ISO/IEC 15948), 8 bits par composante, sans ImageIO : charger AWT coûterait plus que dessiner. */
 public final class FichierPng implements Ecriture.Format {
 
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};

@@ -10,10 +10,8 @@ public final class ImageMemoire implements Toile {
     public final int largeur;
     public final int hauteur;
 
-    /** Les codes {@code 0xFFRRGGBB}, ligne par ligne depuis le haut, 0 où rien n'est dessiné ; null si non gardés. */
+    /** Les codes 0xFFRRGGBB, depuis le haut, 0 où rien n'est dessiné, et les couleurs non limitées ; null : aucun. */
     public final int[] codes;
-
-    /** Les couleurs non limitées, trois composantes par pixel, depuis le haut ; {@code null} si non gardées. */
     public final float[] lineaire;
 
     /** Texte qui dit comment elle est dessinée, et ce qu'elle a coûté ; {@code null} tant qu'elle n'est pas achevée. */

@@ -20,10 +20,7 @@ import lancer.Couleur;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
-/**
- * Lit une image à comparer, PNG ou PFM. D'un PNG viennent les échantillons tels quels, sans correction de gamma ni
- * transparence.
- */
+/** Lit une image à comparer, PNG, dont les échantillons viennent tels quels (ni gamma, ni transparence), ou PFM. */
 public final class LectureImage {
 
     private static final long SIGNATURE_PNG = 0x89504E470D0A1A0AL;
@@ -40,12 +37,7 @@ public final class LectureImage {
     private LectureImage() {
     }
 
-    /**
-     * Lit ce fichier.
-     *
-     * @return l'image, sans couleurs non limitées si elle n'a que 8 bits par composante
-     * @throws Echec si le fichier n'est pas une image PNG ou PFM que l'on sache lire
-     */
+    /** L'image, sans couleurs non limitées si elle n'a que 8 bits. @throws Echec si ce n'est ni un PNG, ni un PFM */
     public static ImageMemoire lire(String nom) {
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
@@ -85,10 +77,7 @@ public final class LectureImage {
         return image;
     }
 
-    /**
-     * Vérifie d'un PNG ce qu'ImageIO laisse passer : chaque bloc est entier et juste, le dernier est là, et les données
-     * sont assez longues pour la taille annoncée, à laquelle l'image sera allouée.
-     */
+    /** Vérifie ce qu'ImageIO laisse passer : chaque bloc, le dernier, et assez de données pour la taille annoncée. */
     private static void verifierPng(ByteBuffer png) throws IOException {
         boolean juste = png.getLong() == SIGNATURE_PNG;
         // la largeur, la hauteur, puis le nombre de bits d'un échantillon sont toujours là

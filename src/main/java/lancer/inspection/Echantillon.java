@@ -5,11 +5,9 @@ import lancer.Couleur;
 /** Un rayon parti de l'écran, et ce qu'il voit, autant de fois qu'il compte. */
 public final class Echantillon {
 
-    /** Point de l'écran, en pixels depuis le coin en haut à gauche de l'image. */
+    /** Point de l'écran, en pixels depuis le coin en haut à gauche ; poids dans une somme pesée, ou 1 ; couleur. */
     public final double xe;
     public final double ye;
-
-    /** Poids ; 1, s'il n'est pas un terme d'une somme pesée. */
     final double poids;
     public final Couleur couleur;
 

@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
@@ -58,12 +57,7 @@ public final class Inspection implements Vue, Toile {
     Couleur somme;
     double diviseur;
 
-    /**
-     * @param origines d'où viennent ses objets et ses lampes
-     * @param profondeur nombre de réflexions permises
-     * @param x colonne, de 0 à largeur − 1
-     * @param y ligne, de 0 (en haut) à hauteur − 1
-     */
+    /** @param profondeur nombre de réflexions permises @param x colonne, depuis 0 @param y ligne, depuis 0 en haut */
     public Inspection(Scene scene, Origines origines, Camera camera, int profondeur, int x, int y) {
         this.scene = scene;
         this.origines = origines;
@@ -158,7 +152,6 @@ public final class Inspection implements Vue, Toile {
         return faute;
     }
 
-    /** La couleur du pixel. */
     public Couleur getCouleur() {
         return couleur;
     }
@@ -174,7 +167,6 @@ public final class Inspection implements Vue, Toile {
                 : camera.getRayon(choisi.xe, choisi.ye);
     }
 
-    /** Échantillon dont voici la chaîne. */
     public Echantillon getChoisi() {
         return choisi;
     }

@@ -39,19 +39,14 @@ public final class Recit {
 
         public final String texte;
 
-        /** Le numéro du rayon dont elle parle, 0 si c'est du pixel. */
+        /** Le numéro du rayon dont elle parle, 0 si c'est du pixel, et son sujet, le même d'un dessin à l'autre. */
         final int etape;
-
-        /** Sujet, qui reste le même d'un dessin à l'autre. */
         final String sujet;
 
-        /** Titre qui remplace cette ligne et ses pareilles, tant qu'on ne les demande pas ; {@code null} : aucun. */
+        /** Titre qui la remplace, avec ses pareilles, tant qu'on ne les demande pas, ou null ; et si elle a changé. */
         public final String repli;
-
-        /** Dit si elle n'est pas ce qu'elle était au dessin d'avant. */
         public final boolean changee;
 
-        /** Ligne dont voici les cinq champs. */
         public Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
             this.texte = texte;
             this.etape = etape;
@@ -194,7 +189,7 @@ public final class Recit {
         for (Eclairage lampe : etape.lampes) {
             if (lampe.L != null) {
                 quoi = pixel.nom(lampe.lampe);
-                replier(details, "     L = %s  vers %s", lampe.L, pixel.nom(lampe.lampe));
+                replier(details, "     L = %s  vers %s", lampe.L, quoi);
             }
         }
         quoi = "";
@@ -249,11 +244,10 @@ public final class Recit {
         quoi = pixel.nom(e.lampe);
         String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + sort(e);
         if (e.diffus == null) {
-            replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", pixel.nom(e.lampe),
-                    e.devant);
+            replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
             return;
         }
-        replier(repli, "     %s  N·L = %s  %s", pixel.nom(e.lampe), e.cosinus, e.eclaire() ? "éclairée"
+        replier(repli, "     %s  N·L = %s  %s", quoi, e.cosinus, e.eclaire() ? "éclairée"
                 : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
                 : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
     }
@@ -275,7 +269,6 @@ public final class Recit {
         dire(apport.equals(e.produit) ? "       = %s" : "       diffus + reflet ne donne pas %s", apport);
     }
 
-    /** Sort d'une lampe et de ses pareilles. */
     private static String sort(Eclairage e) {
         return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
                 : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
@@ -283,7 +276,7 @@ public final class Recit {
 
     /** Part de l'air dans cette vue, NaN s'il n'en dit rien. */
     private double k(Etape etape) {
-        return pixel.scene.getModele().getAtmosphere().k(etape.distance());
+        return pixel.scene.getModele().getAtmosphere().k(etape.distance);
     }
 
     /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
@@ -296,7 +289,7 @@ public final class Recit {
         if (!Double.isNaN(k)) {
             dire("     air : k = %s", k);
             dire("       k · air = %s",
-                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance()));
+                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance));
             dire("       + (1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k));
         }
         dire("   vue %d = %s", etape.numero, etape.vue);

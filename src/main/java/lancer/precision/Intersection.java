@@ -2,19 +2,13 @@ package lancer.precision;
 
 import lancer.Constantes;
 
-/**
- * L'intersection d'un rayon et d'une sphère, sur des nombres : la même équation pour {@link lancer.Sphere}, qui la
- * demande d'un objet, et pour une recherche, qui la demande de mille.
- */
+/** L'intersection d'un rayon et d'une sphère, sur des nombres : la seule équation de la sphère et des recherches. */
 public final class Intersection {
 
     /** La réponse en doute de qui n'a pas même une approximation. */
     private static final double ENTIER = -Double.MIN_VALUE;
 
-    /**
-     * Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon passe à côté, quoi qu'aient fait les
-     * arrondis.
-     */
+    /** Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon passe à côté, arrondis compris. */
     private static final double A_COTE = 1 + 0x1p-49;
 
     /**
@@ -24,10 +18,7 @@ public final class Intersection {
      */
     private static final double SUR = 0.25;
 
-    /**
-     * Part de |C − P|² au-dessus de laquelle le signe de c est certain, et la distance directe juste à un dix-millième
-     * près.
-     */
+    /** Part de |C − P|² au-dessus de laquelle le signe de c est certain, et la distance juste à un dix-millième. */
     private static final double APPROCHE = 0x1p-20;
 
     private Intersection() {
@@ -54,10 +45,7 @@ public final class Intersection {
         return d >= 0 ? d : trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
     }
 
-    /**
-     * Rend {@link #distance}, ou un nombre négatif si {@link #trancher} doit en décider ; cette distance n'est alors
-     * pas inférieure à {@link #auMoins} de ce nombre. À part pour qu'une boucle puisse trancher dehors.
-     */
+    /** Rend {@link #distance} ou, en doute, un négatif : {@link #trancher} en décide, {@link #auMoins} la minore. */
     public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;

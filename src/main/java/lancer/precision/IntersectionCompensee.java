@@ -22,10 +22,7 @@ public final class IntersectionCompensee {
     /** Part de r² au-dessus de laquelle la puissance calculée d'abord est juste à u près. */
     private static final double ASSEZ = 0x1p-20;
 
-    /**
-     * Largeurs des morceaux, en puissances de deux de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de
-     * 2^(k−52).
-     */
+    /** Largeurs des morceaux, en parts de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de 2^(k−52). */
     private static final double COUPE = 0x1.8p27;
     private static final double COUPE_DU_RESTE = 0x1.8p1;
     private static final double COUPE_DE_L_ERREUR = 0x1.8p-25;
@@ -96,10 +93,7 @@ public final class IntersectionCompensee {
         return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
     }
 
-    /**
-     * Puissance quand presque tout s'annule : d et e sont coupés aussi, et rien de plus grand que 2⁻⁷⁶ r² n'est
-     * arrondi.
-     */
+    /** Puissance quand presque tout s'annule : d et e sont coupés aussi, et seul s'arrondit moins de 2⁻⁷⁶ r². */
     private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
             double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
         double coupeD = COUPE_DU_RESTE * pas;

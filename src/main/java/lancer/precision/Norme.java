@@ -3,19 +3,11 @@ package lancer.precision;
 /** Les longueurs : là où leur carré est un nombre ordinaire, et là où il ne l'est pas. */
 public final class Norme {
 
-    /**
-     * Carrés de norme entre lesquels la norme se calcule sans détour : au-dessous, les carrés des composantes
-     * perdraient des chiffres (le plus petit double normal est 2^-1022) ; au-dessus, leur somme pourrait déborder.
-     */
+    /** Carrés de norme entre lesquels ceux des composantes ne perdent pas de chiffres (2^-1022), ni ne débordent. */
     public static final double CARRE_MIN = 0x1.0p-900;
-
-    /** Carré au-dessus duquel la norme demande un détour : voir {@link #CARRE_MIN}. */
     public static final double CARRE_MAX = 0x1.0p1000;
 
-    /**
-     * Écart à 1 sous lequel le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près : ni racine,
-     * ni division. La normale d'un contact et la direction d'un reflet sont toujours dans ce cas.
-     */
+    /** Écart à 1 sous lequel le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près. */
     public static final double PRESQUE_UN = 0x1p-27;
 
     /** Un rayon plus petit que cette part de la distance au centre n'y compte plus. */

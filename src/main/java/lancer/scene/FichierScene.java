@@ -18,7 +18,6 @@ public final class FichierScene {
 
     /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
     private static final int DOSSIERS_AU_DESSUS = 4;
-    private static final String INTROUVABLE = "fichier introuvable";
 
     private FichierScene() {
     }
@@ -33,10 +32,10 @@ public final class FichierScene {
     }
 
     /**
-     * Le chemin de la scène : tel quel, ou s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
+     * Le chemin de la scène, tel quel ou, s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
      * dossiers au-dessus d'où il mène à quelque chose.
      *
-     * @throws SceneFautive s'il n'existe pas, ou n'est pas un fichier
+     * @throws SceneFautive s'il ne mène à aucun fichier
      */
     public static Path trouver(String fichier) {
         Path chemin;
@@ -74,13 +73,14 @@ public final class FichierScene {
 
     /** Raison pour laquelle ce chemin ne mène à rien, et d'où il a été suivi. */
     private static String absente(Path chemin) {
-        String faute = INTROUVABLE;
+        String introuvable = "fichier introuvable";
+        String faute = introuvable;
         try {
             chemin.toRealPath();
         } catch (IOException e) {
             faute = pourquoi(e, Texte.panne(e));
         }
-        if (chemin.isAbsolute() || !faute.equals(INTROUVABLE)) {
+        if (chemin.isAbsolute() || !faute.equals(introuvable)) {
             return faute;
         }
         Path ici = Paths.get("").toAbsolutePath();

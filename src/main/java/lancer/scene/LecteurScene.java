@@ -26,10 +26,7 @@ import org.ini4j.InvalidFileFormatException;
 import org.ini4j.spi.IniHandler;
 import org.ini4j.spi.IniParser;
 
-/**
- * Lecture d'un fichier INI. ini4j ne sert ici qu'à découper les lignes ({@code IniParser}) ; ses substitutions, par
- * où passe la CVE-2022-41404, ne sont jamais appelées.
- */
+/** Lecture d'un fichier INI, qu'ini4j ne fait que découper : ses substitutions (CVE-2022-41404) ne servent pas. */
 public final class LecteurScene {
 
     private static final double LUMIERE_MAX = 1e6;
@@ -55,7 +52,7 @@ public final class LecteurScene {
     private Lignes lignes;
     private SectionLue courante;
     private Origine origine;
-    /** La forme que décrit la section en cours, {@code null} si ce n'est pas un objet. */
+    /** La forme de la section en cours, {@code null} si ce n'est pas un objet. */
     private Forme forme;
     private boolean lampe;
 
@@ -67,8 +64,6 @@ public final class LecteurScene {
     }
 
     /**
-     * Lit un fichier en entier.
-     *
      * @param nomFichier voir {@link FichierScene#trouver}
      * @param suivi appelé à mesure, avec la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
@@ -218,7 +213,7 @@ public final class LecteurScene {
     private void lireMatiere(Objet3D lu) {
         lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
         if (courante.contient("Ks") && courante.contient("Kr")) {
-            throw courante.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
+            throw courante.synonymes("Ks", "Kr");
         }
         lu.setKs(commune(courante.couleur(courante.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
         lu.setNs(courante.reel("ns", lu.getNs(), 0, NS_MAX));

@@ -13,10 +13,9 @@ import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
 
 /**
- * Un fichier UTF-8 donné ligne par ligne : ini4j lit une ligne à la fois, et le numéro de la dernière donnée est donc
- * celui de la ligne qu'il traite. Le fichier n'est jamais tout entier en mémoire. Une ligne de commentaire est donnée
- * vide, sans quoi ini4j garderait tous ceux qui se suivent. Un caractère de contrôle est donné par son code, comme
- * {@link Texte} le montre : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
+ * Un fichier UTF-8 donné ligne par ligne, jamais tout entier en mémoire ; la dernière donnée est celle d'ini4j.
+ * Un commentaire est donné vide, sans quoi ini4j garderait tous ceux qui se suivent ; un caractère de contrôle, par son
+ * code ({@link Texte}) : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
  */
 final class Lignes extends Reader {
 
@@ -33,7 +32,6 @@ final class Lignes extends Reader {
     private int debut;
     private int longueur;
     private int occupes;
-    /** Vrai si la ligne en cours contient un caractère de contrôle. */
     private boolean controles;
     private CharBuffer ligne = CharBuffer.allocate(0);
     private int numero;
@@ -46,7 +44,6 @@ final class Lignes extends Reader {
         this.suivi = suivi;
     }
 
-    /** Le numéro de la ligne donnée, à partir de 1. */
     int getNumero() {
         return numero;
     }
@@ -56,10 +53,7 @@ final class Lignes extends Reader {
         return ligne.duplicate().rewind().toString().replace("\n", "");
     }
 
-    /**
-     * L'autre codage que trahit la ligne donnée, {@code null} si elle peut être de l'UTF-8 : sa marque, au
-     * début du fichier, ou les octets nuls de ses lettres, un sur deux en UTF-16, trois sur quatre en UTF-32.
-     */
+    /** L'autre codage que trahissent une marque, ou un octet nul sur deux (UTF-16), trois sur quatre (UTF-32). */
     String autreCodage() {
         String brute = new String(octets, debut, longueur, StandardCharsets.ISO_8859_1);
         boolean marque16 = brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE");
@@ -160,7 +154,6 @@ final class Lignes extends Reader {
         return n > 0;
     }
 
-    /** Une ligne que personne n'a pu vouloir. */
     static final class LigneTropLongue extends IOException {
         private static final long serialVersionUID = 1;
     }

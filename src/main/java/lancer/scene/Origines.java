@@ -13,9 +13,7 @@ public final class Origines {
     /** Les origines, par objet ou lampe : rangées à la première question, qu'une image sans fenêtre ne pose pas. */
     private Map<Object, Origine> rangees;
 
-    /** Le nom d'une section, et sa ligne. */
     static final class Origine {
-
         final String nom;
         final int ligne;
 

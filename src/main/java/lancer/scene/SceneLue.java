@@ -23,11 +23,7 @@ public final class SceneLue {
     /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
     public final List<String> avertissements = new ArrayList<>();
 
-    /**
-     * Le modèle de la base, où chaque variante présente est installée.
-     *
-     * @throws lancer.SceneFautive si une section ne va pas, ou si deux variantes veulent le même contrat
-     */
+    /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si l'une, ou deux ensemble, ne vont pas */
     public Modele getModele() {
         Modele modele = new Modele();
         variantes.forEach((variante, section) -> {

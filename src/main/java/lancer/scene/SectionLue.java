@@ -25,9 +25,7 @@ public final class SectionLue extends Section {
     private final boolean ouverte;
     private final List<Entree> entrees = new ArrayList<>(5);
 
-    /** Une ligne de la section. */
     private static final class Entree {
-
         final String cle;
         final String valeur;
         final int ligne;
@@ -186,13 +184,13 @@ public final class SectionLue extends Section {
         return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
     }
 
-    @Override
-    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
+    /** Deux clés qui disent la même chose : c'est la seconde écrite qui est de trop. */
+    SceneFautive synonymes(String cle, String autre) {
         boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
         Entree premiere = entree(dansLOrdre ? cle : autre);
         Entree seconde = entree(dansLOrdre ? autre : cle);
-        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
-                attendu);
+        return fautive(seconde.ligne, seconde.cle, "synonyme de " + premiere.cle + ", déjà ligne " + premiere.ligne,
+                cle + " ou " + autre + ", pas les deux");
     }
 
     @Override
@@ -225,8 +223,7 @@ public final class SectionLue extends Section {
 
     /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom}, {@code cle} null : inconnus. */
     static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
-        return Texte.echappe(fichier)
-                + (ligne > 0 ? ", ligne " + ligne : "")
+        return Texte.echappe(fichier) + (ligne > 0 ? ", ligne " + ligne : "")
                 + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")
                 + (cle != null ? ", " + Texte.abrege(cle) : "")
                 + " : " + faute + " ; attendu : " + attendu;

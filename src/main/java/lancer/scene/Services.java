@@ -25,9 +25,6 @@ public final class Services {
     /** Les types que lisent des variantes de la maison, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
 
-    /** La fin de ce que dit Java d'une classe qui n'est pas là : « contrat: Provider classe not found ». */
-    private static final String INTROUVABLE = " not found";
-
     /** La sphère, forme de la base, qu'aucun fichier de services n'inscrit. */
     private static final Forme SPHERE = new Forme() {
         @Override
@@ -49,10 +46,8 @@ public final class Services {
     final Map<String, Forme> formes = new LinkedHashMap<>();
     final Map<String, Variante> variantes = new LinkedHashMap<>();
 
-    /** Lecteur de chaque type pris. */
     private final Map<String, String> preneurs = new HashMap<>();
 
-    /** Les noms des variantes présentes. */
     public static List<String> nomsDesVariantes() {
         return new Services().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
@@ -86,7 +81,8 @@ public final class Services {
                 throw e;
             }
             String dit = e.getMessage();
-            if (dit.endsWith(INTROUVABLE)) {
+            if (dit.endsWith(" not found")) {
+                // « contrat: Provider classe not found »
                 String[] mots = dit.split(" ");
                 throw new SceneFautive("META-INF/services nomme une classe qui n'existe pas, "
                         + Texte.abrege(mots[mots.length - 3]) + " ; attendu : la classe, ou cette ligne ôtée ; si elle "
@@ -117,7 +113,6 @@ public final class Services {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
     }
 
-    /** Tous les types de section que l'on peut écrire. */
     String types() {
         return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe"),
                 VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))

@@ -3,10 +3,7 @@ package lancer.scene;
 import java.util.Timer;
 import java.util.TimerTask;
 
-/**
- * Veille sur le fichier de la scène, dans un fil à elle. Elle regarde l'heure et la taille, car un éditeur qui
- * enregistre en renommant échappe aux notifications du système.
- */
+/** Veille sur le fichier de la scène, dans un fil à elle : un éditeur qui renomme échappe aux notifications. */
 public final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
@@ -22,10 +19,7 @@ public final class Surveillance extends TimerTask {
     private String connue;
     private String vue;
 
-    /**
-     * @param siChange appelé dans ce fil, une fois par changement
-     * @param siEfface appelé de même quand le fichier a disparu ; qu'il revienne est un changement
-     */
+    /** @param siChange appelé dans ce fil, une fois par changement @param siEfface de même, s'il n'y a plus rien */
     public Surveillance(Runnable siChange, Runnable siEfface) {
         this.siChange = siChange;
         this.siEfface = siEfface;

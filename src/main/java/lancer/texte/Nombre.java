@@ -9,8 +9,6 @@ import java.util.Locale;
  */
 public final class Nombre {
 
-    private static final String AUTRES = ".eE+-";
-
     private Nombre() {
     }
 
@@ -25,7 +23,7 @@ public final class Nombre {
     public static double lire(String s) {
         for (int i = 0; i < s.length(); i++) {
             char c = s.charAt(i);
-            if ((c < '0' || c > '9') && AUTRES.indexOf(c) < 0) {
+            if ((c < '0' || c > '9') && ".eE+-".indexOf(c) < 0) {
                 return Double.NaN;
             }
         }

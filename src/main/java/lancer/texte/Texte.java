@@ -68,10 +68,7 @@ public final class Texte {
         return s.toString();
     }
 
-    /**
-     * Raison qui empêche Java de lire un chemin, et le remède, si c'est qu'il n'a pu en lire les accents, ou
-     * ceux du dossier d'où il est suivi : il croit alors que ce dossier n'existe pas.
-     */
+    /** Raison et remède, si Java n'a pu lire les accents d'un chemin, ou du dossier d'où il est suivi ; ou vide. */
     public static String horsLangue(String chemin) {
         String codage = System.getProperty("sun.jnu.encoding", "UTF-8");
         return Charset.forName(codage).newEncoder().canEncode(chemin) && new File("").getAbsoluteFile().exists() ? ""
@@ -91,10 +88,7 @@ public final class Texte {
         return abrege(raison);
     }
 
-    /**
-     * La cause première d'un échec, et où elle est née : la première ligne de la pile dont la classe a le premier de
-     * ces noms, qui sont des expressions régulières, à défaut un des suivants.
-     */
+    /** Cause d'un échec, et première ligne de sa pile dont la classe suit l'une de ces expressions, par préférence. */
     public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
         while (cause.getCause() != null) {

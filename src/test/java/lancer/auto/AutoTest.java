@@ -47,7 +47,7 @@ class AutoTest {
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Auto auto(Scene scene, int largeur, int hauteur, Map<Variante, Section> variantes, double voulue) {
-        return Auto.choisir(Dessin.lancer(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
+        return new Auto(Dessin.lancer(scene, largeur, hauteur, false), voulue, null, null, 2, variantes, enCours -> { });
     }
 
     /** Dessine, et contrôle. @return les couleurs de l'image, ligne par ligne */
@@ -138,9 +138,9 @@ class AutoTest {
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
         Lancer prepare = Dessin.lancer(entreDeuxMurs(0.5), 16, 12, false);
-        Auto auto = Auto.choisir(prepare, 8, 7, null, 2, SANS, enCours -> { });
+        Auto auto = new Auto(prepare, 8, 7, null, 2, SANS, enCours -> { });
         assertEquals("un rayon par pixel, --reflets 7 --seuil 0.015625", auto.choisi.toString());
-        auto = Auto.choisir(prepare, 1, 3, 0.25, 2, SANS, enCours -> { });
+        auto = new Auto(prepare, 1, 3, 0.25, 2, SANS, enCours -> { });
         assertEquals("un rayon par pixel, --reflets 3 --seuil 0.25", auto.choisi.toString());
         assertTrue(auto.choisi.auPlus > 1);
     }
@@ -258,7 +258,7 @@ class AutoTest {
         for (double erreur : new double[] {0.5, 3}) {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
-                Auto auto = Auto.choisir(Dessin.lancer(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
+                Auto auto = new Auto(Dessin.lancer(quelquesBoules(), 80, 70, false), erreur, null, null, fils, GRILLES,
                         enCours -> { });
                 Candidat r = auto.choisi;
                 String choix = r + " " + r.erreur + " " + r.auPlus + " " + r.prix + " " + auto.getRayonsDesEssais();
@@ -307,7 +307,7 @@ class AutoTest {
         Lancer prepare = Dessin.lancer(quelquesBoules(), 80, 60, false);
         Thread.currentThread().interrupt();
         try {
-            assertThrows(CancellationException.class, () -> Auto.choisir(prepare, 1, null, null, 2, GRILLES, enCours -> { }));
+            assertThrows(CancellationException.class, () -> new Auto(prepare, 1, null, null, 2, GRILLES, enCours -> { }));
         } finally {
             assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         }
@@ -318,7 +318,7 @@ class AutoTest {
         Lancer lancer = Dessin.lancer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         Map<Variante, Section> fautive = GrilleDEssai.avec(
                 Collections.singletonList(new Barreau(new SectionLue("Grille", "m", "3"), 1, 1)));
-        SceneFautive e = assertThrows(SceneFautive.class, () -> Auto.choisir(lancer, 1, null, null, 1, fautive, enCours -> { }));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> new Auto(lancer, 1, null, null, 1, fautive, enCours -> { }));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
@@ -327,7 +327,7 @@ class AutoTest {
         Lancer lancer = Dessin.lancer(scene(boule(0, 0, 8, 1, 0)), 20, 15, false);
         Map<Variante, Section> muette = GrilleDEssai.avec(null);
         NullPointerException e = assertThrows(NullPointerException.class,
-                () -> Auto.choisir(lancer, 1, null, null, 1, muette, enCours -> { }));
+                () -> new Auto(lancer, 1, null, null, 1, muette, enCours -> { }));
         assertEquals(GrilleDEssai.class.getName() + ".getEchelle a rendu null", e.getMessage());
     }
 }

@@ -55,7 +55,7 @@ class AutoAntialiasTest {
     @Test
     void ceQuiEstAttenduDeLEchelleEstCeQuOnEnDessine() {
         Lancer prepare = Dessin.lancer(new Scene(scene.toString()), 80, 60, false);
-        Auto auto = Auto.choisir(prepare, 0, null, null, 2,
+        Auto auto = new Auto(prepare, 0, null, null, 2,
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
         assertEquals(new Antialias().getEchelle(new SectionLue("Antialias")).size(), auto.essayes.size());
         double[][] juste = image(avec(prepare, Antialias.coins(16, 0), 0), 1000);

@@ -9,10 +9,7 @@ import lancer.contrat.Section;
 import lancer.contrat.Specularite;
 import lancer.contrat.Variante;
 
-/**
- * Le reflet de Blinn (cours, « Reflet spéculaire de Blinn ») : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et
- * −V. Immuable.
- */
+/** Le reflet de Blinn (cours) : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et −V. Immuable. */
 public final class Blinn implements Variante, Specularite {
 
     private static final double FACTEUR = 1;

@@ -33,11 +33,7 @@ public final class Brume implements Variante, Atmosphere {
         this(COULEUR, DEBUT, FIN, 0);
     }
 
-    /**
-     * @param debut positif ou nul, plus petit que {@code fin}
-     * @param fin NaN pour une brume également répartie
-     * @param densite par unité de la scène, positive ou nulle, finie
-     */
+    /** @param fin plus grande que {@code debut}, NaN pour une brume répartie @param densite par unité de la scène */
     Brume(Couleur couleur, double debut, double fin, double densite) {
         this.couleur = couleur;
         this.debut = debut;
@@ -83,8 +79,7 @@ public final class Brume implements Variante, Atmosphere {
 
     /**
      * Part de brume : k = (d − debut) / (fin − debut), ou 1 − exp(−densite·(d − debut)), la loi d'une brume également
-     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien la traverse toute : il ne voit qu'elle, si légère
-     * soit-elle.
+     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien ne voit qu'elle, si légère soit-elle.
      *
      * @param distance longueur du rayon, en unités de la scène
      * @return de 0 (on ne voit que l'objet) à 1 (on ne voit que la brume), jamais NaN

@@ -56,11 +56,7 @@ public final class Figure {
     /** Place où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
 
-    /**
-     * Figure à calculer ailleurs que dans le fil des événements : ce qui est devant se demande à la scène.
-     *
-     * @param seul le numéro du seul rebond à montrer, avec ses lampes ; 0 : tous
-     */
+    /** Figure à calculer hors du fil des événements. @param seul rebond à montrer, avec ses lampes ; 0 : tous */
     public Figure(Inspection pixel, int seul) {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
@@ -208,11 +204,7 @@ public final class Figure {
         g.draw(trait);
     }
 
-    /**
-     * @param g en pixels de l'écran ; sa police dit ce qu'il en faut pour être lu
-     * @param place celle de l'image
-     * @param vue ce qui s'en voit : à la loupe, elle déborde
-     */
+    /** @param g en pixels de l'écran, de police lisible @param place celle de l'image @param vue ce qui s'en voit */
     public void peindre(Graphics2D g, Rectangle place, Dimension vue) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double rayon = TAILLE * g.getFont().getSize2D();

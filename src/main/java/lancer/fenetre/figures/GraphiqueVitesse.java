@@ -58,11 +58,7 @@ public final class GraphiqueVitesse extends JPanel {
     private double xMax;
     private double yMax;
 
-    /**
-     * @param clic reçoit le réglage du point choisi
-     * @param siAtteint reçoit ce qu'il y a à dire du point où mènent la souris et les flèches
-     * @param estPresent dit si l'image montrée est dessinée avec ce réglage
-     */
+    /** @param clic reçoit un réglage choisi @param siAtteint la légende d'un visé @param estPresent dit s'il se voit */
     public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
         this.siAtteint = siAtteint;
         this.estPresent = estPresent;
@@ -105,7 +101,6 @@ public final class GraphiqueVitesse extends JPanel {
         });
     }
 
-    /** Vide le graphique : c'est une autre scène. */
     public void vider() {
         mesures.clear();
         choisi = -1;
@@ -129,7 +124,6 @@ public final class GraphiqueVitesse extends JPanel {
         repaint();
     }
 
-    /** Dit si un des points est celui des réglages présents. */
     public boolean aUnPresent() {
         return points.stream().anyMatch(estPresent);
     }

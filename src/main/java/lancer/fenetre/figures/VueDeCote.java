@@ -42,11 +42,9 @@ public final class VueDeCote extends JPanel {
     private static final Color LAMPE = new Color(0xC08000);
 
     private Inspection pixel;
-    /** Le numéro du seul rebond montré ; 0 : tous. */
     private int seul;
-    /** Place où se lit le numéro de chaque contact. */
+    /** Places où se lisent le numéro de chaque contact, et le nom de chaque sphère nommée. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
-    /** Place du nom de chaque sphère nommée. */
     final Map<Objet3D, Rectangle2D> noms = new HashMap<>();
     private double echelle;
     private double y0;
@@ -191,10 +189,7 @@ public final class VueDeCote extends JPanel {
         g.drawString(nom, (float) place.getX(), (float) place.getY() + g.getFontMetrics().getAscent());
     }
 
-    /**
-     * Le bord d'une sphère, là où il est en vue : les courbes dont Java fait un arc s'écartent d'un cercle entier d'un
-     * 3700e de son rayon, et de rien d'un petit arc.
-     */
+    /** Le bord d'une sphère, là où il est en vue : Java ne peint juste, d'un grand cercle, qu'un petit arc. */
     private void entourer(Graphics2D g, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;
