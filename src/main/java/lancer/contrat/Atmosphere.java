@@ -8,7 +8,11 @@ public interface Atmosphere {
     /** L'air de la base : il ne change rien. */
     Atmosphere CLAIRE = new Claire();
 
-    /** La couleur, finie, au départ d'un rayon qui voit celle-ci. @param distance en unités de la scène ; +∞ : ciel */
+    /**
+     * @param vue la couleur au bout du rayon
+     * @param distance longueur de ce rayon, en unités de la scène ; +∞ si c'est le ciel
+     * @return la couleur à son départ, aux composantes finies
+     */
     Couleur traverser(Couleur vue, double distance);
 
     /** Part k de l'air dans ce que voit un rayon de cette longueur, pour l'inspecteur ; NaN : il n'en dit rien. */

@@ -15,6 +15,12 @@ public interface Forme {
     /** Les clés que demande {@link #lire}, les seules permises avec celles de la matière (Kd, Ks ou Kr, ns). */
     String[] getCles();
 
-    /** Lit un objet, neuf, de cette section. @throws lancer.SceneFautive si une valeur ne va pas */
+    /**
+     * Lit un objet.
+     *
+     * @param valeurs une de ses sections, qui refuse les valeurs hors de leurs limites
+     * @return un objet neuf
+     * @throws lancer.SceneFautive si une valeur ne va pas ; voir {@link Section#fautive}
+     */
     Objet3D lire(Section valeurs);
 }

@@ -73,7 +73,7 @@ public final class Modele {
 
     /** Ôte le reflet des lampes, quel qu'il soit. */
     public void oterSpecularite() {
-        specularite = Specularite.AUCUNE;
+        specularite = new Specularite.Aucune();
     }
 
     /** Faux si toute lampe devant un contact l'éclaire. */

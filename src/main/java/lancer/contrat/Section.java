@@ -95,6 +95,9 @@ public abstract class Section {
     /** Refus de la valeur d'une clé, présente ou non : ce qui ne va pas, et ce qu'il faudrait. */
     public abstract SceneFautive fautive(String cle, String faute, String attendu);
 
+    /** Deux clés qui ne vont pas ensemble : c'est la seconde écrite qui est de trop. */
+    public abstract SceneFautive ensemble(String cle, String autre, String faute, String attendu);
+
     /** La valeur de cette clé, telle qu'écrite, {@code null} si elle n'est pas donnée ; ce n'est pas la demander. */
     public abstract String valeur(String cle);
 

@@ -8,17 +8,18 @@ public interface Specularite {
     /** Le reflet de la base : max(0, R·L)^ns. */
     Specularite PHONG = new Phong();
 
-    /** Pas de reflet : l'éclairement de Lambert seul. */
-    Specularite AUCUNE = (V, N, L, R, ns) -> 0;
-
     /** Exposant au-delà duquel la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
     int EXPOSANT_ENTIER_MAX = 1024;
 
     /**
-     * Part de la lumière d'une lampe que la surface reflète, finie, dans [0, 1]. V suit le rayon incident, N sort de la
-     * surface, L va vers la lampe (N·L est strictement positif), R est le miroir de V, tous de longueur 1.
+     * Part de la lumière d'une lampe que la surface reflète. Tous les vecteurs sont de longueur 1.
      *
+     * @param V direction du rayon incident
+     * @param N normale au contact, vers l'extérieur
+     * @param L direction de la lampe ; N·L est strictement positif
+     * @param R miroir de V
      * @param ns poli de la surface, dans [0, 1e9]
+     * @return dans [0, 1], fini
      */
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
@@ -56,6 +57,15 @@ public interface Specularite {
     /** Nom de la base de la {@link #puissance} qu'est cet éclat. */
     default String nomDeLaBase() {
         return "R·L";
+    }
+
+    /** Pas de reflet : l'éclairement de Lambert seul. */
+    final class Aucune implements Specularite {
+
+        @Override
+        public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
+            return 0;
+        }
     }
 
     /** Reflet de Phong, 1975. */

@@ -213,7 +213,7 @@ public final class LecteurScene {
     private void lireMatiere(Objet3D lu) {
         lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
         if (courante.contient("Ks") && courante.contient("Kr")) {
-            throw courante.synonymes("Ks", "Kr");
+            throw courante.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
         }
         lu.setKs(commune(courante.couleur(courante.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
         lu.setNs(courante.reel("ns", lu.getNs(), 0, NS_MAX));

@@ -184,13 +184,13 @@ public final class SectionLue extends Section {
         return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
     }
 
-    /** Deux clés qui disent la même chose : c'est la seconde écrite qui est de trop. */
-    SceneFautive synonymes(String cle, String autre) {
+    @Override
+    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
         boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
         Entree premiere = entree(dansLOrdre ? cle : autre);
         Entree seconde = entree(dansLOrdre ? autre : cle);
-        return fautive(seconde.ligne, seconde.cle, "synonyme de " + premiere.cle + ", déjà ligne " + premiere.ligne,
-                cle + " ou " + autre + ", pas les deux");
+        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
+                attendu);
     }
 
     @Override

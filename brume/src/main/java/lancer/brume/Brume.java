@@ -33,7 +33,11 @@ public final class Brume implements Variante, Atmosphere {
         this(COULEUR, DEBUT, FIN, 0);
     }
 
-    /** @param fin plus grande que {@code debut}, NaN pour une brume répartie @param densite par unité de la scène */
+    /**
+     * @param debut positif ou nul, plus petit que {@code fin}
+     * @param fin NaN pour une brume également répartie
+     * @param densite par unité de la scène, positive ou nulle, finie
+     */
     Brume(Couleur couleur, double debut, double fin, double densite) {
         this.couleur = couleur;
         this.debut = debut;
