@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -14,7 +15,6 @@ import lancer.contrat.Vue;
 import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Fautes;
-import lancer.fils.Ouvrier;
 import lancer.fils.Retenu;
 
 /**
@@ -127,28 +127,31 @@ public final class Lancer implements Calcul {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
         List<Fil> ouvriers = new ArrayList<>();
+        List<Lancer> siens = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            ouvriers.add(new Fil(brouillon, choisi, toile, profondeur));
+            siens.add(new Lancer(this));
+            ouvriers.add(new Fil(siens.get(k), brouillon, choisi, toile, profondeur));
         }
-        equipe.faire(nombre, ouvriers);
+        equipe.faire(nombre, ouvriers, siens);
         Compteurs total = new Compteurs();
-        for (Fil fil : ouvriers) {
-            total.ajouter(fil.sien.scene.getCompteurs());
+        for (Lancer sien : siens) {
+            total.ajouter(sien.scene.getCompteurs());
         }
         compteurs = total;
         dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
     }
 
     /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
-    private final class Fil implements Ouvrier, Vue {
+    private final class Fil implements IntConsumer, Vue {
 
-        private final Lancer sien = new Lancer(Lancer.this);
+        private final Lancer sien;
         private final boolean brouillon;
         private final Echantillonnage choisi;
         private final Toile toile;
         private final int profondeur;
 
-        Fil(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        Fil(Lancer sien, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+            this.sien = sien;
             this.brouillon = brouillon;
             this.choisi = choisi;
             this.toile = toile;
@@ -168,11 +171,6 @@ public final class Lancer implements Calcul {
                 sien.scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
             }
             fautes.peindre(pave, toile);
-        }
-
-        @Override
-        public Calcul getCalcul() {
-            return sien;
         }
 
         @Override

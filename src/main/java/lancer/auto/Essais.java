@@ -5,12 +5,11 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
+import java.util.function.IntConsumer;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Vue;
-import lancer.fils.Calcul;
 import lancer.fils.Equipe;
-import lancer.fils.Ouvrier;
 
 /** Essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
 final class Essais {
@@ -47,12 +46,17 @@ final class Essais {
         while (fin > faits) {
             int debut = faits;
             Equipe equipe = new Equipe("lancer");
-            List<Ouvrier> ouvriers = new ArrayList<>();
+            List<IntConsumer> ouvriers = new ArrayList<>();
+            List<Lancer> siens = new ArrayList<>();
             for (int k = 0; k < Math.min(fils, fin - debut); k++) {
-                ouvriers.add(ouvrier(equipe, reflets, seuil, (rang, vue) -> essai.accept(debut + rang, vue)));
+                Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
+                sien.getScene().getModele().setSeuil(seuil);
+                Vue vue = vue(equipe, sien, reflets);
+                siens.add(sien);
+                ouvriers.add(rang -> essai.accept(debut + rang, vue));
             }
             try {
-                equipe.faire(fin - debut, ouvriers);
+                equipe.faire(fin - debut, ouvriers, siens);
                 faits = fin;
             } catch (CancellationException e) {
                 if (rayons.get() <= borne) {
@@ -69,10 +73,8 @@ final class Essais {
         return faits;
     }
 
-    private Ouvrier ouvrier(Equipe equipe, int reflets, double seuil, BiConsumer<Integer, Vue> essai) {
-        Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
-        sien.getScene().getModele().setSeuil(seuil);
-        Vue vue = new Vue() {
+    private Vue vue(Equipe equipe, Lancer sien, int reflets) {
+        return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
                 equipe.verifier();
@@ -87,17 +89,6 @@ final class Essais {
             @Override
             public long rayons() {
                 return sien.getScene().getCompteurs().rayons();
-            }
-        };
-        return new Ouvrier() {
-            @Override
-            public void accept(int rang) {
-                essai.accept(rang, vue);
-            }
-
-            @Override
-            public Calcul getCalcul() {
-                return sien;
             }
         };
     }

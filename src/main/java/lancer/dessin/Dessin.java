@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
+import java.util.function.IntConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,7 +24,6 @@ import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.fils.Calcul;
 import lancer.fils.Equipe;
-import lancer.fils.Ouvrier;
 import lancer.fils.Retenu;
 import lancer.image.ImageMemoire;
 import lancer.rapide.Preparation;
@@ -153,19 +153,14 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     }
 
     /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */
-    private abstract class Prealable implements Ouvrier, Calcul {
+    private abstract class Prealable implements IntConsumer, Calcul {
 
         void faire(String nom) {
             try {
-                new Equipe("lancer").faire(1, Collections.singletonList(this));
+                new Equipe("lancer").faire(1, Collections.singletonList(this), Collections.singletonList(this));
             } catch (Retenu e) {
                 throw Echec.panne(nom + " de " + Texte.echappe(fichier) + " : " + Texte.cause(e, Texte.HORS_DE_JAVA));
             }
-        }
-
-        @Override
-        public Calcul getCalcul() {
-            return this;
         }
 
         @Override

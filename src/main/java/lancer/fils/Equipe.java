@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntConsumer;
 
 /**
  * Fils qui se partagent des tâches numérotées : chacun prend la première que personne n'a prise, jusqu'à la
@@ -44,16 +45,17 @@ public final class Equipe {
      * Fait les tâches de 0 à {@code nombre} − 1, et rend la main quand aucun fil n'y travaille plus.
      *
      * @param ouvriers ce que fait chaque fil d'une tâche
+     * @param calculs où l'on voit si le fil de même rang avance
      * @throws CancellationException si {@link #arreter()} a été appelé, ou le fil appelant interrompu (il le reste)
      */
-    public void faire(int nombre, List<? extends Ouvrier> ouvriers) {
+    public void faire(int nombre, List<? extends IntConsumer> ouvriers, List<? extends Calcul> calculs) {
         suivante.set(0);
         faites.set(0);
         echec = null;
         fils.clear();
         try {
-            for (Ouvrier ouvrier : ouvriers) {
-                Fil fil = new Fil(nombre, ouvrier);
+            for (int k = 0; k < ouvriers.size(); k++) {
+                Fil fil = new Fil(nombre, ouvriers.get(k), calculs.get(k));
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -153,7 +155,7 @@ public final class Equipe {
     private final class Fil extends Thread {
 
         private final int nombre;
-        private final Ouvrier ouvrier;
+        private final IntConsumer ouvrier;
         private final Calcul calcul;
         /** Le calcul et le progrès vus la dernière fois, et depuis quand ils sont les mêmes. */
         private long lieu;
@@ -161,11 +163,11 @@ public final class Equipe {
         private long arrive = horloge;
         private long immobile = horloge;
 
-        Fil(int nombre, Ouvrier ouvrier) {
+        Fil(int nombre, IntConsumer ouvrier, Calcul calcul) {
             super(null, null, nom + "-" + (fils.size() + 1), PILE);
             this.nombre = nombre;
             this.ouvrier = ouvrier;
-            calcul = ouvrier.getCalcul();
+            this.calcul = calcul;
             setDaemon(true);
         }
 

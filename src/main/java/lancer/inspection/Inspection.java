@@ -22,9 +22,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Calcul;
 import lancer.fils.Equipe;
-import lancer.fils.Ouvrier;
 import lancer.scene.Origines;
 
 /**
@@ -75,17 +73,7 @@ public final class Inspection implements Vue, Toile {
 
     private void faire(int rang) {
         // une équipe d'un seul fil, dont la pile suffit aux réflexions permises
-        equipe.faire(1, Collections.singletonList(new Ouvrier() {
-            @Override
-            public void accept(int tache) {
-                expliquer(rang);
-            }
-
-            @Override
-            public Calcul getCalcul() {
-                return lancer;
-            }
-        }));
+        equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)), Collections.singletonList(lancer));
     }
 
     /** Explique, une fois, l'échantillon de ce rang, et garde la faute s'il y en a une : la chaîne va jusqu'à elle. */

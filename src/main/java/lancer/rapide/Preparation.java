@@ -3,6 +3,7 @@ package lancer.rapide;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleConsumer;
+import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Point;
@@ -11,7 +12,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.fils.Calcul;
 import lancer.fils.Equipe;
-import lancer.fils.Ouvrier;
 
 /**
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
@@ -25,7 +25,7 @@ import lancer.fils.Ouvrier;
  * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de
  * ses ombres 1 Mo au plus.
  */
-public final class Preparation implements Ouvrier, Calcul {
+public final class Preparation implements IntConsumer, Calcul {
 
     /** Nombre d'objets jusqu'auquel les boucles du cours répondent plus vite que toute structure. */
     private static final int DEUX = 2;
@@ -156,7 +156,7 @@ public final class Preparation implements Ouvrier, Calcul {
     private void construire() {
         int nombre = 2 + structures.ombres.length;
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        equipe.faire(nombre, Collections.nCopies(fils, this));
+        equipe.faire(nombre, Collections.nCopies(fils, this), Collections.nCopies(fils, this));
     }
 
     /** Fait la grille, la carte de la lampe de ce rang moins un, ou enfin celle de l'œil. */
@@ -172,11 +172,6 @@ public final class Preparation implements Ouvrier, Calcul {
             structures.premiers = deLOeil();
         }
         suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
-    }
-
-    @Override
-    public Calcul getCalcul() {
-        return this;
     }
 
     private Occultations deLaLampe(Lampe lampe) {
