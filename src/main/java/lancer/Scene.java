@@ -103,7 +103,7 @@ public final class Scene {
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
         compteurs.ombre++;
         Ecoute.ombre(modele.getEcoute(), L, distance);
-        if (estLointaine(lampe)) {
+        if (estLointaine(lampe, contact)) {
             double milieu = distance / 2;
             return estCacheeDe(contact, L, milieu, objet, lampe)
                     || estCacheeDe(lampe.getPosition(), L.neg(), milieu, objet, lampe);
@@ -138,10 +138,13 @@ public final class Scene {
         return Recherche.verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
-    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
-    public static boolean estLointaine(Lampe lampe) {
-        Point p = lampe.getPosition();
-        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) > Constantes.LOINTAINE;
+    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE} fois toutes celles du contact. */
+    public static boolean estLointaine(Lampe lampe, Point contact) {
+        return plusGrande(lampe.getPosition()) > Constantes.LOINTAINE * plusGrande(contact);
+    }
+
+    private static double plusGrande(Point p) {
+        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
     }
 
     /**

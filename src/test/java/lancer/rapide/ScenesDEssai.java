@@ -47,6 +47,8 @@ final class ScenesDEssai {
         scenes.put("presque jumelles", new ScenesDEssai(14).presqueJumelles(taille).deuxLampes().scene());
         scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9)
                 .scene());
+        scenes.put("lampe lointaine de quelques contacts", new ScenesDEssai(21).foule(taille, 2, 0.05, 0.3).lampe(1e4, 65000, -1e4)
+                .deuxLampes().scene());
         scenes.put("étoiles", foule(20, taille, 1e11).sphere(-3e10, 1e10, 1e11, 1e10).sphere(4e37, 3e37, 1e38, 1e37).scene());
         scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
         scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
