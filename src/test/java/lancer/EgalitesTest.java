@@ -129,7 +129,7 @@ class EgalitesTest {
         }
         List<Sphere> envers = new ArrayList<>(ordre);
         Collections.swap(envers, 0, 1);
-        Lampe lampe = new Lampe(new Point(-5, 8, -4), new Couleur(0.9));
+        Lampe lampe = new Lampe(new Point(3, 6, -4), new Couleur(0.9));
         Ressources.Image[] images = new Ressources.Image[2];
         for (int k = 0; k < 2; k++) {
             images[k] = image(scene(k == 0 ? ordre : envers, lampe), 64, 48, 5, 2);
