@@ -105,6 +105,7 @@ final class ScenesDEssai {
         scenes.put("ciel miroir", new ScenesDEssai(61).foule(taille, 2, 0.01, 0.05).sphere(0, 0, 0, 1e5).deuxLampes().scene());
         scenes.put("lampes lointaines", new ScenesDEssai(62).foule(taille, 2, 0.01, 0.05).lampe(1e12, 1e12, -1e12).lampe(0, 1e8, 0)
                 .lampe(1e16, 1e3, 2).scene());
+        scenes.put("soleils", new ScenesDEssai(68).foule(taille, 2, 0.01, 0.05).lampe(1e4, 65000, -1e4).lampe(1e6, 1e6, -1e6).scene());
         scenes.put("lampes dans les amas", new ScenesDEssai(63).amas(taille, 4, 0.02).lampesPartout().scene());
         scenes.put("mille lampes", new ScenesDEssai(64).foule(taille / 10, 2, 0.05, 0.2).lampes(1000).scene());
         scenes.put("tout derrière l'œil", new ScenesDEssai(65).gaussienne(taille, 0, 0, -30, 3, 0.1).deuxLampes().scene());
