@@ -33,8 +33,8 @@ public final class Constantes {
     /**
      * Rapport, sans unité, de la plus grande coordonnée d'une lampe à celle d'un contact, au-delà duquel elle en est
      * lointaine. Un rayon parti d'une lampe manque le contact du dernier chiffre de leur distance : de 2^-40 fois la
-     * coordonnée du contact, au plus, si elle est proche. Ce rapport ne passe 183 dans aucune scène de {@code scenes/} :
-     * même tout près de l'origine, les contacts y gardent des lampes proches. Voir {@link Scene#estCachee}.
+     * coordonnée du contact, si elle est proche. Ce rapport ne passe pas 183 dans les scènes livrées : il en reste
+     * assez pour des contacts bien plus près de l'origine. Voir {@link Scene#estCachee}.
      */
     public static final double LOINTAINE = 8192;
 

@@ -2,8 +2,10 @@ package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -175,6 +177,27 @@ class LampesLointainesTest {
             double ecart = 8 * Constantes.LOINTAINE * 0x1p-53 * (grandeur + rayon);
             Point lampe = auLoin(grandeur * Math.pow(10, 1 + 11 * hasard.nextDouble()));
             assertEquals(0, faux(centre, rayon, ecart, lampe), lampe + " vue de " + centre + ", rayon " + rayon);
+        }
+    }
+
+    @Test
+    void dansLesScenesLivreesChaqueLampeEstProcheDeChaqueContact() {
+        for (File fichier : new File("scenes").listFiles((dossier, nom) -> nom.endsWith(".ini"))) {
+            Scene scene = new Scene(fichier.getPath());
+            int[] questions = new int[1];
+            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()) {
+                @Override
+                public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                    questions[0]++;
+                    assertSame(lampe.getPosition(), P, "une question par ombre, qui part de la lampe");
+                    return super.estCachee(lampe, P, V, distance, objet);
+                }
+            });
+            Lancer lancer = new Lancer(scene, new Camera(40, 30));
+            for (int k = 0; k < 40 * 30; k++) {
+                lancer.getCouleurPixel(k % 40 + 0.5, k / 40 + 0.5, 5);
+            }
+            assertTrue(questions[0] > 40, fichier + " : " + questions[0]);
         }
     }
 
