@@ -31,10 +31,9 @@ public final class Constantes {
     public static final int REFLETS_BROUILLON = 1;
 
     /**
-     * Rapport, sans unité, de la plus grande coordonnée d'une lampe à celle d'un contact, au-delà duquel elle en est
-     * lointaine. Un rayon parti d'une lampe manque le contact du dernier chiffre de leur distance : de 2^-40 fois la
-     * coordonnée du contact, si elle est proche. Ce rapport ne passe pas 183 dans les scènes livrées : il en reste
-     * assez pour des contacts bien plus près de l'origine. Voir {@link Scene#estCachee}.
+     * Rapport de la plus grande coordonnée d'une lampe à celle d'un contact, au-delà duquel elle en est lointaine. Un
+     * rayon qui en part manque le contact de 2^-40 fois la coordonnée de celui-ci, ou plus. Dans les scènes livrées, il
+     * ne passe pas 183 : un contact plus près de l'origine garde des lampes proches ({@link Scene#estCachee}).
      */
     public static final double LOINTAINE = 8192;
 

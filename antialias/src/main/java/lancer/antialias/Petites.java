@@ -24,10 +24,7 @@ final class Petites {
     private final int largeur;
     private final int hauteur;
 
-    /**
-     * Chaque ellipse dont la boîte touche un pixel, par le rang de celui-ci : l'abscisse et l'ordonnée, la moitié de la
-     * largeur et de la hauteur, et le rayon de courbure d'un bout, en pixels.
-     */
+    /** Par pixel, les ellipses dont la boîte le touche : centre, moitiés des côtés, rayon de courbure d'un bout. */
     private final Map<Integer, List<double[]>> ellipses = new HashMap<>();
 
     Petites(List<Objet3D> objets, Camera camera) {
