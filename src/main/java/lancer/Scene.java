@@ -106,7 +106,7 @@ public final class Scene {
         }
         compteurs.ombre++;
         Ecoute.ombre(modele.getEcoute(), L, distance);
-        if (estLointaine(lampe)) {
+        if (estLointaine(lampe, contact)) {
             double milieu = distance / 2;
             return estCacheeDe(contact, L, milieu, objet, lampe)
                     || estCacheeDe(lampe.getPosition(), L.neg(), milieu, objet, lampe);
@@ -141,10 +141,13 @@ public final class Scene {
         return Recherche.verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
-    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE}. */
-    public static boolean estLointaine(Lampe lampe) {
-        Point p = lampe.getPosition();
-        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z))) > Constantes.LOINTAINE;
+    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE} fois toutes celles du contact. */
+    public static boolean estLointaine(Lampe lampe, Point contact) {
+        return plusGrande(lampe.getPosition()) > Constantes.LOINTAINE * plusGrande(contact);
+    }
+
+    private static double plusGrande(Point p) {
+        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
     }
 
     /**

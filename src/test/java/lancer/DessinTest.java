@@ -49,7 +49,7 @@ class DessinTest {
     }
 
     @Test
-    void lOrdreDesSpheresNeChangePasUnBit() {
+    void sansDistancesEgalesLOrdreDesSpheresNeChangePasUnBit() {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         List<Objet3D> envers = new ArrayList<>(scene.getObjets());
         Collections.reverse(envers);

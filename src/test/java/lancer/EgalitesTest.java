@@ -7,6 +7,7 @@ import static lancer.essai.Ressources.memesBits;
 import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -17,6 +18,8 @@ import lancer.contrat.Pave;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Deux façons de dire la même scène, ou de la dessiner, qui doivent donner la même image au bit près ; {@link DessinTest} en a d'autres.
@@ -103,8 +106,9 @@ class EgalitesTest {
         assertFalse(memesBits(sans, imageRapide(scene(boules, utile, vue), CAMERA, 5)), "une lampe utile, si faible qu'elle soit, se voit");
     }
 
+    /** La foule n'a pas deux contacts à la même distance d'un rayon : {@link #aDistanceEgaleLaPremiereDuFichierEstVue}. */
     @Test
-    void melangerLesSpheresNeChangePasUnBitDeLImageRapide() {
+    void sansDistancesEgalesMelangerLesSpheresNeChangePasUnBitDeLImageRapide() {
         Scene scene = foule();
         Ressources.Image attendue = image(scene, 64, 48, 5, 2);
         Tirages tirages = new Tirages(46);
@@ -113,6 +117,38 @@ class EgalitesTest {
             Collections.shuffle(melees, tirages.hasard);
             assertTrue(memesBits(attendue, imageRapide(new Scene(melees, scene.getLampes()), CAMERA, 5)), "graine 46, essai " + essai);
         }
+    }
+
+    /** Deux boules symétriques, à la même distance de tout rayon du plan x = y : seules, puis dans une foule derrière elles. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 60})
+    void aDistanceEgaleLaPremiereDuFichierEstVue(int foule) {
+        List<Sphere> ordre = new ArrayList<>(Arrays.asList(boule(0, 1, 6, 1, 0.9, 0, 1), boule(1, 0, 6, 1, 0.2, 0, 1)));
+        for (int k = 0; k < foule; k++) {
+            ordre.add(boule(k % 10 - 4.5, k / 10 - 2.7, 12, 0.2, 0.5, 0, 1));
+        }
+        List<Sphere> envers = new ArrayList<>(ordre);
+        Collections.swap(envers, 0, 1);
+        Lampe lampe = new Lampe(new Point(3, 6, -4), new Couleur(0.9));
+        Ressources.Image[] images = new Ressources.Image[2];
+        for (int k = 0; k < 2; k++) {
+            images[k] = image(scene(k == 0 ? ordre : envers, lampe), 64, 48, 5, 2);
+            assertTrue(memesBits(images[k], imageRapide(scene(k == 0 ? ordre : envers, lampe), CAMERA, 5)), "recherche rapide, " + k);
+        }
+        int egales = 0;
+        for (int k = 0; k < 64 * 48; k++) {
+            Rayon rayon = CAMERA.getRayon(k % 64 + 0.5, k / 64 + 0.5);
+            double haute = ordre.get(0).getIntersectionDistance(rayon);
+            boolean egale = haute < Constantes.INFINI && haute == ordre.get(1).getIntersectionDistance(rayon);
+            boolean differe = images[0].composantes[3 * k] != images[1].composantes[3 * k];
+            assertTrue(egale || !differe, "pixel " + k);
+            egales += differe ? 1 : 0;
+            if (egale) {
+                assertSame(ordre.get(0), scene(ordre, lampe).getClosestIntersection(rayon).objet);
+                assertSame(envers.get(0), scene(envers, lampe).getClosestIntersection(rayon).objet);
+            }
+        }
+        assertTrue(egales > 5, egales + " pixels");
     }
 
     /** Une somme de n termes positifs, dans un autre ordre, change d'au plus (n − 1)u de part et d'autre. */

@@ -1,8 +1,11 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -13,7 +16,9 @@ import java.util.Random;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheSimple;
 import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -125,6 +130,84 @@ class LampesLointainesTest {
             comparer("derrière son astre, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p.add(-1.001 * rayon, d), rayon));
             comparer("dans son astre, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p, rayon));
             comparer("près d'une lune, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p.add(2 * rayon, cote), rayon));
+        }
+    }
+
+    /** Les points éclairés de face de deux boules concentriques, où celle du dehors est dite à l'ombre, ou l'autre au jour. */
+    private int faux(Point centre, double rayon, double ecart, Point lampe) {
+        Sphere dehors = new Sphere(centre, rayon);
+        Sphere dedans = new Sphere(centre, rayon - ecart);
+        Lampe seule = new Lampe(lampe, new Couleur(1));
+        Scene scene = new Scene(Arrays.asList(dedans, dehors), Collections.singletonList(seule));
+        Scene rapide = scene.avec(scene.getModele());
+        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
+        int faux = 0;
+        for (int k = 0; k < 2 * CONTACTS; k++) {
+            Sphere eclairee = k % 2 == 0 ? dehors : dedans;
+            Point contact = surLaSurface(eclairee, false);
+            if (eclairee.getNormale(contact).dot(new Vecteur(contact, lampe)) > 0) {
+                boolean cachee = Ombre.cachee(scene, seule, contact, eclairee);
+                assertEquals(cachee, Ombre.cachee(rapide, seule, contact, eclairee), "rapide, contact " + contact);
+                faux += cachee == (eclairee == dehors) ? 1 : 0;
+            }
+        }
+        return faux;
+    }
+
+    private Point auLoin(double loin) {
+        Vecteur d = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+        return new Point(loin * d.x, loin * d.y, loin * d.z);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1e-12, 1e5", "1e-12, 2e8", "1e-8, 9.9e7", "1e-8, 1.1e8", "4.4e-11, 2e4", "4.4e-11, 4.9e4", "4.4e-11, 7e4", "1e-13, 1e30"})
+    void deDeuxBoulesConcentriquesCelleDuDehorsEstSeuleAuJour(double ecart, double loin) {
+        for (int fois = 0; fois < 4; fois++) {
+            assertEquals(0, faux(new Point(0, 0, 6), 1, ecart, auLoin(loin)));
+        }
+    }
+
+    /** Des lampes de part et d'autre du facteur, et huit arrondis d'écart : de quoi ne pas confondre deux surfaces. */
+    @Test
+    void aHuitArrondisLUneDeLAutreDeuxSurfacesNeSeConfondentPas() {
+        for (int k = 0; k < 300; k++) {
+            double grandeur = Math.pow(2, 200 * hasard.nextDouble() - 100);
+            Point centre = auLoin(grandeur);
+            double rayon = grandeur * (0.05 + 0.3 * hasard.nextDouble());
+            double ecart = 8 * Constantes.LOINTAINE * 0x1p-53 * (grandeur + rayon);
+            Point lampe = auLoin(grandeur * Math.pow(10, 1 + 11 * hasard.nextDouble()));
+            assertEquals(0, faux(centre, rayon, ecart, lampe), lampe + " vue de " + centre + ", rayon " + rayon);
+        }
+    }
+
+    @Test
+    void dansLesScenesLivreesChaqueLampeEstProcheDeChaqueContact() {
+        for (File fichier : new File("scenes").listFiles((dossier, nom) -> nom.endsWith(".ini"))) {
+            Scene scene = new Scene(fichier.getPath());
+            int[] questions = new int[1];
+            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()) {
+                @Override
+                public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                    questions[0]++;
+                    assertSame(lampe.getPosition(), P, "une question par ombre, qui part de la lampe");
+                    return super.estCachee(lampe, P, V, distance, objet);
+                }
+            });
+            Lancer lancer = new Lancer(scene, new Camera(40, 30));
+            for (int k = 0; k < 40 * 30; k++) {
+                lancer.getCouleurPixel(k % 40 + 0.5, k / 40 + 0.5, 5);
+            }
+            assertTrue(questions[0] > 40, fichier + " : " + questions[0]);
+        }
+    }
+
+    @Test
+    void uneLampeEstLointaineDUnContactParUnFacteurQuiNAPasDUnite() {
+        for (int k : new int[] {-300, 0, 1, 300}) {
+            Point contact = new Point(0, Math.scalb(-6.0, k), Math.scalb(1.0, k));
+            double bord = Math.scalb(6 * Constantes.LOINTAINE, k);
+            assertFalse(Scene.estLointaine(new Lampe(new Point(0, 0, -bord), new Couleur(1)), contact), "2^" + k);
+            assertTrue(Scene.estLointaine(new Lampe(new Point(Math.nextUp(bord), 0, 0), new Couleur(1)), contact), "2^" + k);
         }
     }
 }

@@ -82,6 +82,14 @@ class LimitesIntersectionTest {
         assertEquals(0, deLoin(Formule.PROGRAMME, 1e8).malClasses);
     }
 
+    /** Elle n'a rien à avancer au-dessus d'un sol : {@link LimitesSurfaceTest#repartirDePresNeGagneRienAuDessusDUnSol}. */
+    @Test
+    void repartirDePresRepareLeManuelPourUneSphereLointaine() {
+        for (double distance : new double[] {1e6, 1e8, 1e12}) {
+            assertEquals(0, deLoin(Formule.REPRISE, distance).malClasses, "à " + distance);
+        }
+    }
+
     /**
      * Le bon discriminant, h² = r² − l², puis la racine b − h : d'un point juste au-dessus de la surface, elle soustrait deux
      * nombres égaux à un arrondi près, et il n'en reste qu'un chiffre. c/(b + h) les garde tous, c = |PC|² − r² étant ici sans erreur.

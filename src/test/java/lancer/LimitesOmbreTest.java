@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.essai.Formule;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheNaive;
 import lancer.essai.RechercheSimple;
@@ -90,6 +91,56 @@ class LimitesOmbreTest {
         PointContact contact = scene.getClosestIntersection(quitte, a);
         assertSame(b, contact.objet);
         assertEquals(1e-5, contact.distance, 1e-15);
+    }
+
+    private static double decale(double x, double vers, int unites) {
+        return x + Math.rint(unites * vers) * Math.ulp(x);
+    }
+
+    /**
+     * La recette de Wächter et Binder, ici en doubles : partir du contact décalé, le long de la normale, de quelques unités du dernier
+     * chiffre de ses coordonnées, et n'exclure personne.
+     */
+    private static boolean cacheeDUnDecalage(Scene scene, Point contact, Objet3D objet, int unites) {
+        Vecteur N = objet.getNormale(contact);
+        Point depart = new Point(decale(contact.x, N.x, unites), decale(contact.y, N.y, unites), decale(contact.z, N.z, unites));
+        Point lampe = scene.getLampes().get(0).getPosition();
+        Rayon ombre = new Rayon(depart, lampe);
+        scene.getClosestIntersection(ombre);
+        return ombre.getDistance() < new Vecteur(depart, lampe).norme();
+    }
+
+    /** Le nombre de contacts de cette boule, à la distance du manuel, vus de la lampe et pourtant dits cachés. */
+    private static int cachesAvecDecalage(Sphere boule, int unites) {
+        Camera camera = new Camera(COTE, COTE);
+        int caches = 0;
+        for (int k = 0; k < COTE * COTE; k++) {
+            Rayon vu = camera.getRayon(k % COTE + 0.5, k / COTE + 0.5);
+            double t = Formule.MANUEL.distance(vu.getP(), vu.getV(), boule.getCentre(), boule.getRayon());
+            caches += t < Constantes.INFINI && cacheeDUnDecalage(vueDeLaLampe(boule), vu.getP().add(t, vu.getV()), boule, unites) ? 1 : 0;
+        }
+        return caches;
+    }
+
+    /** Trop court là où le contact est près de l'origine et sa sphère loin, trop long entre deux surfaces qui se touchent presque. */
+    @Test
+    void unDecalageRelatifAuContactEstTropCourtPourUnGrandSolEtTropLongEntreDeuxCoquilles() {
+        Sphere moyenne = boule(0, 0, 5, 1.5, 1, 0, 1);
+        assertTrue(cachesAvecDecalage(moyenne, 0) > 50, "sans décalage : " + cachesAvecDecalage(moyenne, 0));
+        assertEquals(0, cachesAvecDecalage(moyenne, 256), "il guérit celle-ci");
+        Sphere grande = boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1);
+        assertTrue(cachesAvecDecalage(grande, 256) > 50, cachesAvecDecalage(grande, 256) + " points noirs");
+        assertEquals(0, noirs(vueDeLaLampe(grande)), "le nôtre");
+        Sphere dedans = boule(0, 0, 5, 1.5 - 5e-14, 1, 0, 1);
+        Scene coquilles = vueDeLaLampe(dedans, boule(0, 0, 5, 1.5, 1, 0, 1));
+        int traversees = 0;
+        for (int k = 1; k <= 1000; k++) {
+            Vecteur n = new Vecteur(0.4 * Math.sin(k), 0.4 * Math.cos(7 * k), -1).normalized();
+            Point contact = dedans.getCentre().add(dedans.getRayon(), n);
+            traversees += cacheeDUnDecalage(coquilles, contact, dedans, 256) ? 0 : 1;
+            assertTrue(Ombre.cachee(coquilles, coquilles.getLampes().get(0), contact, dedans), "la nôtre, " + contact);
+        }
+        assertTrue(traversees > 900, "la lumière traverse " + traversees + " fois");
     }
 
     /** Sans s'arrêter à la lampe, le rayon d'ombre trouve aussi ce qui est derrière elle. */

@@ -59,6 +59,24 @@ class LimitesSurfaceTest {
         assertTrue(pireEnDoubles > 1e-9, "erreur relative en doubles : " + pireEnDoubles);
     }
 
+    /** Le pied de la perpendiculaire est à moins d'un rayon : le départ n'avance pas, et c'est le manuel. */
+    @Test
+    void repartirDePresNeGagneRienAuDessusDUnSol() {
+        Random hasard = new Random(36);
+        double pire = 0;
+        for (int k = 0; k < 2_000; k++) {
+            double r = Math.pow(10, 4 + 5 * hasard.nextDouble());
+            Point C = new Point(hasard.nextGaussian(), -r - 1, hasard.nextGaussian());
+            Point P = new Point(hasard.nextGaussian(), 0, hasard.nextGaussian());
+            Rayon rayon = new Rayon(P, new Vecteur(hasard.nextGaussian(), -0.1 - hasard.nextDouble(), hasard.nextGaussian()));
+            double exacte = new Exact(P, P.add(rayon.getV()), C, r).distance;
+            double reprise = Formule.REPRISE.distance(P, rayon.getV(), C, r);
+            pire = Math.max(pire, Math.abs(reprise / exacte - 1));
+            assertEquals(exacte, new Sphere(C, r).getIntersectionDistance(rayon), 1e-13 * exacte, "graine 36, tirage " + k);
+        }
+        assertTrue(pire > 1e-9, "erreur relative : " + pire);
+    }
+
     /** Deux doubles par nombre suffisent partout ; la forme compensée, h² = b² − c, n'est juste que près de la surface. */
     @Test
     void deuxDoublesParNombreNePerdentNiLeSolNiLaSphereLointaine() {

@@ -186,4 +186,32 @@ class OmbresTest {
             }
         }
     }
+
+    /** Le contact n'est connu qu'à 4 u (r + |C|) près : à deux fois cela, deux coquilles se distinguent ; à un huitième, non. */
+    @Test
+    void deDeuxCoquillesAHuitArrondisCelleDuDehorsEstVueEtEclairee() {
+        assertEquals(0, confondues(8));
+        assertTrue(confondues(0.5) > 100, confondues(0.5) + " pixels : un double ne peut les distinguer");
+    }
+
+    /** @param ecart de deux boules concentriques, en u (r + |C|) ; le nombre de pixels où celle du dehors n'est pas vue, ou ombrée */
+    private static int confondues(double ecart) {
+        Random hasard = new Random(52);
+        Camera camera = new Camera(60, 60);
+        Lampe lampe = new Lampe(new Point(3, 5, -4), new Couleur(1));
+        int confondues = 0;
+        for (int essai = 0; essai < 20; essai++) {
+            Point C = new Point(0.3 * hasard.nextGaussian(), 0.3 * hasard.nextGaussian(), 4 + 4 * hasard.nextDouble());
+            double r = 0.5 + hasard.nextDouble();
+            double jeu = ecart * 0x1p-53 * (r + new Vecteur(new Point(), C).norme());
+            Sphere dehors = boule(C.x, C.y, C.z, r, 1, 0, 1);
+            Scene scene = scene(Arrays.asList(boule(C.x, C.y, C.z, r - jeu, 1, 0, 1), dehors), lampe);
+            for (int k = 0; k < 60 * 60; k++) {
+                PointContact vu = scene.getClosestIntersection(camera.getRayon(k % 60 + 0.5, k / 60 + 0.5));
+                confondues += vu != null && (vu.objet != dehors || dehors.getNormale(vu).dot(new Vecteur(vu, lampe.getPosition())) > 0
+                        && Ombre.cachee(scene, lampe, vu, dehors)) ? 1 : 0;
+            }
+        }
+        return confondues;
+    }
 }

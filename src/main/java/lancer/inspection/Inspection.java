@@ -117,7 +117,7 @@ public final class Inspection implements Vue, Toile {
     }
 
     private static PointContact obstacle(Eclairage cachee, PointContact contact, Scene scene) {
-        boolean lointaine = Scene.estLointaine(cachee.lampe);
+        boolean lointaine = Scene.estLointaine(cachee.lampe, contact);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
         PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);

@@ -87,6 +87,8 @@ public final class Preparation implements IntConsumer, Calcul {
     private final Structures structures;
     private final long pixels;
     private final DoubleConsumer suivi;
+    /** La plus grande coordonnée des sphères : une lampe qui en est lointaine l'est de tous leurs contacts. */
+    private Point bout;
     private final Equipe equipe = new Equipe("preparation");
 
     private Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
@@ -127,8 +129,9 @@ public final class Preparation implements IntConsumer, Calcul {
     private void faire(Genre impose) {
         int n = spheres.nombre;
         Boite boite = Boite.de(spheres, spheres.toutes());
-        double portee = Math.max(boite.portee(), Math.abs(camera.getOeil().z));
-        boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && boite.portee() > LONGUEUR_MIN;
+        bout = new Point(boite.portee(), 0, 0);
+        double portee = Math.max(bout.x, Math.abs(camera.getOeil().z));
+        boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && bout.x > LONGUEUR_MIN;
         Genre genre = impose != null ? impose
                 : n <= PEU ? Genre.MASQUES : n <= SPHERES_PAR_PIXEL * pixels ? Genre.CARTES : Genre.ARBRE;
         if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
@@ -146,7 +149,7 @@ public final class Preparation implements IntConsumer, Calcul {
         int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
         for (int l = 0; assez && l < masquees; l++) {
             Recherche.obeir();
-            if (!Scene.estLointaine(lampes.get(l))) {
+            if (!Scene.estLointaine(lampes.get(l), bout)) {
                 structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
             }
         }
@@ -176,7 +179,7 @@ public final class Preparation implements IntConsumer, Calcul {
 
     private Occultations deLaLampe(Lampe lampe) {
         long sienne = Math.max((long) spheres.nombre * CASES_PAR_SPHERE, CASES_TOUJOURS) / lampes.size();
-        if (Scene.estLointaine(lampe) || sienne < spheres.nombre / 16) {
+        if (Scene.estLointaine(lampe, bout) || sienne < spheres.nombre / 16) {
             return structures.arbre;
         }
         Point p = lampe.getPosition();

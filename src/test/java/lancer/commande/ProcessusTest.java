@@ -40,6 +40,15 @@ class ProcessusTest extends EssaiProcessus {
         }
     }
 
+    /** Le dernier chiffre de {@code Math.pow} est le même d'un code interprété et d'un code compilé. */
+    @Test
+    void interpreteOuCompileUnDessinALesMemesBits() throws Exception {
+        for (String machine : new String[] {"-Xint", "-Xcomp"}) {
+            assertEquals(0, statut(preparer(java(machine, "--lineaire", machine + ".pfm", "--taille=60x45", SCENE))), erreur());
+        }
+        assertArrayEquals(Files.readAllBytes(dossier.resolve("-Xint.pfm")), Files.readAllBytes(dossier.resolve("-Xcomp.pfm")));
+    }
+
     @Test
     void uneSceneRelativeEstChercheeAussiDansLesQuatreDossiersAuDessus() throws Exception {
         // celui que nommerait le message sans lien symbolique

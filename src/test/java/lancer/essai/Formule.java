@@ -79,6 +79,16 @@ public enum Formule {
         }
     },
 
+    /** Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34). */
+    REPRISE {
+        @Override
+        public double distance(double px, double py, double pz, double vx, double vy, double vz,
+                double cx, double cy, double cz, double r) {
+            double avance = Math.max(0, (cx - px) * vx + (cy - py) * vy + (cz - pz) * vz - r);
+            return avance + MANUEL.distance(px + avance * vx, py + avance * vy, pz + avance * vz, vx, vy, vz, cx, cy, cz, r);
+        }
+    },
+
     /** La nôtre, telle que le programme l'appelle. */
     PROGRAMME {
         @Override

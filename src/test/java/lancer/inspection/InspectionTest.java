@@ -84,7 +84,7 @@ class InspectionTest {
 
     /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */
     @ParameterizedTest
-    @CsvSource({"1, 0.2, 0.6", "1e9, 1e-8, 2e-8", "1e9, 1e-8, 0.9"})
+    @CsvSource({"1, 0.2, 0.6", "1e4, 1e-3, 2e-3", "1e4, 1e-3, 0.9", "1e9, 1e-8, 2e-8", "1e9, 1e-8, 0.9"})
     void celleQuiCacheEstLaPlusProcheDeLaLampeMemeLointaine(double loin, double basse, double haute) throws Exception {
         Path scene = Essai.scene(dossier.resolve("s.ini"), "[Sphere cible]", "centre=0 0 10", "rayon=1", "Kd=1 1 1", "[Sphere basse]",
                 "centre=" + surLeChemin(loin * basse), "rayon=1", "[Sphere haute]", "centre=" + surLeChemin(loin * haute),

@@ -47,6 +47,8 @@ final class ScenesDEssai {
         scenes.put("presque jumelles", new ScenesDEssai(14).presqueJumelles(taille).deuxLampes().scene());
         scenes.put("loin de tout", new ScenesDEssai(15).foule(taille, 3, 0.05, 0.3).sphere(1e6, 1e6, 1e6, 10).lampe(1e9, 1e9, -1e9)
                 .scene());
+        scenes.put("lampe lointaine de quelques contacts", new ScenesDEssai(21).foule(taille, 2, 0.05, 0.3).lampe(1e4, 65000, -1e4)
+                .deuxLampes().scene());
         scenes.put("étoiles", foule(20, taille, 1e11).sphere(-3e10, 1e10, 1e11, 1e10).sphere(4e37, 3e37, 1e38, 1e37).scene());
         scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
         scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
@@ -103,6 +105,7 @@ final class ScenesDEssai {
         scenes.put("ciel miroir", new ScenesDEssai(61).foule(taille, 2, 0.01, 0.05).sphere(0, 0, 0, 1e5).deuxLampes().scene());
         scenes.put("lampes lointaines", new ScenesDEssai(62).foule(taille, 2, 0.01, 0.05).lampe(1e12, 1e12, -1e12).lampe(0, 1e8, 0)
                 .lampe(1e16, 1e3, 2).scene());
+        scenes.put("soleils", new ScenesDEssai(68).foule(taille, 2, 0.01, 0.05).lampe(1e4, 65000, -1e4).lampe(1e6, 1e6, -1e6).scene());
         scenes.put("lampes dans les amas", new ScenesDEssai(63).amas(taille, 4, 0.02).lampesPartout().scene());
         scenes.put("mille lampes", new ScenesDEssai(64).foule(taille / 10, 2, 0.05, 0.2).lampes(1000).scene());
         scenes.put("tout derrière l'œil", new ScenesDEssai(65).gaussienne(taille, 0, 0, -30, 3, 0.1).deuxLampes().scene());

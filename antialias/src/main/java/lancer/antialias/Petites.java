@@ -10,6 +10,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Pave;
 
 /**
  * Les boules trop petites à l'écran pour qu'un point par pixel les voie toutes : où elles sont, et leur rayon, se
@@ -23,8 +24,8 @@ final class Petites {
     private final int largeur;
     private final int hauteur;
 
-    /** L'abscisse, l'ordonnée et le rayon, en pixels, de chaque disque dont la boîte touche un pixel, par son rang. */
-    private final Map<Integer, List<double[]>> disques = new HashMap<>();
+    /** Par pixel, les ellipses dont la boîte le touche : centre, moitiés des côtés, rayon de courbure d'un bout. */
+    private final Map<Integer, List<double[]>> ellipses = new HashMap<>();
 
     Petites(List<Objet3D> objets, Camera camera) {
         largeur = camera.getLargeur();
@@ -36,16 +37,22 @@ final class Petites {
         }
     }
 
-    /** Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son demi-axe est F r/(D cos²θ). */
+    /**
+     * Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son petit demi-axe est F r/(D cos θ) ;
+     * le rayon de courbure de ses bouts, F r/D, dit où un bout passe entre les points. Une ellipse plus longue qu'un
+     * pavé n'est pas cherchée.
+     */
     private void projeter(Sphere sphere, Camera camera) {
         Vecteur c = new Vecteur(camera.getOeil(), sphere.getCentre());
         Point vu = camera.projeter(sphere.getCentre());
-        double r = sphere.getRayon() * vu.z * Math.sqrt(1 + (c.x * c.x + c.y * c.y) / (c.z * c.z));
-        if (sphere.getCentre().z > camera.getEcran(0, 0).z && r < MAILLE && vu.x > -1 && vu.x < largeur + 1
-                && vu.y > -1 && vu.y < hauteur + 1) {
-            double[] disque = {vu.x, vu.y, r};
-            parcourir(vu.x - r, vu.y - r, vu.x + r, vu.y + r, pixel -> {
-                disques.computeIfAbsent(pixel, rang -> new ArrayList<>(1)).add(disque);
+        double r = sphere.getRayon() * vu.z;
+        double x = r * Math.hypot(1, c.x / c.z);
+        double y = r * Math.hypot(1, c.y / c.z);
+        if (sphere.getCentre().z > camera.getEcran(0, 0).z && r < MAILLE && Math.max(x, y) < Pave.COTE && vu.x > -1
+                && vu.x < largeur + 1 && vu.y > -1 && vu.y < hauteur + 1) {
+            double[] ellipse = {vu.x, vu.y, x, y, r * c.z / c.norme()};
+            parcourir(vu.x - x, vu.y - y, vu.x + x, vu.y + y, pixel -> {
+                ellipses.computeIfAbsent(pixel, rang -> new ArrayList<>(1)).add(ellipse);
                 return false;
             });
         }
@@ -63,11 +70,11 @@ final class Petites {
         return false;
     }
 
-    /** Dit si la boîte d'un disque touche ce rectangle, dont les quatre coins peuvent le manquer ; en pixels. */
+    /** Dit si la boîte d'une ellipse touche ce rectangle, dont les quatre coins peuvent le manquer ; en pixels. */
     boolean peutEchapper(double x0, double y0, double x1, double y1) {
         double cote = Math.max(x1 - x0, y1 - y0);
-        return !disques.isEmpty() && parcourir(x0, y0, x1, y1, pixel -> disques.containsKey(pixel)
-                && disques.get(pixel).stream().anyMatch(d -> d[2] < MAILLE * cote && d[0] + d[2] > x0
-                        && d[0] - d[2] < x1 && d[1] + d[2] > y0 && d[1] - d[2] < y1));
+        return !ellipses.isEmpty() && parcourir(x0, y0, x1, y1, pixel -> ellipses.containsKey(pixel)
+                && ellipses.get(pixel).stream().anyMatch(e -> e[4] < MAILLE * cote && e[0] + e[2] > x0
+                        && e[0] - e[2] < x1 && e[1] + e[3] > y0 && e[1] - e[3] < y1));
     }
 }

@@ -26,6 +26,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.inspection.Inspection;
+import lancer.rapide.Preparation;
 import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -203,13 +204,18 @@ class PartageTest {
 
     /** Des boules noires d'un même rayon, en pixels, au hasard sur un ciel ; le pixel central en est à 1 de l'écran à z = 0. */
     private static Scene poussiere(double rayon) {
-        Camera camera = new Camera(L, H);
+        return poussiere(new Camera(L, H), 40, rayon);
+    }
+
+    /** @param rayons tour à tour ; le petit demi-axe de ce que l'œil en voit */
+    private static Scene poussiere(Camera camera, int nombre, double... rayons) {
         Random hasard = new Random(5);
         List<Sphere> boules = new ArrayList<>();
         double loin = (8 + Camera.FOCALE) / Camera.FOCALE;
-        for (int k = 0; k < 40; k++) {
-            boules.add(new Sphere(new Point(camera.getX(L * hasard.nextDouble()) * loin, camera.getY(H * hasard.nextDouble()) * loin, 8),
-                    rayon * 2 / L * loin));
+        for (int k = 0; k < nombre; k++) {
+            boules.add(new Sphere(new Point(camera.getX(camera.getLargeur() * hasard.nextDouble()) * loin,
+                    camera.getY(camera.getHauteur() * hasard.nextDouble()) * loin, 8),
+                    rayons[k % rayons.length] * 2 / camera.getLargeur() * loin));
         }
         return new Scene(boules, Collections.emptyList());
     }
@@ -218,9 +224,14 @@ class PartageTest {
     private static final int H = 48;
 
     private static double[] rouges(Scene scene, Echantillonnage echantillonnage, long[] rayons) {
-        double[] rouges = new double[L * H];
-        Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
-        traceur.TracerPixels((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
+        return rouges(scene, new Camera(L, H), echantillonnage, rayons);
+    }
+
+    private static double[] rouges(Scene scene, Camera camera, Echantillonnage echantillonnage, long[] rayons) {
+        int largeur = camera.getLargeur();
+        double[] rouges = new double[largeur * camera.getHauteur()];
+        Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), camera);
+        traceur.TracerPixels((couleur, i, j) -> rouges[largeur * j + i] = Math.min(1, couleur.r), 0, 2);
         rayons[0] = traceur.getCompteurs().primaires;
         return rouges;
     }
@@ -239,6 +250,23 @@ class PartageTest {
         assertTrue(partage < 1.4 * grille, () -> partage + " contre " + grille);
         assertTrue(rayon > 0.5 || aveugle > 3 * partage, () -> "sans savoir où elles sont : " + aveugle);
         assertTrue(rayons[0] < 4 * L * H, () -> rayons[0] + " rayons");
+    }
+
+    /** Loin de l'axe, une boule se voit comme une ellipse, dont le bout passe entre des points que son milieu ne manque pas. */
+    @ParameterizedTest
+    @CsvSource({"40, 1600", "1600, 40", "100, 1200"})
+    void dansUneImageToutEnLongueurLesPetitesBoulesSontVuesCommeParLaGrilleComplete(int largeur, int hauteur) {
+        Camera camera = new Camera(largeur, hauteur);
+        Scene scene = poussiere(camera, largeur * hauteur / 150, 0.2, 0.4, 0.6);
+        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+        long[] rayons = new long[1];
+        double[] juste = rouges(scene, camera, new Coins(16, 0), rayons);
+        for (int n : new int[] {3, 4, 8}) {
+            double grille = rms(juste, rouges(scene, camera, new Coins(n, 0), rayons));
+            double partage = rms(juste, rouges(scene, camera, new Partage(n, 0.06), rayons));
+            assertTrue(partage < 1.3 * grille, () -> partage + " contre " + grille + ", n = " + n);
+            assertTrue(rayons[0] < 0.6 * n * n * largeur * hauteur, () -> rayons[0] + " rayons, n = " + n);
+        }
     }
 
     @Test
