@@ -161,6 +161,7 @@ public final class Lancer implements Calcul {
         @Override
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+            // un échantillonnage peut regarder sans passer par getCouleurPixel
             sien.xe = pave.i0;
             sien.ye = pave.j0;
             if (brouillon) {

@@ -55,9 +55,6 @@ final class Atelier {
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
-    /** Les derniers dessins dont la scène s'est lue sans faute, et dont un pixel lent s'est dit. */
-    private Tracage lu;
-    private Tracage lent;
     private ImageMemoire complete;
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
@@ -214,8 +211,8 @@ final class Atelier {
             courant.vue.countDown();
         }
         Dessin dessin = courant.dessin;
-        if (courant.aLire && dessin.getLue() != null && courant != lu) {
-            lu = courant;
+        if (courant.aLire && dessin.getLue() != null && !courant.lueDite) {
+            courant.lueDite = true;
             // il n'y a plus de faute, même si l'image se fait attendre
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
@@ -230,8 +227,8 @@ final class Atelier {
                 adopter();
             }
         }
-        if (dessin.getLenteur() != null && courant != lent) {
-            lent = courant;
+        if (dessin.getLenteur() != null && !courant.lenteurDite) {
+            courant.lenteurDite = true;
             panneau.bandeau.dire(Sujet.DESSIN, dessin.getLenteur());
         }
         if (fini && enCours) {

@@ -25,6 +25,9 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final long debut = System.nanoTime();
     /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
     volatile String version;
+    /** Vrai une fois dit que la scène est lue sans faute, et qu'un pixel est lent. */
+    boolean lueDite;
+    boolean lenteurDite;
     private volatile long fin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
