@@ -5,11 +5,10 @@ import java.util.function.UnaryOperator;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.antialias.Antialias;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Pave;
 import lancer.contrat.Toile;
-import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
 
 /** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
@@ -77,16 +76,6 @@ final class Methode {
         return nom + "/" + parametres;
     }
 
-    /** Un rayon au centre de chaque pixel voulu. */
-    private static int auCentre(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-            }
-        }
-        return 0;
-    }
-
     /** Une scène prête. */
     final class ScenePrete {
 
@@ -107,7 +96,7 @@ final class Methode {
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage sien = scene.getModele().getEchantillonnage();
-            Echantillonnage partiel = filtre.apply(sien == null ? Methode::auCentre : sien.pour(scene.getObjets(), lancer.getCamera()));
+            Echantillonnage partiel = filtre.apply(sien == null ? Antialias.coins(1, 0) : sien.pour(scene.getObjets(), lancer.getCamera()));
             Dessin.lancer(scene.avec(scene.getModele().avec(partiel, seuil)), lancer.getCamera().getLargeur(),
                     lancer.getCamera().getHauteur(), true).TracerPixels(toile, profondeur, fils);
         }
