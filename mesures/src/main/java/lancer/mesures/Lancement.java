@@ -21,16 +21,11 @@ public final class Lancement {
     private static final String MESURE = "t=(/usr/bin/time -f %M -o \"$0\"); \"${t[@]}\" true 2>/dev/null || t=(); : >\"$0\"; "
             + "TIMEFORMAT='%R %U %S'; { time \"${t[@]}\" \"$@\" 2>&3; } 3>&2 2>>\"$0\"";
 
-    /** Statut de sortie ; 126 ou 127 si la commande ne peut être lancée. */
+    /** Statut de sortie, 126 ou 127 si la commande ne peut être lancée ; ce qu'il a écrit, sur ses deux sorties. */
     public final int statut;
-
-    /** Tout ce qu'il a écrit, sur ses deux sorties. */
     public final String dit;
 
-    /**
-     * Ce qu'il a pris : le temps réel et celui des processeurs, en nanosecondes, et la mémoire résidente, au plus, en octets ; NaN pour
-     * elle sans GNU time.
-     */
+    /** Ce qu'il a pris : temps réel et temps des processeurs, en nanosecondes ; plus de mémoire résidente, en octets, NaN sans GNU time. */
     public final double[] pris;
 
     /** @param note fichier où noter ce qu'il prend */
