@@ -136,20 +136,31 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     Lancer preparer(ImageMemoire vierge) {
         avancement = 0;
         long debut = System.nanoTime();
-        Camera camera = new Camera(vierge.largeur, vierge.hauteur);
+        Lancer[] pret = new Lancer[1];
         new Prealable() {
             @Override
             public void accept(int tache) {
+                Camera camera = new Camera(vierge.largeur, vierge.hauteur);
                 ecart = chercher(scene, camera, options.simple, Dessin.this);
+                pret[0] = new Lancer(scene, camera);
             }
         }.faire("préparation");
-        Lancer pret = new Lancer(scene, camera);
-        pret.setSiLent(this);
+        pret[0].setSiLent(this);
         construitNs = construitNs();
         preparationNs = System.nanoTime() - debut;
         image = vierge;
-        lancer = pret;
-        return pret;
+        lancer = pret[0];
+        return lancer;
+    }
+
+    /** Fait ceci comme une préparation. */
+    void preparer(Runnable travail) {
+        new Prealable() {
+            @Override
+            public void accept(int tache) {
+                travail.run();
+            }
+        }.faire("préparation");
     }
 
     /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */
@@ -294,7 +305,10 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
     public Echec nommer(PixelFautif panne) {
-        return Echec.panne(Pannes.duPixel(panne, classes(scene), reglages.getOptions(), fichier,
+        // une classe qui retient un fil pourrait retenir aussi celui-ci
+        String[] classes = panne.getCause() instanceof Retenu
+                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : classes(scene);
+        return Echec.panne(Pannes.duPixel(panne, classes, reglages.getOptions(), fichier,
                 image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur));
     }
 

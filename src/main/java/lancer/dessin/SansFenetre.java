@@ -190,9 +190,11 @@ public final class SansFenetre {
 
     private void dessinerUnPixel() {
         dessin.lire();
-        Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
+        Inspection[] prete = new Inspection[1];
+        dessin.preparer(() -> prete[0] = new Inspection(dessin.getScene(), dessin.getLue().origines,
                 new Camera(options.largeur, options.hauteur), dessin.getReglages().getProfondeur(),
-                options.pixelX, options.pixelY);
+                options.pixelX, options.pixelY));
+        Inspection pixel = prete[0];
         pixel.faire();
         Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(dessin.getLue().avertissements, erreur);
