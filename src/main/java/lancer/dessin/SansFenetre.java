@@ -3,6 +3,7 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -196,7 +197,9 @@ public final class SansFenetre {
                 options.pixelX, options.pixelY));
         Inspection pixel = prete[0];
         pixel.faire();
-        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
+        List<String> lignes = new ArrayList<>();
+        dessin.preparer(() -> lignes.addAll(new Recit(pixel, Double::toString).lignes()));
+        Pannes.repondreEnUtf8(lignes, sortie);
         Pannes.avertir(dessin.getLue().avertissements, erreur);
     }
 
