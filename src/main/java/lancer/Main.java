@@ -74,7 +74,11 @@ public class Main implements Toile, Lecture {
     /** Dessine ceci, dont la scène est lue : le travail du SwingWorker de la fenêtre. */
     protected void dessiner(Dessin voulu) {
         dessin = voulu;
-        doTracerImage(voulu.largeur, voulu.hauteur);
+        if (voulu.getVue() == null) {
+            doTracerImage(voulu.largeur, voulu.hauteur);
+        } else {
+            voulu.dessinerLaVue(options.fils);
+        }
     }
 
     /**

@@ -46,7 +46,8 @@ public final class Options {
     /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
     private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
 
-    private static final List<String> VUES = Arrays.asList("normales", "distance", "lampes", "rayons", "difference");
+    /** Noms des vues en fausses couleurs. */
+    public static final List<String> VUES = Collections.unmodifiableList(Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
     /** Une vue s'écrit dans un PNG. */
     private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -26,6 +27,7 @@ import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Retenu;
 import lancer.image.ImageMemoire;
+import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
 import lancer.rapide.RechercheRapide;
 import lancer.rapide.Sondage;
@@ -55,6 +57,9 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     /** La scène ainsi réglée. */
     private volatile Scene scene;
     private volatile ImageMemoire image;
+    private volatile ImageMemoire apercu;
+    private String vue;
+    private ImageMemoire reference;
     private volatile Lancer lancer;
     private volatile String ecart;
     private volatile String lenteur;
@@ -87,6 +92,25 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         autre.reglages = reglages;
         autre.scene = scene;
         return autre;
+    }
+
+    /** Un dessin de cette autre scène lue du même fichier, à la même taille. */
+    public Dessin avec(SceneLue autreLue) {
+        Dessin autre = avec(largeur, hauteur);
+        autre.lue = autreLue;
+        autre.scene = new Scene(autreLue.objets, autreLue.lampes);
+        return autre;
+    }
+
+    /** Fait dessiner cette vue en fausses couleurs. @param avant l'image à laquelle « difference » se compare, ou null */
+    public void setVue(String vue, ImageMemoire avant) {
+        this.vue = vue;
+        reference = avant;
+    }
+
+    /** Vue en fausses couleurs demandée ; {@code null} pour l'image. */
+    public String getVue() {
+        return vue;
     }
 
     /**
@@ -161,6 +185,36 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
                 travail.run();
             }
         }.faire("préparation");
+    }
+
+    /** Dessine une petite image, un rayon par pixel, à montrer pendant que le brouillon se dessine. */
+    public void apercevoir(int colonnes, int lignes, int fils) {
+        Dessin petit = avec(colonnes, lignes);
+        Modele modele = scene.getModele();
+        petit.scene = scene.avec(modele.avec(null, modele.getSeuil()));
+        Lancer sien = petit.preparer(colonnes, lignes);
+        sien.getFautes().tolerer();
+        sien.TracerPixels(petit.image, Math.min(reglages.getProfondeur(), Constantes.REFLETS_BROUILLON), fils);
+        apercu = petit.image;
+    }
+
+    /** La petite image qui précède le brouillon ; {@code null} s'il n'y en a pas, ou plus besoin. */
+    public ImageMemoire getApercu() {
+        return brouillonFait ? null : apercu;
+    }
+
+    /** Dessine le brouillon, puis la vue demandée. */
+    public void dessinerLaVue(int fils) {
+        Lancer brouillon = preparer(largeur, hauteur);
+        brouillon.getFautes().tolerer();
+        try {
+            brouillon.TracerBrouillon(image, Math.min(reglages.getProfondeur(), Constantes.REFLETS_BROUILLON), fils);
+            finirBrouillon();
+            new FaussesCouleurs(brouillon, reglages.getProfondeur(), fils, sien -> lancer = sien)
+                    .dessiner(vue, image, reference);
+        } catch (PixelFautif e) {
+            throw nommer(e);
+        }
     }
 
     /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */

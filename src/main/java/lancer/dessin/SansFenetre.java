@@ -180,10 +180,12 @@ public final class SansFenetre {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         dessin.lire();
         Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur, false, false));
-        FaussesCouleurs vues = new FaussesCouleurs(prepare, dessin.getReglages().getProfondeur(), options.fils);
-        Ecriture.ecrire(vues.dessiner(options.vue), fichiers);
+        ImageMemoire image = new ImageMemoire(options.largeur, options.hauteur, false);
+        Lancer lancer = new FaussesCouleurs(prepare, dessin.getReglages().getProfondeur(), options.fils, sien -> { })
+                .dessiner(options.vue, image, null);
+        Ecriture.ecrire(image, fichiers);
         if (options.statistiques) {
-            Pannes.repondre(dessin.statistiques(vues.getLancer(), vues.getLancer().getDureeNs()), sortie);
+            Pannes.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
         }
         Pannes.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
@@ -215,7 +217,8 @@ public final class SansFenetre {
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
-            Ecriture.ecrire(options.vue == null ? comparaison.getDifferences() : comparaison.getPlusGrandsEcarts(),
+            Ecriture.ecrire(options.vue == null ? comparaison.getDifferences() : comparaison.peindreLesEcarts(
+                    new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
                     fichiers);
         }
         Pannes.repondre(comparaison.toString(), sortie);

@@ -86,11 +86,10 @@ public final class Comparaison {
     }
 
     /** Le plus grand écart de chaque pixel, en gris : noir s'il est nul, blanc à partir de 32 niveaux. */
-    public ImageMemoire getPlusGrandsEcarts() {
-        ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
+    public ImageMemoire peindreLesEcarts(ImageMemoire image) {
         for (int p = 0; p < pixels; p++) {
             double pire = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));
-            image.drawPixel(new Couleur(GROSSI * pire / 255), p % a.largeur, p / a.largeur);
+            image.drawPixel(new Couleur(GROSSI * pire / 255), new Couleur(pire), p % a.largeur, p / a.largeur);
         }
         return image;
     }

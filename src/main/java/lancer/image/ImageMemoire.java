@@ -7,6 +7,9 @@ import lancer.contrat.Toile;
 /** Une image en mémoire : les codes à montrer, les couleurs non limitées, ou les deux. */
 public final class ImageMemoire implements Toile {
 
+    /** Une couleur non limitée, comme dans les fichiers de scène. */
+    public static final String COULEUR = "← %.3f %.3f %.3f";
+
     public final int largeur;
     public final int hauteur;
 
@@ -16,6 +19,9 @@ public final class ImageMemoire implements Toile {
 
     /** Texte qui dit comment elle est dessinée, et ce qu'elle a coûté ; {@code null} tant qu'elle n'est pas achevée. */
     public volatile String legende;
+
+    /** Ce que disent les trois nombres de {@link #lineaire} d'un pixel : une couleur, ou ce qu'une vue y montre. */
+    public volatile String sens = COULEUR;
 
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
@@ -43,5 +49,11 @@ public final class ImageMemoire implements Toile {
             lineaire[3 * k + 1] = (float) coul.v;
             lineaire[3 * k + 2] = (float) coul.b;
         }
+    }
+
+    /** Montre cette teinte à la place de ce qu'elle dit. */
+    public void drawPixel(Couleur teinte, Couleur valeur, int xe, int ye) {
+        drawPixel(valeur, xe, ye);
+        codes[ye * largeur + xe] = teinte.getCode();
     }
 }

@@ -1,6 +1,8 @@
 package lancer.inspection;
 
 import java.util.Arrays;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -30,63 +32,77 @@ public final class FaussesCouleurs {
     /** L'échelle des nombres de rayons, du noir au blanc, de plus en plus claire. */
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
 
+    private static final Couleur NOIR = new Couleur();
+
     private final Lancer lancer;
     private final Camera camera;
     private final int profondeur;
     private final int fils;
+    private final Consumer<Lancer> siCommence;
     private Lancer dernier;
 
     /**
      * @param lancer la scène préparée
      * @param profondeur nombre de réflexions permises
+     * @param siCommence reçoit chaque lancer qui commence
      */
-    public FaussesCouleurs(Lancer lancer, int profondeur, int fils) {
+    public FaussesCouleurs(Lancer lancer, int profondeur, int fils, Consumer<Lancer> siCommence) {
         this.lancer = lancer;
+        this.siCommence = siCommence;
         this.profondeur = profondeur;
         this.fils = fils;
         camera = lancer.getCamera();
     }
 
-    /** La vue de ce nom : {@code normales}, {@code distance}, {@code lampes}, {@code rayons} ou {@code difference}. */
-    public ImageMemoire dessiner(String nom) {
-        ImageMemoire image = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), false);
+    /**
+     * Dessine la vue de ce nom : {@code normales}, {@code distance}, {@code lampes}, {@code rayons} ou {@code difference}.
+     *
+     * @param image où ; ses nombres, si elle en garde, sont ceux que disent ses teintes
+     * @param reference à quoi {@code difference} se compare ; {@code null} pour 64 rayons par pixel
+     * @return ce qui l'a dessinée, et ses comptes
+     */
+    public Lancer dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
         if (nom.equals("difference")) {
-            ImageMemoire dessinee = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), true);
-            ImageMemoire reference = new ImageMemoire(camera.getLargeur(), camera.getHauteur(), true);
-            tracer(FaussesCouleurs::enGrille, reference);
+            image.sens = "écart : %.2f niveaux";
+            ImageMemoire attendue = reference;
+            if (attendue == null) {
+                attendue = new ImageMemoire(image.largeur, image.hauteur, true);
+                tracer(FaussesCouleurs::enGrille, attendue);
+            }
+            ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
             tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
-            return new Comparaison(dessinee, reference, 0, 0).getPlusGrandsEcarts();
-        }
-        if (nom.equals("rayons")) {
-            tracer(this::compter, image);
+            new Comparaison(dessinee, attendue, 0, 0).peindreLesEcarts(image);
+        } else if (nom.equals("rayons")) {
+            image.sens = "rayons : %.0f";
+            tracer(this::compter, (rayons, i, j) -> image.drawPixel(teinte(rayons.r), rayons, i, j));
         } else if (nom.equals("distance")) {
+            image.sens = "d = %.5f";
             dessinerLesDistances(image);
+        } else if (nom.equals("normales")) {
+            image.sens = "N = %.4f %.4f %.4f";
+            tracer(parPixel(FaussesCouleurs::normale), (N, i, j) -> image.drawPixel(N.equals(NOIR) ? N
+                    : N.add(new Couleur(1)).div(2), N, i, j));
         } else {
-            boolean normales = nom.equals("normales");
-            tracer((pave, voulus, vue, toile) -> parPixel(voulus, vue, toile, (scene, contact) ->
-                    normales ? normale(contact) : new Couleur(lampes(scene, contact))), image);
+            image.sens = "lampes : %.0f";
+            int nombre = Math.max(1, lancer.getScene().getLampes().size());
+            tracer(parPixel(FaussesCouleurs::lampes), (n, i, j) -> image.drawPixel(n.div(nombre), n, i, j));
         }
-        return image;
-    }
-
-    /** Ce qui a dessiné la vue, et ses comptes. */
-    public Lancer getLancer() {
         return dernier;
     }
 
     private void tracer(Echantillonnage echantillonnage, Toile toile) {
         Modele modele = lancer.getScene().getModele();
         dernier = new Lancer(lancer.getScene().avec(modele.avec(echantillonnage, modele.getSeuil())), camera);
+        siCommence.accept(dernier);
         dernier.TracerPixels(toile, profondeur, fils);
     }
 
-    /** Ce qu'une vue montre d'un contact. */
-    private interface Teinte {
-        Couleur de(Scene scene, PointContact contact);
+    /** Dit, de chaque pixel, les nombres du premier contact vu en son centre, ou trois zéros. */
+    private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
+        return (pave, voulus, vue, toile) -> dire(voulus, vue, toile, nombres);
     }
 
-    /** Peint chaque pixel d'après le premier contact vu en son centre. */
-    private int parPixel(Pave voulus, Vue vue, Toile toile, Teinte teinte) {
+    private int dire(Pave voulus, Vue vue, Toile toile, BiFunction<Scene, PointContact, Couleur> nombres) {
         Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
         for (int j = voulus.j0; j < voulus.j1; j++) {
             for (int i = voulus.i0; i < voulus.i1; i++) {
@@ -94,7 +110,7 @@ public final class FaussesCouleurs {
                     scene.getCompteurs().primaires++;
                     Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                     PointContact contact = scene.getClosestIntersection(rayon);
-                    toile.drawPixel(contact == null ? new Couleur() : teinte.de(scene, contact), i, j);
+                    toile.drawPixel(contact == null ? NOIR : nombres.apply(scene, contact), i, j);
                 } catch (RuntimeException e) {
                     throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
                 }
@@ -104,14 +120,13 @@ public final class FaussesCouleurs {
         return 0;
     }
 
-    /** (N + 1)/2, où N est la normale. */
-    private static Couleur normale(PointContact contact) {
+    private static Couleur normale(Scene scene, PointContact contact) {
         Vecteur N = contact.objet.getNormale(contact);
-        return new Couleur((N.x + 1) / 2, (N.y + 1) / 2, (N.z + 1) / 2);
+        return new Couleur(N.x, N.y, N.z);
     }
 
-    /** La part des lampes de la scène qui éclairent ce contact. */
-    private static double lampes(Scene scene, PointContact contact) {
+    /** Le nombre de lampes qui éclairent ce contact. */
+    private static Couleur lampes(Scene scene, PointContact contact) {
         Vecteur N = contact.objet.getNormale(contact);
         int eclairent = 0;
         for (Lampe lampe : scene.getLampes()) {
@@ -119,19 +134,18 @@ public final class FaussesCouleurs {
             eclairent += N.dot(versLampe) > 0 && !scene.estCachee(lampe, contact, versLampe.normalized(),
                     versLampe.norme(), contact.objet) ? 1 : 0;
         }
-        return (double) eclairent / Math.max(1, scene.getLampes().size());
+        return new Couleur(eclairent);
     }
 
     /** 1 − d/d_max, où d_max est la plus grande distance d'un contact de l'image. */
     private void dessinerLesDistances(ImageMemoire image) {
-        double[] distances = new double[image.codes.length];
-        tracer((pave, voulus, vue, toile) -> parPixel(voulus, vue, toile,
-                (scene, contact) -> new Couleur(contact.distance)),
-                (couleur, i, j) -> distances[j * image.largeur + i] = couleur.r);
+        double[] distances = new double[image.largeur * image.hauteur];
+        tracer(parPixel((scene, contact) -> new Couleur(contact.distance)),
+                (distance, i, j) -> distances[j * image.largeur + i] = distance.r);
         double max = Arrays.stream(distances).max().orElse(0);
         for (int k = 0; k < distances.length; k++) {
-            image.drawPixel(new Couleur(distances[k] == 0 ? 0 : 1 - distances[k] / max), k % image.largeur,
-                    k / image.largeur);
+            image.drawPixel(new Couleur(distances[k] == 0 ? 0 : 1 - distances[k] / max), new Couleur(distances[k]),
+                    k % image.largeur, k / image.largeur);
         }
     }
 
@@ -148,7 +162,7 @@ public final class FaussesCouleurs {
         int raffines = choisi == null ? auCentre(voulus, comptee)
                 : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
-            toile.drawPixel(teinte(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0), pave.j0 + k / (pave.i1 - pave.i0));
+            toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0), pave.j0 + k / (pave.i1 - pave.i0));
         }
         return raffines;
     }
@@ -163,7 +177,7 @@ public final class FaussesCouleurs {
     }
 
     /** La couleur de ce nombre de rayons, sur une échelle logarithmique. */
-    private static Couleur teinte(long rayons) {
+    private static Couleur teinte(double rayons) {
         double place = Math.max(0, Math.min(1, Math.log(rayons) / Math.log(2) / DOUBLEMENTS)) * (ECHELLE.length - 1);
         int k = Math.min(ECHELLE.length - 2, (int) place);
         return couleur(ECHELLE[k]).mul(k + 1 - place).add(couleur(ECHELLE[k + 1]).mul(place - k));

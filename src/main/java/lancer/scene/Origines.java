@@ -23,6 +23,16 @@ public final class Origines {
         }
     }
 
+    public Origines() {
+    }
+
+    /** Les mêmes origines, où une chose en remplace une autre. */
+    Origines(Origines autre, Object ancienne, Object nouvelle) {
+        choses.addAll(autre.choses);
+        choses.replaceAll(chose -> chose == ancienne ? nouvelle : chose);
+        lues.addAll(autre.lues);
+    }
+
     void ajouter(Object chose, Origine origine) {
         choses.add(chose);
         lues.add(origine);

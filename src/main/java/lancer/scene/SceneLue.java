@@ -15,13 +15,28 @@ public final class SceneLue {
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
-    public final Origines origines = new Origines();
+    public final Origines origines;
 
     /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
     public final Map<Variante, Section> variantes = new LinkedHashMap<>();
 
     /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
     public final List<String> avertissements = new ArrayList<>();
+
+    SceneLue() {
+        origines = new Origines();
+    }
+
+    /** La même scène, où un objet ou une lampe est remplacé. */
+    public SceneLue(SceneLue autre, Object ancien, Object nouveau) {
+        objets.addAll(autre.objets);
+        lampes.addAll(autre.lampes);
+        objets.replaceAll(objet -> objet == ancien ? (Objet3D) nouveau : objet);
+        lampes.replaceAll(lampe -> lampe == ancien ? (Lampe) nouveau : lampe);
+        variantes.putAll(autre.variantes);
+        avertissements.addAll(autre.avertissements);
+        origines = new Origines(autre.origines, ancien, nouveau);
+    }
 
     /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si l'une, ou deux ensemble, ne vont pas */
     public Modele getModele() {

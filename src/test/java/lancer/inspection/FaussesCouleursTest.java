@@ -31,7 +31,13 @@ class FaussesCouleursTest {
     private final Camera camera = new Camera(L, H);
 
     private int[] vue(String nom) {
-        return new FaussesCouleurs(new Lancer(scene, camera), 5, 2).dessiner(nom).codes;
+        return vue(scene, nom);
+    }
+
+    private int[] vue(Scene vue, String nom) {
+        ImageMemoire image = new ImageMemoire(L, H, false);
+        new FaussesCouleurs(new Lancer(vue, camera), 5, 2, sien -> { }).dessiner(nom, image, null);
+        return image.codes;
     }
 
     private PointContact contact(int k) {
@@ -75,8 +81,7 @@ class FaussesCouleursTest {
             return new Couleur(eclairent / lampes.size());
         }, vue("lampes"));
         Scene sansLampe = new Scene(scene.getObjets(), Collections.<Lampe>emptyList());
-        assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(new FaussesCouleurs(new Lancer(sansLampe, camera), 5, 1)
-                .dessiner("lampes").codes).distinct().toArray());
+        assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(sansLampe, "lampes")).distinct().toArray());
     }
 
     @Test
@@ -120,8 +125,7 @@ class FaussesCouleursTest {
     void uneSceneVideEstNoireDeToutesLesFacons() {
         Scene vide = new Scene(Collections.<Objet3D>emptyList(), Collections.singletonList(new Lampe(new Point(0, 5, 0), new Couleur(1))));
         for (String nom : new String[] {"normales", "distance", "lampes", "rayons"}) {
-            ImageMemoire image = new FaussesCouleurs(new Lancer(vide, camera), 5, 2).dessiner(nom);
-            assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(image.codes).distinct().toArray(), nom);
+            assertArrayEquals(new int[] {0xFF000000}, Arrays.stream(vue(vide, nom)).distinct().toArray(), nom);
         }
     }
 }

@@ -1,0 +1,52 @@
+package lancer.image;
+
+import java.util.stream.IntStream;
+
+/** Une image réduite : chaque pixel y est la moyenne de la surface qu'il couvre. */
+public final class Reduction {
+
+    private Reduction() {
+    }
+
+    /**
+     * Les codes de cette image à une taille plus petite, 0 où rien n'est dessiné.
+     *
+     * @param pas 1 pour la moyenne exacte ; n pour ne regarder qu'une ligne et une colonne sur n
+     */
+    public static int[] moyenne(ImageMemoire image, int largeur, int hauteur, int pas) {
+        int[] codes = new int[largeur * hauteur];
+        IntStream.range(0, hauteur).parallel().forEach(y -> reduireLigne(image, largeur, hauteur, y, pas, codes));
+        return codes;
+    }
+
+    private static void reduireLigne(ImageMemoire image, int largeur, int hauteur, int y, int pas, int[] codes) {
+        double fx = (double) image.largeur / largeur;
+        double haut = (double) y * image.hauteur / hauteur;
+        double bas = (y + 1.0) * image.hauteur / hauteur;
+        for (int x = 0; x < largeur; x++) {
+            double gauche = x * fx;
+            double droite = Math.min(image.largeur, gauche + fx);
+            double r = 0;
+            double v = 0;
+            double b = 0;
+            double total = 0;
+            for (int j = (int) haut; j < bas && j < image.hauteur; j += pas) {
+                double poidsJ = Math.min(j + 1, bas) - Math.max(j, haut);
+                for (int i = (int) gauche; i < droite; i += pas) {
+                    int code = image.codes[j * image.largeur + i];
+                    double poids = code == 0 ? 0 : poidsJ * (Math.min(i + 1, droite) - Math.max(i, gauche));
+                    r += poids * (code >> 16 & 255);
+                    v += poids * (code >> 8 & 255);
+                    b += poids * (code & 255);
+                    total += poids;
+                }
+            }
+            codes[y * largeur + x] = total == 0 ? 0 : 0xFF000000 | arrondi(r / total) << 16
+                    | arrondi(v / total) << 8 | arrondi(b / total);
+        }
+    }
+
+    private static int arrondi(double composante) {
+        return (int) (composante + 0.5);
+    }
+}
