@@ -2,7 +2,9 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
@@ -19,6 +21,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
+import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
@@ -52,9 +55,14 @@ final class Atelier {
     boolean enCours;
     /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
     Dessin montre;
+    /** La scène montrée, telle qu'elle est lue ou qu'on l'a déplacée ; {@code null} avant la première. */
+    Dessin source;
+    /** La vue en fausses couleurs qui remplace l'image ; {@code null} : aucune. */
+    String vue;
     /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
     ImageMemoire avant;
 
+    private final Deque<Dessin> avantDeplacements = new ArrayDeque<>();
     private ImageMemoire complete;
     /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
     private boolean enAttente;
@@ -150,6 +158,33 @@ final class Atelier {
         }
     }
 
+    /** Remplace l'image par cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
+    void voir(String voulue) {
+        vue = voulue;
+        redessiner();
+    }
+
+    /** Remplace un objet ou une lampe de la scène montrée, en mémoire seulement. @param suite si ce geste continue */
+    void deplacer(Object ancien, Object nouveau, boolean suite) {
+        if (!suite) {
+            avantDeplacements.push(source);
+        }
+        source = source.avec(new SceneLue(source.getLue(), ancien, nouveau));
+        dessiner(reglages, suite);
+    }
+
+    /** Défait le dernier déplacement. */
+    void defaire() {
+        if (estDeplacee()) {
+            source = avantDeplacements.pop();
+            dessiner(reglages, false);
+        }
+    }
+
+    boolean estDeplacee() {
+        return !avantDeplacements.isEmpty();
+    }
+
     void ajuster() {
         Dimension voulue = taille.get();
         if (adopte != null && (voulue.width != courant.dessin.largeur || voulue.height != courant.dessin.hauteur)) {
@@ -175,12 +210,18 @@ final class Atelier {
     private void redessiner() {
         // une scène qui se lit, et ne se voit pas encore, passe avant
         boolean autre = enCours && courant.aLire && courant != adopte;
-        lancer((autre ? courant : adopte).dessin.avec(taille.get().width, taille.get().height));
+        lancer((autre ? courant.dessin : source).avec(taille.get().width, taille.get().height));
     }
 
-    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas. */
+    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas, et une vue n'en est pas une. */
     private void retenir() {
-        avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
+        if (complete == null || complete.sens.equals(ImageMemoire.COULEUR)) {
+            avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
+        }
+    }
+
+    private boolean estDeLaTaille(ImageMemoire image, Dessin dessin) {
+        return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
     }
 
     private void lancer(Dessin dessin) {
@@ -191,7 +232,9 @@ final class Atelier {
         if (courant != null) {
             courant.arreter();
         }
-        Tracage tracage = new Tracage(programme, dessin, reglages);
+        dessin.setVue(vue, estDeLaTaille(avant, dessin) ? avant : null);
+        Tracage tracage = new Tracage(programme, dessin, reglages,
+                panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         dessins.execute(tracage);
         suivre(tracage);
     }
@@ -227,6 +270,10 @@ final class Atelier {
                 adopter();
             }
         }
+        if (panneau.apercu != dessin.getApercu()) {
+            panneau.apercu = dessin.getApercu();
+            panneau.repaint();
+        }
         if (dessin.getLenteur() != null && !courant.lenteurDite) {
             courant.lenteurDite = true;
             panneau.bandeau.dire(Sujet.DESSIN, dessin.getLenteur());
@@ -247,7 +294,13 @@ final class Atelier {
             fichier = adopte.dessin.fichier;
             surveillance.suivre(fichier, courant.version);
             panneau.bandeau.dire(Sujet.DESSIN, "");
-            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", adopte.dessin.getLue().avertissements));
+            List<String> avis = new ArrayList<>(adopte.dessin.getLue().avertissements);
+            if (estDeplacee()) {
+                avis.add("scène relue : ce qui avait été déplacé a repris la place que dit son fichier");
+                avantDeplacements.clear();
+            }
+            source = adopte.dessin;
+            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
         }
         prevenus.forEach(Runnable::run);
     }
@@ -262,7 +315,8 @@ final class Atelier {
             // les sections laissées de côté, sans le reste de leur avertissement
             String ignorees = String.join("\n", montre.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            complete.legende = montre.getCout() + ", " + montre.getReglages() + ignorees
+            complete.legende = montre.getCout() + ", " + (vue == null ? "" : "vue " + vue + ", ")
+                    + montre.getReglages() + ignorees
                     + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
             if (montre.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, montre.getEcart());

@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ActionEvent;
@@ -19,6 +18,7 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.UIManager;
+import javax.swing.border.Border;
 import lancer.texte.Texte;
 
 /** Messages de la fenêtre, par-dessus le bas de l'image : la faute de la scène, tant qu'elle y est, puis les autres. */
@@ -28,11 +28,9 @@ final class Bandeau extends JTextArea {
     /** Ce dont il se dit quelque chose, dans l'ordre où cela se lit ; un avis s'efface de lui-même. */
     enum Sujet { SCENE, DESSIN, DISQUE, AVIS }
 
-    private static final Color FOND_ERREUR = new Color(0xA61B1B);
-    private static final Color FOND_AVIS = new Color(0xFFE9A8);
     private static final int DUREE_AVIS_MS = 8000;
     private static final int MARGE_V = 6;
-    private static final int MARGE_H = 10;
+    private static final Border MARGES = BorderFactory.createEmptyBorder(MARGE_V, MARGE_V, MARGE_V, MARGE_V);
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(Sujet.AVIS, ""));
     final Action copie = new AbstractAction("Copier le message") {
@@ -46,7 +44,6 @@ final class Bandeau extends JTextArea {
     Bandeau() {
         setName("message");
         donnerALire(this);
-        setBorder(BorderFactory.createEmptyBorder(MARGE_V, MARGE_H, MARGE_V, MARGE_H));
         setVisible(false);
         oubli.setRepeats(false);
         setToolTipText("cliquer pour fermer ; bouton droit pour copier");
@@ -70,7 +67,6 @@ final class Bandeau extends JTextArea {
         JTextArea etiquette = new JTextArea(" ");
         etiquette.setName(nom);
         etiquette.setOpaque(false);
-        etiquette.setFont(UIManager.getFont("Label.font"));
         donnerALire(etiquette);
         return etiquette;
     }
@@ -96,8 +92,11 @@ final class Bandeau extends JTextArea {
         String texte = dits.values().stream().flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe)
                 .collect(Collectors.joining("\n"));
         boolean grave = dits.keySet().stream().anyMatch(dit -> dit != Sujet.AVIS);
-        setBackground(grave ? FOND_ERREUR : FOND_AVIS);
-        setForeground(grave ? Color.WHITE : Color.BLACK);
+        setBackground(UIManager.getColor("ToolTip.background"));
+        setForeground(UIManager.getColor("ToolTip.foreground"));
+        setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE_V, 0, 0, grave
+                ? Apparence.couleur("Component.error.focusedBorderColor", "ToolTip.foreground")
+                : Apparence.couleur("Component.warning.focusedBorderColor", "ToolTip.background")), MARGES));
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

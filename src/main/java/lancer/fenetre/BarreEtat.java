@@ -6,88 +6,65 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.util.Locale;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.JTextArea;
 import lancer.image.ImageMemoire;
 
-/** Le bas de la fenêtre : le pixel sous la souris, l'image, l'avancement, et un bouton pour arrêter ou reprendre. */
+/** Le bas de la fenêtre : un filet qui avance pendant un dessin, le pixel sous la souris, puis ce qui se voit. */
 @SuppressWarnings("serial")
 final class BarreEtat extends JPanel {
 
     private static final int MARGE = 6;
-    private static final int INTERLIGNE = 4;
+    private static final int FILET = 3;
     private static final int POUR_MILLE = 1000;
-    /** Largeur du résumé en chiffres, et ce que chaque variante y ajoute. */
-    private static final int LETTRES = 60;
-    private static final int LETTRES_VARIANTE = 36;
 
-    /** Le plus long texte d'un pixel achevé fait la moindre largeur de la fenêtre. */
+    /** Le plus long texte d'un pixel achevé fait la largeur voulue de la fenêtre. */
     private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
-    private final JTextArea resume = Bandeau.etiquette("resume");
+    private final JLabel resume = new JLabel(" ");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
-    private final JButton bouton = new JButton("Redessiner");
     private final JLabel pastille = new JLabel("    ");
-    private final int largeurMin;
-    /** La largeur de la fenêtre, et la hauteur qu'il y a fallu. */
-    private int largeur;
-    private int hauteur;
 
-    /** @param image sa largeur @param variantes combien le résumé peut avoir à en dire */
-    BarreEtat(Runnable siPresse, int image, int variantes) {
-        super(new BorderLayout(MARGE, INTERLIGNE));
-        setBorder(BorderFactory.createEmptyBorder(INTERLIGNE, MARGE, INTERLIGNE, MARGE));
+    BarreEtat() {
+        super(new BorderLayout(MARGE, 0));
         pixel.setName("pixel");
+        resume.setName("resume");
+        // un nom de fichier qui commence par <html> se lit tel quel
+        resume.putClientProperty("html.disable", true);
         avancement.setName("avancement");
-        bouton.setName("bouton");
-        avancement.setStringPainted(true);
-        avancement.setString("");
-        // par Tab ; d'un clic, le clavier reste à l'image
-        bouton.setRequestFocusEnabled(false);
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
-        bouton.addActionListener(e -> siPresse.run());
-        // la largeur du plus long de ses deux textes, pour que la barre ne bouge pas
-        bouton.setPreferredSize(bouton.getPreferredSize());
+        avancement.setBorderPainted(false);
+        avancement.setPreferredSize(new Dimension(FILET, FILET));
         JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        textes.add(resume, BorderLayout.PAGE_START);
+        textes.setBorder(BorderFactory.createEmptyBorder(MARGE / 2, MARGE, MARGE / 2, MARGE));
         textes.add(pastille, BorderLayout.LINE_START);
         textes.add(pixel, BorderLayout.CENTER);
-        add(textes, BorderLayout.PAGE_START);
-        add(avancement, BorderLayout.CENTER);
-        add(bouton, BorderLayout.LINE_END);
-        largeurMin = super.getPreferredSize().width;
+        textes.add(resume, BorderLayout.PAGE_END);
+        add(avancement, BorderLayout.PAGE_START);
+        add(textes, BorderLayout.CENTER);
+        // la moindre largeur est celle du texte d'un pixel, et un long résumé se coupe
+        Dimension voulue = getPreferredSize();
+        setPreferredSize(voulue);
         pixel.setText(" ");
-        resume.setRows(1 + (LETTRES + variantes * LETTRES_VARIANTE)
-                * resume.getFontMetrics(resume.getFont()).charWidth('0') / Math.max(largeurMin, image));
     }
 
-    /** Taille où se lit tout le résumé, et qui ne rapetisse qu'avec la fenêtre : l'image se redessinerait sans fin. */
-    @Override
-    public Dimension getPreferredSize() {
-        if (getParent().getWidth() != largeur) {
-            largeur = getParent().getWidth();
-            hauteur = 0;
-            resume.setSize(largeur - 2 * MARGE, Short.MAX_VALUE);
-        }
-        hauteur = Math.max(hauteur, super.getPreferredSize().height);
-        return new Dimension(largeurMin, hauteur);
+    /** @param courant le dessin en cours ; {@code null} s'il n'y en a pas */
+    void avancer(Tracage courant) {
+        avancement.setValue(courant == null ? 0 : (int) (POUR_MILLE * courant.getAvancement()));
+        avancement.getAccessibleContext().setAccessibleDescription(courant == null ? "" : courant.getEtat());
     }
 
-    void avancer(Tracage tracage) {
-        avancement.setValue(tracage.isAcheve() ? POUR_MILLE : (int) (POUR_MILLE * tracage.getAvancement()));
-        avancement.setString(tracage.getEtat());
-        bouton.setText(tracage.isDone() ? "Redessiner" : "Arrêter");
+    void resumer(String texte) {
+        resume.setText(texte);
+        resume.setToolTipText(texte);
     }
 
-    /** Résumé de l'image montrée, {@code null} si elle n'est pas achevée, et de ce qu'elle a coûté. */
-    String resumer(ImageMemoire image, double reduction, String cout) {
+    /** Résumé de l'image montrée, et de ce qu'elle a coûté. @param reduction le rapport de sa taille à l'écran */
+    static String resume(ImageMemoire image, double reduction) {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        resume.setText(image == null ? " " : image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + cout);
-        return resume.getText();
+        return image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + image.legende;
     }
 
     /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si ce n'est peut-être pas sa couleur */
@@ -106,7 +83,7 @@ final class BarreEtat extends JPanel {
         float[] lineaire = image.lineaire;
         if (lineaire != null) {
             // avec un point, comme dans les fichiers de scène
-            texte += String.format(Locale.ROOT, " ← %.3f %.3f %.3f", lineaire[3 * k], lineaire[3 * k + 1],
+            texte += String.format(Locale.ROOT, " " + image.sens, lineaire[3 * k], lineaire[3 * k + 1],
                     lineaire[3 * k + 2]);
         }
         pixel.setText(texte);

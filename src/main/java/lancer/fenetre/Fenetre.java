@@ -3,14 +3,12 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.Frame;
 import java.awt.GraphicsDevice;
 import java.awt.Image;
 import java.awt.KeyEventPostProcessor;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.ComponentAdapter;
@@ -20,7 +18,6 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,7 +35,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
-import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
@@ -76,7 +72,9 @@ public final class Fenetre {
     private JCheckBoxMenuItem plein;
     /** Place du cadre avant le plein écran. */
     private Rectangle place;
-    private Inspecteur inspecteur;
+    private final Onglets onglets;
+    private final Prise prise;
+    private JDialog touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
             ExecutorService dessins, Runnable fin) {
@@ -84,15 +82,20 @@ public final class Fenetre {
         this.fin = fin;
         demandee = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
-        barre = new BarreEtat(this::arreterOuRecharger, panneau.getPreferredSize().width, variantes.size());
+        barre = new BarreEtat();
         atelier = new Atelier(premier, dessinateur, dessins, options.fils, panneau, this::getTaille);
         atelier.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> atelier.ajuster());
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
+        prise = new Prise(atelier, panneau);
+        onglets = new Onglets(cadre, panneau);
+        onglets.ajouter("Pixel", () -> new Inspecteur(cadre, atelier, panneau, caracteres));
+        onglets.ajouter("Réglages", () -> new PanneauReglages(atelier));
+        onglets.ajouter("Vitesse", () -> new PanneauVitesse(atelier));
         JMenuBar menus = new JMenuBar();
         menus.add(menuFichier());
         menus.add(menuAffichage());
-        MenuDessin dessin = new MenuDessin(cadre, atelier, variantes);
+        MenuDessin dessin = new MenuDessin(atelier, variantes);
         menus.add(dessin.menu);
         caracteres.put('+', () -> dessin.changer(true));
         caracteres.put('-', () -> dessin.changer(false));
@@ -100,8 +103,10 @@ public final class Fenetre {
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         aide.setMnemonic(KeyEvent.VK_I);
-        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1),
-                Dialogues.aLaDemande(() -> Dialogues.touches(cadre)));
+        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
+            touches = touches == null ? Dialogues.touches(cadre) : touches;
+            touches.setVisible(true);
+        });
         cadre.setJMenuBar(menus);
     }
 
@@ -128,7 +133,14 @@ public final class Fenetre {
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
+        menu.addSeparator();
+        menu.add(Menus.siScene(atelier, menuVues()));
         Menus.siScene(atelier, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
+        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2), () -> onglets.montrer(1));
+        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3), () -> onglets.montrer(2));
+        menu.addSeparator();
+        JCheckBoxMenuItem sombre = new JCheckBoxMenuItem("Apparence sombre", Apparence.estSombre());
+        Menus.article(menu, sombre, null, () -> Apparence.changer(sombre.isSelected()));
         // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
         Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_AMPERSAND), demander::doClick);
         Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD1), demander::doClick);
@@ -137,13 +149,24 @@ public final class Fenetre {
         return menu;
     }
 
+    private JMenu menuVues() {
+        JMenu menu = Menus.menu("Vue");
+        ButtonGroup vues = new ButtonGroup();
+        Menus.choix(menu, vues, "l'image", null, () -> atelier.voir(null)).setSelected(true);
+        Options.VUES.forEach(vue -> Menus.choix(menu, vues, vue, null, () -> atelier.voir(vue)));
+        return menu;
+    }
+
     /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
     void commencer(Tracage premier) {
-        cadre.add(panneau, BorderLayout.CENTER);
+        cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         cadre.pack();
-        cadre.setLocationRelativeTo(null);
+        Rectangle ecran = Dialogues.ecran();
+        // la place du panneau est à droite, s'il y en a
+        cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth() - Onglets.LARGEUR) / 2),
+                ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
         ecouter();
         titrer();
         if (premier == null) {
@@ -231,8 +254,6 @@ public final class Fenetre {
     private void basculer() {
         boolean entre = plein.isSelected();
         GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
-        List<Window> ouvertes = Arrays.stream(cadre.getOwnedWindows()).filter(Window::isVisible)
-                .collect(Collectors.toList());
         place = entre ? cadre.getBounds() : place;
         // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
         cadre.dispose();
@@ -244,7 +265,6 @@ public final class Fenetre {
         cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);
         cadre.requestFocus();
-        ouvertes.forEach(fenetre -> fenetre.setVisible(true));
         atelier.ajuster();
     }
 
@@ -255,59 +275,42 @@ public final class Fenetre {
         }
     }
 
-    private void arreterOuRecharger() {
-        if (atelier.enCours) {
-            atelier.arreter();
-        } else if (atelier.fichier == null) {
-            choisirScene();
-        } else {
-            atelier.relire();
-        }
-    }
-
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau, caracteres) : inspecteur;
-            inspecteur.montrer(pixel);
+            ((Inspecteur) onglets.montrer(0)).montrer(pixel);
         }
     }
 
     private void tenir(boolean tenue) {
-        panneau.tenue = tenue ? atelier.avant : null;
-        panneau.repaint();
-        decrire();
+        ImageMemoire voulue = tenue ? atelier.avant : null;
+        if (voulue != panneau.tenue) {
+            panneau.tenue = voulue;
+            panneau.dire(tenue ? "avant : " + voulue.legende : "", true);
+            decrire();
+        }
     }
 
     private void echapper() {
         if (atelier.enCours) {
             atelier.arreter();
-        } else if (aCote() != null) {
-            aCote().setVisible(false);
+        } else if (prise.estPris()) {
+            prise.lacher();
+        } else if (touches != null && touches.isVisible()) {
+            touches.setVisible(false);
+        } else if (onglets.estOuvert()) {
+            onglets.fermer();
         } else if (plein.isSelected()) {
             plein.doClick();
         }
     }
 
-    /** La fenêtre d'à côté qui a le clavier, à défaut la dernière ; {@code null} s'il n'y en a pas d'ouverte. */
-    private Window aCote() {
-        return Arrays.stream(cadre.getOwnedWindows()).filter(fenetre -> fenetre.isVisible()
-                && fenetre instanceof JDialog && !((JDialog) fenetre).isModal())
-                .reduce(null, (une, autre) -> une != null && une.isFocused() ? une : autre);
-    }
-
-    /** Une touche dont rien n'a été fait, même à côté, est un caractère du cadre ou une de ses touches, hors menus. */
+    /** Un caractère dont rien n'a été fait est pour le cadre, quelle que soit la touche qui l'écrit. */
     private boolean renvoyer(KeyEvent e) {
-        boolean aCote = aCote() != null && aCote().isFocused();
-        boolean libre = !e.isConsumed() && !e.isAltDown() && e.getKeyCode() != KeyEvent.VK_F10;
-        if (libre && e.getID() == KeyEvent.KEY_PRESSED && !e.isControlDown() && !e.isMetaDown()
-                && (aCote || cadre.isFocused())
+        if (e.getID() == KeyEvent.KEY_PRESSED && !e.isConsumed() && cadre.isFocused()
+                && !e.isAltDown() && !e.isControlDown() && !e.isMetaDown()
                 && MenuSelectionManager.defaultManager().getSelectedPath().length == 0) {
             caracteres.getOrDefault(Character.toLowerCase(e.getKeyChar()), () -> { }).run();
-        }
-        if (libre && aCote) {
-            SwingUtilities.processKeyBindings(new KeyEvent(cadre.getRootPane(), e.getID(), e.getWhen(),
-                    e.getModifiersEx(), e.getKeyCode(), e.getKeyChar(), e.getKeyLocation()));
         }
         return false;
     }
@@ -324,8 +327,8 @@ public final class Fenetre {
     void abandonner() {
         horloge.stop();
         atelier.terminer();
-        // ce qu'elles calculent s'arrête avec elles
-        Arrays.stream(cadre.getOwnedWindows()).forEach(fenetre -> fenetre.setVisible(false));
+        // ce que calcule un onglet s'arrête avec lui
+        onglets.fermer();
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
         cadre.dispose();
     }
@@ -340,11 +343,6 @@ public final class Fenetre {
         titrer();
         avancer();
         decrire();
-        // ce que prend de plus un long résumé, l'image ne le perd pas
-        int manque = barre.isVisible() ? barre.getPreferredSize().height - barre.getHeight() : 0;
-        if (manque > 0 && cadre.getExtendedState() == Frame.NORMAL) {
-            cadre.setSize(cadre.getWidth(), Math.min(cadre.getHeight() + manque, Dialogues.ecran().height));
-        }
     }
 
     /** Charge les icônes, entre lesquelles le bureau choisit, et que la première image n'a pas à attendre. */
@@ -361,7 +359,10 @@ public final class Fenetre {
     }
 
     private void avancer() {
-        barre.avancer(atelier.courant);
+        barre.avancer(atelier.enCours ? atelier.courant : null);
+        if (atelier.enCours || atelier.getImageComplete() == null) {
+            barre.resumer(atelier.courant.getEtat());
+        }
         if (plein.isSelected()) {
             panneau.dire(cadre.getTitle() + " — " + atelier.courant.getEtat(), atelier.enCours);
         }
@@ -377,14 +378,18 @@ public final class Fenetre {
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : atelier.enCours ? null : atelier.getImageComplete();
-        panneau.getAccessibleContext().setAccessibleDescription(barre.resumer(image,
-                image == null ? 1 : panneau.getReduction(image), image == null ? null : image.legende));
+        String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image));
+        if (image != null) {
+            barre.resumer(resume);
+        }
+        panneau.getAccessibleContext().setAccessibleDescription(resume);
         montrerPixel();
     }
 
     private void montrerPixel() {
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, image == null || image.legende == null);
+        barre.montrerPixel(image == panneau.apercu ? null : panneau.getPixelSouris(image), image,
+                image == null || image.legende == null);
     }
 
     private void titrer() {

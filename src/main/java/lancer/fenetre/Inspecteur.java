@@ -18,7 +18,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -44,7 +43,7 @@ import lancer.texte.Nombre;
 
 /** Explication d'un pixel, dans une fenêtre à côté, qui le suit d'un dessin à l'autre ; un fil à part la calcule. */
 @SuppressWarnings("serial")
-final class Inspecteur extends JDialog {
+final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
     private static final int LARGEUR = 520;
@@ -87,7 +86,7 @@ final class Inspecteur extends JDialog {
 
     /** @param caracteres où mettre ce qu'il fait d'un caractère */
     Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau, Map<Character, Runnable> caracteres) {
-        super(cadre);
+        super(new BorderLayout());
         this.atelier = atelier;
         this.panneau = panneau;
         setName("inspecteur");
@@ -142,6 +141,13 @@ final class Inspecteur extends JDialog {
         IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
         caracteres.put('d', () -> deplier(null));
         atelier.prevenir(this::calculer);
+        addHierarchyListener(e -> {
+            if (!isShowing()) {
+                abandonner();
+                panneau.suivre(null);
+                panneau.superposer(null, null);
+            }
+        });
     }
 
     private void lierTouches(JComponent ou, int quand) {
@@ -150,7 +156,7 @@ final class Inspecteur extends JDialog {
         for (int[] s : sens) {
             for (int pas : new int[] {1, SAUT}) {
                 ou.registerKeyboardAction(e -> {
-                    if (isVisible()) {
+                    if (isShowing()) {
                         montrer(new Point(pixel.x + pas * s[1], pixel.y + pas * s[2]));
                     }
                 }, KeyStroke.getKeyStroke(s[0], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
@@ -163,11 +169,6 @@ final class Inspecteur extends JDialog {
         camera = null;
         panneau.suivre(pixel);
         rang = Inspection.AU_CENTRE;
-        if (!isVisible()) {
-            setSize(Math.max(LARGEUR_MIN, Math.min(LARGEUR, Dialogues.ecran().width - getOwner().getWidth())),
-                    Math.max(HAUTEUR_MIN, getOwner().getHeight()));
-            Dialogues.aCote(this);
-        }
         calculer();
     }
 
@@ -178,7 +179,7 @@ final class Inspecteur extends JDialog {
 
     /** Ne montre plus dans les figures que ce rebond ; tous, si c'est déjà lui ou s'il n'existe pas. */
     private void isoler(int numero) {
-        if (isVisible()) {
+        if (isShowing()) {
             rebond = numero == rebond ? 0 : numero;
             calculer();
         }
@@ -186,19 +187,9 @@ final class Inspecteur extends JDialog {
 
     /** @param repli {@code null} pour tout déplier, ou tout replier */
     private void deplier(String repli) {
-        if (isVisible()) {
+        if (isShowing()) {
             depliage.basculer(repli);
             ecrire();
-        }
-    }
-
-    @Override
-    public void setVisible(boolean visible) {
-        super.setVisible(visible);
-        if (!visible) {
-            abandonner();
-            panneau.suivre(null);
-            panneau.superposer(null, null);
         }
     }
 
@@ -213,7 +204,7 @@ final class Inspecteur extends JDialog {
     private void calculer() {
         Dessin montre = atelier.montre;
         abandonner();
-        if (!isVisible() || montre == null) {
+        if (!isShowing() || montre == null) {
             return;
         }
         // d'une image d'une autre taille, le même endroit
@@ -221,7 +212,6 @@ final class Inspecteur extends JDialog {
         camera = montre.getLancer().getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
-        setTitle("Rayons du pixel " + pixel.x + ", " + pixel.y);
         Inspection nouvelle = new Inspection(montre.getScene(), montre.getLue().origines, camera,
                 montre.getReglages().getProfondeur(), pixel.x, pixel.y);
         int voulu = rang;

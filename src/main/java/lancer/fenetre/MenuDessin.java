@@ -9,18 +9,18 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import lancer.commande.Etape;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.scene.Deplacement;
 
 /** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
 final class MenuDessin {
 
-    private static final int[] REFLEXIONS = {0, 1, 2, 5, 10};
+    static final Integer[] REFLEXIONS = {0, 1, 2, 5, 10};
     private static final String[] NOMS_DES_ETAPES = {"Lambert", "+ Phong", "+ ombres", "+ reflets"};
 
     final JMenu menu = Menus.menu("Dessin");
@@ -32,7 +32,7 @@ final class MenuDessin {
     private final JMenuItem arreter;
 
     /** @param variantes les noms de celles qui sont présentes */
-    MenuDessin(JFrame cadre, Atelier atelier, List<String> variantes) {
+    MenuDessin(Atelier atelier, List<String> variantes) {
         this.atelier = atelier;
         JMenuItem relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5),
                 atelier::relire);
@@ -63,15 +63,11 @@ final class MenuDessin {
             atelier.prevenir(() -> coche.setSelected(atelier.reglages != null
                     && atelier.reglages.estBranchee(atelier.reglages.getVariante(nom))));
         }
-        if (!variantes.isEmpty()) {
-            Menus.siScene(atelier, menu, "Paramètres des variantes…", Menus.touche(KeyEvent.VK_F2),
-                    Dialogues.aLaDemande(() -> new PanneauVariantes(cadre, atelier)));
-        }
-        Menus.siScene(atelier, menu, "Vitesse ou précision…", Menus.touche(KeyEvent.VK_F3),
-                Dialogues.aLaDemande(() -> new PanneauVitesse(cadre, atelier)));
         menu.addSeparator();
         Menus.siScene(atelier, menu, "Revenir aux réglages de la scène", null,
                 () -> atelier.dessiner(atelier.reglages.initiaux(), false));
+        JMenuItem defaire = Menus.article(menu, "Défaire le déplacement", Menus.ctrl(KeyEvent.VK_Z), atelier::defaire);
+        atelier.prevenir(() -> defaire.setEnabled(atelier.estDeplacee()));
         Menus.siScene(atelier, menu, "Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
@@ -82,7 +78,7 @@ final class MenuDessin {
     void changer(boolean plus) {
         if (atelier.reglages != null) {
             int actuel = atelier.reglages.getReflets();
-            IntStream autres = Arrays.stream(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
+            IntStream autres = Arrays.stream(REFLEXIONS).mapToInt(n -> n).filter(n -> plus ? n > actuel : n < actuel);
             (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
         }
     }
@@ -97,7 +93,8 @@ final class MenuDessin {
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
     private void copier() {
         String sections = atelier.reglages.getSectionsChangees().stream()
-                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
+                + Deplacement.sections(atelier.adopte.dessin.getLue(), atelier.source.getLue());
         menu.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
     }

@@ -47,7 +47,8 @@ public final class Ouverture {
         }
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
         ExecutorService dessins = Atelier.unFil("lancer-dessin");
-        Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null);
+        Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null,
+                PanneauImage.dans(Dialogues.ecran().getSize(), dessin.largeur, dessin.hauteur), options.fils);
         if (premier != null) {
             // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessin.setEntracte(premier::attendreDEtreVu);
@@ -57,7 +58,7 @@ public final class Ouverture {
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
-                Dialogues.preparer();
+                Apparence.preparer();
                 ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
                 ouverte[0].commencer(premier);
             });

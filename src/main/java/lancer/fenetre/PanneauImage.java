@@ -8,7 +8,6 @@ import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -18,12 +17,15 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
+import java.awt.geom.Point2D;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
+import lancer.image.Reduction;
 
 /**
  * L'image sur un gris neutre, pixel pour pixel ; réduite, ses proportions gardées, là où la place manque. Les places et
@@ -35,6 +37,8 @@ final class PanneauImage extends JPanel {
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
     private static final int TREMBLEMENT = 4;
+    /** Lignes et colonnes d'une image en cours dont un pixel réduit est la moyenne. */
+    private static final int LIGNES_REGARDEES = 4;
     private static final int FONDU_MS = 50;
     private static final float FONDU = 0.05f;
 
@@ -42,6 +46,14 @@ final class PanneauImage extends JPanel {
     /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
     ImageMemoire montree;
     ImageMemoire tenue;
+    /** Une petite image, le temps que le brouillon se dessine. */
+    ImageMemoire apercu;
+    /** Ce qui peut se prendre, par-dessus l'image. */
+    Consumer<Graphics2D> prises = g -> { };
+    /** L'image réduite à sa place, et ce dont elle dépend. */
+    private BufferedImage reduite;
+    private ImageMemoire reduiteDe;
+    private boolean reduiteAchevee;
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -98,7 +110,9 @@ final class PanneauImage extends JPanel {
         public void mouseReleased(MouseEvent e) {
             placer(e);
             int numero = dessus == null ? 0 : dessus.numeroEn(souris);
-            if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT) {
+            // le second clic d'un double clic dirait un autre pixel, si le panneau a réduit l'image entre les deux
+            if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT || e.isShiftDown()
+                    || e.getClickCount() > 1) {
                 return;
             }
             if (numero > 0) {
@@ -121,7 +135,7 @@ final class PanneauImage extends JPanel {
 
         @Override
         public void mouseDragged(MouseEvent e) {
-            if (loupe > 0 && souris != null) {
+            if (loupe > 0 && souris != null && !e.isShiftDown()) {
                 Point avant = souris;
                 placer(e);
                 centrer(centreX - (souris.x - avant.x) / (double) (loupe * montree.largeur),
@@ -132,7 +146,7 @@ final class PanneauImage extends JPanel {
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
             placer(e);
-            if (e.getWheelRotation() != 0) {
+            if (e.getWheelRotation() != 0 && !e.isShiftDown()) {
                 grossir(e.getWheelRotation() < 0);
             }
         }
@@ -165,7 +179,7 @@ final class PanneauImage extends JPanel {
     }
 
     ImageMemoire getVisible() {
-        return tenue != null ? tenue : montree;
+        return tenue != null ? tenue : apercu != null ? apercu : montree;
     }
 
     private AffineTransform getEchelle() {
@@ -181,7 +195,11 @@ final class PanneauImage extends JPanel {
 
     /** La plus grande taille de ces proportions qui tienne ici. */
     Dimension getTailleMax(int largeur, int hauteur) {
-        Dimension libre = getLibre();
+        return dans(getLibre(), largeur, hauteur);
+    }
+
+    /** La plus grande taille de ces proportions qui tienne dans cette place. */
+    static Dimension dans(Dimension libre, int largeur, int hauteur) {
         double rapport = Math.min((double) libre.width / largeur, (double) libre.height / hauteur);
         return new Dimension(Math.max(1, (int) Math.round(rapport * largeur)),
                 Math.max(1, (int) Math.round(rapport * hauteur)));
@@ -263,14 +281,13 @@ final class PanneauImage extends JPanel {
         AffineTransform t = g2.getTransform();
         g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                 Math.round(t.getTranslateY())));
-        g2.setRenderingHint(RenderingHints.KEY_INTERPOLATION, loupe > 0
-                ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR : RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        peinte |= montree != null;
+        peinte |= getVisible() != null;
         peindre(g2, getVisible());
         if (dessus != null && montree != null && tenue == null) {
             g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
+        prises.accept(g2);
         g2.dispose();
         if (!ligne.isEmpty()) {
             FontMetrics m = g.getFontMetrics();
@@ -281,17 +298,24 @@ final class PanneauImage extends JPanel {
         }
     }
 
+    private static BufferedImage image(int[] codes, int largeur) {
+        // sur le tableau même des codes : rien n'est copié
+        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
+        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
+                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
+    }
+
     /** Peint les pixels qui sont en vue : l'image entière, à la loupe, AWT ne saurait la peindre. */
     private void peindre(Graphics2D g, ImageMemoire image) {
         if (image == null) {
             return;
         }
-        // sur le tableau même des codes : rien n'est copié
-        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
-        BufferedImage pixels = new BufferedImage(couleurs, Raster.createPackedRaster(
-                new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur,
-                image.largeur, couleurs.getMasks(), null), false, null);
         Rectangle place = getPlace(image);
+        if (place.width < image.largeur) {
+            g.drawImage(reduire(image, place), place.x, place.y, null);
+            return;
+        }
+        BufferedImage pixels = image(image.codes, image.largeur);
         double l = (double) place.width / image.largeur;
         double h = (double) place.height / image.hauteur;
         Point de = getPixel(image, new Point());
@@ -299,6 +323,18 @@ final class PanneauImage extends JPanel {
         g.drawImage(pixels, (int) Math.round(place.x + l * de.x), (int) Math.round(place.y + h * de.y),
                 (int) Math.round(place.x + l * (a.x + 1)), (int) Math.round(place.y + h * (a.y + 1)),
                 de.x, de.y, a.x + 1, a.y + 1, null);
+    }
+
+    /** L'image à la taille de sa place, chaque pixel en étant une moyenne : exacte une fois l'image achevée. */
+    private BufferedImage reduire(ImageMemoire image, Rectangle place) {
+        boolean achevee = image.legende != null;
+        if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
+            reduite = image(Reduction.moyenne(image, place.width, place.height,
+                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);
+            reduiteDe = image;
+            reduiteAchevee = achevee;
+        }
+        return reduite;
     }
 
     /** Le bandeau recouvre le bas de l'image, sans la pousser ; plus haut qu'elle, c'est sa fin qui ne se voit pas. */
@@ -323,6 +359,21 @@ final class PanneauImage extends JPanel {
         }
         Point pixel = getPixel(image, souris);
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
+    }
+
+    /** Où se peint ce point de l'image montrée, en pixels de l'écran. */
+    Point2D placeDe(double xe, double ye) {
+        Rectangle place = getPlace(montree);
+        return new Point2D.Double(place.x + xe * place.width / montree.largeur,
+                place.y + ye * place.height / montree.hauteur);
+    }
+
+    /** Le point de l'image montrée qui se peint sous cet événement, en pixels de l'image. */
+    Point2D pointDe(MouseEvent e) {
+        AffineTransform ecran = getEchelle();
+        Rectangle place = getPlace(montree);
+        return new Point2D.Double((e.getX() * ecran.getScaleX() - place.x) * montree.largeur / place.width,
+                (e.getY() * ecran.getScaleY() - place.y) * montree.hauteur / place.height);
     }
 
     private Point getPixel(ImageMemoire image, Point ou) {

@@ -1,20 +1,21 @@
 package lancer.fenetre;
 
-import java.awt.Color;
+import java.awt.BorderLayout;
 import java.awt.GridBagConstraints;
+import java.awt.GridLayout;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import javax.swing.JScrollPane;
+import lancer.commande.Etape;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
-import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -22,13 +23,13 @@ import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
-import lancer.scene.SectionLue;
 
-/** Les variantes présentes et leurs paramètres, dans une petite fenêtre à côté : l'image suit ce qu'on y change. */
+/** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres : l'image suit ce qu'on y change. */
 @SuppressWarnings("serial")
-final class PanneauVariantes extends JDialog {
+final class PanneauReglages extends JScrollPane {
 
     private static final int MARGE = 8;
+    private static final int CENT = 100;
 
     /** Deux pas d'une glissière plus rapprochés que cela, au clavier, sont d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
@@ -42,11 +43,14 @@ final class PanneauVariantes extends JDialog {
     private long dernierNs;
 
     /** Panneau à créer quand une scène est lue. */
-    PanneauVariantes(JFrame cadre, Atelier atelier) {
-        super(cadre, "Variantes");
+    PanneauReglages(Atelier atelier) {
         this.atelier = atelier;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        int ligne = 0;
+        choisir("étape du cours", 0, Etape.values(), () -> atelier.reglages.getEtape(),
+                etape -> atelier.dessiner(atelier.reglages.avec(etape), false));
+        choisir("réflexions", 1, MenuDessin.REFLEXIONS, () -> atelier.reglages.getReflets(), n -> atelier.dessiner(
+                atelier.reglages.avec(n, atelier.reglages.getSeuil()), false));
+        int ligne = 2;
         for (Variante presente : atelier.reglages.getVariantes()) {
             // chaque lecture en fait une neuve
             Supplier<Variante> variante = () -> atelier.reglages.getVariante(presente.getSection());
@@ -64,12 +68,30 @@ final class PanneauVariantes extends JDialog {
                 ajouter(variante, parametre, ligne++);
             }
         }
-        add(grille);
+        // en haut de l'onglet, et non en son milieu
+        JPanel haut = new JPanel(new BorderLayout());
+        haut.add(grille, BorderLayout.PAGE_START);
+        setViewportView(haut);
+        setBorder(null);
         montrer();
-        pack();
-        // la place de la plus longue valeur, qui viendra peut-être
-        setSize(getWidth() + 6 * MARGE, getHeight());
         atelier.prevenir(this::montrer);
+    }
+
+    /** Un choix dans une liste, qui suit les réglages. */
+    private <T> void choisir(String nom, int ligne, T[] valeurs, Supplier<T> actuelle, Consumer<T> siChoisie) {
+        JComboBox<T> choix = new JComboBox<>(valeurs);
+        choix.setName(nom);
+        choix.addActionListener(e -> {
+            if (!miseAJour && choix.getSelectedItem() != null) {
+                dernier = null;
+                siChoisie.accept(choix.getItemAt(choix.getSelectedIndex()));
+            }
+        });
+        ajustements.add(() -> choix.setSelectedItem(actuelle.get()));
+        JLabel etiquette = new JLabel(nom);
+        etiquette.setLabelFor(choix);
+        poser(etiquette, 0, ligne, 1);
+        poser(choix, 1, ligne, 1);
     }
 
     private void ajouter(Supplier<Variante> variante, Parametre parametre, int ligne) {
@@ -106,18 +128,33 @@ final class PanneauVariantes extends JDialog {
         return choix;
     }
 
-    private JButton couleur(Supplier<Variante> variante, Parametre parametre) {
-        JButton bouton = new JButton("choisir…");
-        bouton.addActionListener(e -> {
-            Color choisie = Dialogues.choisirCouleur(this, bouton.getBackground());
-            if (choisie != null) {
-                float[] c = choisie.getRGBColorComponents(null);
-                regler(variante, parametre, String.format(Locale.ROOT, "%.3f %.3f %.3f", c[0], c[1], c[2]), false);
+    /** Trois glissières, une par composante, de 0 à 1 comme dans les fichiers de scène. */
+    private JComponent couleur(Supplier<Variante> variante, Parametre parametre) {
+        JPanel trois = new JPanel(new GridLayout(3, 1)) {
+            @Override
+            public void setEnabled(boolean possible) {
+                super.setEnabled(possible);
+                Arrays.stream(getComponents()).forEach(glissiere -> glissiere.setEnabled(possible));
             }
-        });
-        ajustements.add(() -> bouton.setBackground(new Color(new SectionLue("", "couleur",
-                valeur(variante, parametre)).couleur("couleur", Double.MAX_VALUE).getCode())));
-        return bouton;
+        };
+        for (int k = 0; k < 3; k++) {
+            int composante = k;
+            JSlider glissiere = new JSlider(0, CENT, 0);
+            glissiere.setName(parametre.cle + " " + "rvb".charAt(k));
+            glissiere.addChangeListener(e -> {
+                String[] nombres = valeur(variante, parametre).trim().split("[ \t]+");
+                nombres[composante] = String.valueOf(glissiere.getValue() / (double) CENT);
+                regler(variante, parametre, String.join(" ", nombres), glissiere.getValueIsAdjusting());
+            });
+            ajustements.add(() -> {
+                if (!glissiere.getValueIsAdjusting()) {
+                    glissiere.setValue((int) Math.round(CENT * Double.parseDouble(
+                            valeur(variante, parametre).trim().split("[ \t]+")[composante])));
+                }
+            });
+            trois.add(glissiere);
+        }
+        return trois;
     }
 
     private JSlider glissiere(Supplier<Variante> variante, Parametre parametre) {

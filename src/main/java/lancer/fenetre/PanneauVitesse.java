@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -10,8 +9,6 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
-import javax.swing.JDialog;
-import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import lancer.Couleur;
@@ -26,7 +23,7 @@ import lancer.image.ImageMemoire;
 
 /** Les réglages que {@code --auto} essaierait sur la scène montrée, essayés dans un fil à part tant qu'il se voit. */
 @SuppressWarnings("serial")
-final class PanneauVitesse extends JDialog {
+final class PanneauVitesse extends JPanel {
 
     private static final int MARGE = 8;
 
@@ -43,8 +40,8 @@ final class PanneauVitesse extends JDialog {
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private Candidat voulu;
 
-    PanneauVitesse(JFrame cadre, Atelier atelier) {
-        super(cadre, "Vitesse ou précision");
+    PanneauVitesse(Atelier atelier) {
+        super(new BorderLayout());
         setName("vitesse");
         this.atelier = atelier;
         JPanel bas = new JPanel(new BorderLayout());
@@ -52,21 +49,11 @@ final class PanneauVitesse extends JDialog {
         point.setRows(2);
         bas.add(point, BorderLayout.CENTER);
         bas.add(etat, BorderLayout.PAGE_END);
-        graphique.setPreferredSize(new Dimension(550, 400));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
-        pack();
         atelier.prevenir(this::suivre);
-    }
-
-    @Override
-    public void setVisible(boolean visible) {
-        super.setVisible(visible);
-        if (visible) {
-            suivre();
-        } else {
-            abandonner();
-        }
+        // rien ne s'essaie pendant que l'onglet est caché
+        addHierarchyListener(e -> suivre());
     }
 
     private void abandonner() {
@@ -81,7 +68,11 @@ final class PanneauVitesse extends JDialog {
 
     private void suivre() {
         Dessin montre = atelier.montre;
-        if (!isVisible() || montre == null) {
+        if (!isShowing()) {
+            abandonner();
+            return;
+        }
+        if (montre == null) {
             etat.setText("Pas encore d'image : les essais commenceront avec elle.");
             return;
         }

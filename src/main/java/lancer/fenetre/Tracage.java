@@ -1,6 +1,8 @@
 package lancer.fenetre;
 
+import java.awt.Dimension;
 import java.util.Locale;
+import lancer.Constantes;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -22,6 +24,9 @@ final class Tracage extends SwingWorker<Void, Void> {
     final boolean aLire;
     private final Consumer<Dessin> programme;
     private final ReglagesDessin voulus;
+    /** La taille où l'image sera montrée. */
+    private final Dimension place;
+    private final int fils;
     private final long debut = System.nanoTime();
     /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
     volatile String version;
@@ -34,8 +39,13 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Ouvert quand le brouillon se voit : la suite peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
 
-    /** @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier */
-    Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus) {
+    /**
+     * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
+     * @param place la taille où l'image sera montrée, en pixels
+     */
+    Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus, Dimension place, int fils) {
+        this.place = place;
+        this.fils = fils;
         this.programme = programme;
         this.dessin = dessin;
         this.voulus = voulus;
@@ -77,6 +87,10 @@ final class Tracage extends SwingWorker<Void, Void> {
             if (!isCancelled()) {
                 if (voulus != null) {
                     dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
+                }
+                // le brouillon d'une image bien plus grande que sa place se ferait attendre
+                if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
+                    dessin.apercevoir(place.width, place.height, fils);
                 }
                 programme.accept(dessin);
             }

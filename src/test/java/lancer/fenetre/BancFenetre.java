@@ -64,7 +64,7 @@ final class BancFenetre {
     final Atelier atelier;
     final JFrame cadre;
     final PanneauImage panneau;
-    final JTextArea resume;
+    final JLabel resume;
     final JLabel pixel;
     final JProgressBar avancement;
 
@@ -84,7 +84,7 @@ final class BancFenetre {
         atelier = fenetre.atelier;
         cadre = fenetre.cadre;
         panneau = composant("image", PanneauImage.class);
-        resume = composant("resume", JTextArea.class);
+        resume = composant("resume", JLabel.class);
         pixel = composant("pixel", JLabel.class);
         avancement = composant("avancement", JProgressBar.class);
     }

@@ -124,7 +124,12 @@ abstract class EssaiFenetre {
 
     /** Cet article du menu Dessin. */
     JMenuItem article(String nom) {
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
+        return article(2, nom);
+    }
+
+    /** Cet article de ce menu. */
+    JMenuItem article(int menu, String nom) {
+        JMenu dessin = banc.cadre.getJMenuBar().getMenu(menu);
         for (int k = 0; k < dessin.getItemCount(); k++) {
             if (dessin.getItem(k) != null && dessin.getItem(k).getText().equals(nom)) {
                 return dessin.getItem(k);

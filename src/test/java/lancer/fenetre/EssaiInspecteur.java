@@ -5,7 +5,6 @@ import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 
 import java.awt.event.KeyEvent;
-import java.util.Arrays;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 
@@ -13,17 +12,12 @@ import javax.swing.JTextPane;
 abstract class EssaiInspecteur extends EssaiFenetre {
 
     static Inspecteur inspecteur() throws Exception {
-        return (Inspecteur) surFilEvenements(() -> Arrays.stream(java.awt.Window.getWindows())
-                .filter(w -> w instanceof Inspecteur && w.isShowing()).findFirst().orElse(null));
+        return BancFenetre.chercher(null, Inspecteur.class);
     }
 
     static void attendreTitre(int x, int y) throws Exception {
-        attendre("le pixel " + x + ", " + y, () -> inspecteurSur("Rayons du pixel " + x + ", " + y));
-    }
-
-    static boolean inspecteurSur(String titre) {
-        return Arrays.stream(java.awt.Window.getWindows()).anyMatch(w -> w instanceof Inspecteur && w.isShowing()
-                && ((Inspecteur) w).getTitle().equals(titre));
+        JTextPane recit = composant("recit", JTextPane.class);
+        attendre("le pixel " + x + ", " + y, () -> recit.getText().startsWith("pixel " + x + ", " + y));
     }
 
     static String attendreRecit(String fin) throws Exception {
@@ -38,7 +32,7 @@ abstract class EssaiInspecteur extends EssaiFenetre {
     }
 
     void presser(int... touches) throws Exception {
-        banc.frapper(inspecteur(), touches);
+        banc.frapper(touches);
     }
 
     static String couleur(int code) {

@@ -1,9 +1,7 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
@@ -24,7 +22,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleConsumer;
-import javax.swing.AbstractButton;
+import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
@@ -91,7 +89,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         attendre("le dessin suivant a commencé", () -> banc.atelier.enCours && banc.main.getDessin().getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
-        assertEquals(" ", surFilEvenements(banc.resume::getText), "le coût n'est plus celui de l'image qui vient");
+        assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
         banc.attendreImage("elle la remplace", avant);
     }
@@ -102,26 +100,13 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
-        assertTrue(surFilEvenements(banc.avancement::getString).startsWith("arrêté à "));
-        assertEquals(" ", surFilEvenements(banc.resume::getText), "pas de coût d'une image inachevée");
+        assertTrue(surFilEvenements(banc.resume::getText).startsWith("arrêté à "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.atelier.getImageComplete());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
-        assertTrue(surFilEvenements(banc.avancement::getString).startsWith("terminé"));
-    }
-
-    @Test
-    void leBoutonArreteEtRecommenceAussi() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        AbstractButton bouton = chercher("bouton", AbstractButton.class);
-        attendre("il propose d'arrêter", () -> bouton.getText().equals("Arrêter"));
-        faire(bouton::doClick);
-        attendre("il propose de redessiner", () -> bouton.getText().equals("Redessiner") && !banc.atelier.enCours);
-        banc.main.lent = false;
-        faire(bouton::doClick);
-        banc.attendreImage("il redessine", attendue(L, H));
+        attendre("le coût remplace l'avancement", () -> banc.resume.getText().startsWith("320 × 240 pixels, "));
     }
 
     @Test
@@ -172,7 +157,7 @@ class FenetreDessinTest extends EssaiFenetre {
         repondA(50);
         assertTrue(banc.atelier.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la lecture se dit", () -> banc.avancement.getString().startsWith("lecture "));
+        attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("arrêté", () -> !banc.atelier.enCours);
@@ -207,9 +192,9 @@ class FenetreDessinTest extends EssaiFenetre {
         });
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la part lue", () -> banc.avancement.getString().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
+        attendre("la part lue", () -> banc.resume.getText().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
         suivis[0].accept(0.73);
-        attendre("elle avance", () -> banc.avancement.getString().startsWith("lecture 73 % — "));
+        attendre("elle avance", () -> banc.resume.getText().startsWith("lecture 73 % — "));
         lecture.countDown();
         banc.imageAchevee();
     }
@@ -233,7 +218,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
     private static boolean composantIci(String debut) {
         return Arrays.stream(Window.getWindows()).filter(Window::isShowing).flatMap(w -> BancFenetre.contenus(w).stream())
-                .anyMatch(c -> c instanceof JProgressBar && ((JProgressBar) c).getString().startsWith(debut));
+                .anyMatch(c -> "resume".equals(c.getName()) && ((JLabel) c).getText().startsWith(debut));
     }
 
     @Test
@@ -293,10 +278,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
         banc.frapperCtrl('O');
         choisir(longue);
-        attendre("elle se lit", () -> banc.avancement.getString().startsWith("lecture "));
+        attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> banc.avancement.getString().startsWith("lecture arrêtée — "));
+        attendre("la lecture est arrêtée", () -> !banc.atelier.enCours);
         inspecter();
         lecture.countDown();
         banc.frapper(KeyEvent.VK_F5);
@@ -343,9 +328,9 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = true;
         banc.frapperCtrl('O');
         choisir(longue);
-        attendre("elle se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> banc.avancement.getString().startsWith("préparation arrêtée — "));
+        attendre("la préparation est arrêtée", () -> !banc.atelier.enCours);
         inspecter();
         programme.suite.countDown();
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
@@ -359,7 +344,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("il se prépare", () -> banc.avancement.getString().startsWith("préparation "));
+        attendre("il se prépare", () -> banc.resume.getText().startsWith("préparation "));
         return programme;
     }
 
@@ -367,7 +352,7 @@ class FenetreDessinTest extends EssaiFenetre {
     void unDessinQuiAttendQueCeluiDAvantSArreteLeDit() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le suivant attend", () -> banc.avancement.getString().startsWith("attend que le dessin d'avant s'arrête — "));
+        attendre("le suivant attend", () -> banc.resume.getText().startsWith("attend que le dessin d'avant s'arrête — "));
         programme.retenue = false;
         programme.suite.countDown();
         banc.attendreImage("puis se fait", BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=10"));

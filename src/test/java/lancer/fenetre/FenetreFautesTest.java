@@ -16,7 +16,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
-import javax.swing.JDialog;
 import javax.swing.JTextArea;
 import javax.swing.JTextPane;
 import lancer.Couleur;
@@ -176,21 +175,20 @@ class FenetreFautesTest extends EssaiFenetre {
     void apresUneFauteEnregistreeLInspecteurRepondPourLImageQuiResteEtF3Aussi() throws Exception {
         int[] codes = ouvrir().codes;
         cliquer(150, 100);
-        JDialog inspecteur = composant("inspecteur", JDialog.class);
+        Inspecteur inspecteur = composant("inspecteur", Inspecteur.class);
         JTextPane recit = composant("recit", JTextPane.class);
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le pixel", () -> recit.getText().endsWith(couleur(codes[100 * L + 150])));
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
-        banc.frapper(inspecteur, KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
-        attendre("une flèche mène au pixel voisin", () -> inspecteur.getTitle().endsWith(" 140, 100")
+        banc.frapper(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
+        attendre("une flèche mène au pixel voisin", () -> recit.getText().startsWith("pixel 140, 100\n")
                 && recit.getText().endsWith(couleur(codes[100 * L + 140])) && verdict.getText().startsWith("Au bit près"));
-        banc.frapper(inspecteur, KeyEvent.VK_ESCAPE);
+        banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("il se ferme", () -> !inspecteur.isShowing());
         cliquer(160, 120);
-        attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && inspecteur.getTitle().endsWith(" 160, 120")
+        attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && recit.getText().startsWith("pixel 160, 120\n")
                 && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
-        BancFenetre.mettreDevant(inspecteur);
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));

@@ -156,8 +156,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         return blancs >= 12;
     }
 
-    private static boolean inspecteurFerme() {
-        return Arrays.stream(java.awt.Window.getWindows()).noneMatch(w -> w instanceof Inspecteur && w.isShowing());
+    private static boolean inspecteurFerme() throws Exception {
+        return inspecteur() == null;
     }
 
     /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */

@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
@@ -21,7 +20,6 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import javax.swing.JDialog;
 import lancer.Couleur;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -98,8 +96,7 @@ class FenetreImageTest extends EssaiFenetre {
         Rectangle cadre = surFilEvenements(banc.cadre::getBounds);
         assertTrue(Dialogues.ecran().contains(cadre), cadre + " tient dans l'écran");
         banc.frapper(KeyEvent.VK_ENTER);
-        JDialog inspecteur = composant("inspecteur", JDialog.class);
-        attendre("son titre dit le pixel", () -> inspecteur.getTitle().startsWith("Rayons du pixel "));
+        EssaiInspecteur.attendreRecit("");
         boolean reduite = image.codes.length > 1;
         attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
     }
@@ -129,18 +126,6 @@ class FenetreImageTest extends EssaiFenetre {
         } finally {
             programme.destroyForcibly();
         }
-    }
-
-    @Test
-    void leResumeSeLitEnEntierDansUneFenetreEtroite() throws Exception {
-        ouvrir();
-        int uneLigne = surFilEvenements(banc.resume::getHeight);
-        retailler(200, H);
-        attendre("tout est à l'écran, sur plusieurs lignes", () -> {
-            Rectangle fin = banc.resume.modelToView(banc.resume.getText().length());
-            return banc.resume.getText().endsWith(" réflexions") && banc.resume.getHeight() > uneLigne
-                    && banc.resume.getVisibleRect().contains(fin.x, fin.y + fin.height - 1);
-        });
     }
 
     @Test

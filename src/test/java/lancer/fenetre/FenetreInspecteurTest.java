@@ -181,7 +181,8 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("une image plus haute", () -> banc.atelier.montre.getImage().hauteur > H + 100);
         attendre("au même endroit", () -> {
             double fois = banc.atelier.montre.getImage().largeur / (double) L;
-            return inspecteurSur("Rayons du pixel " + (int) (160.5 * fois) + ", " + (int) (60.5 * fois));
+            return composant("recit", JTextPane.class).getText().startsWith(
+                    "pixel " + (int) (160.5 * fois) + ", " + (int) (60.5 * fois));
         });
     }
 

@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -15,10 +14,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import javax.swing.ButtonGroup;
-import javax.swing.JButton;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -26,7 +23,6 @@ import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 import javax.swing.plaf.basic.BasicHTML;
 import lancer.Main;
-import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** La fenêtre sans souris : les menus, le bouton et l'image, touche après touche. */
@@ -109,8 +105,7 @@ class FenetreMenusTest extends EssaiFenetre {
         }
         assertEquals(nombre, faits.size(), faits.toString());
         assertTrue(nombre > 20, faits.toString());
-        assertEquals(0, surFilEvenements(() -> Arrays.stream(banc.cadre.getOwnedWindows()).filter(w -> w.isVisible()
-                && w instanceof Inspecteur).count()), "l'inspecteur ne s'est pas ouvert derrière");
+        assertNull(BancFenetre.chercher(null, Inspecteur.class), "l'inspecteur ne s'est pas ouvert derrière");
     }
 
     @Test
@@ -123,20 +118,6 @@ class FenetreMenusTest extends EssaiFenetre {
             presser(KeyEvent.VK_ESCAPE);
         }
         assertTrue(banc.cadre.isShowing());
-    }
-
-    @Test
-    void tabMeneAuBoutonQueLaBarreDEspacePresse() throws Exception {
-        ImageMemoire avant = ouvrir();
-        JButton bouton = composant("bouton", JButton.class);
-        banc.frapper();
-        for (int k = 0; k < 9 && !surFilEvenements(bouton::hasFocus); k++) {
-            banc.frapper(KeyEvent.VK_TAB);
-            banc.robot.waitForIdle();
-        }
-        attendre("le clavier est au bouton", bouton::hasFocus);
-        banc.frapper(KeyEvent.VK_SPACE);
-        attendre("l'image est redessinée", () -> banc.atelier.getImageComplete() != null && banc.atelier.getImageComplete() != avant);
     }
 
     /** Le programme, ouvert, puis une touche telle que Java l'écrit. */

@@ -12,27 +12,30 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
@@ -80,72 +83,86 @@ class FenetreTest extends EssaiFenetre {
         JLabel table = composant("table", JLabel.class);
         Window touches = SwingUtilities.getWindowAncestor(table);
         assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
-        banc.frapper(touches, KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée d'ici va au cadre", () -> banc.atelier.reglages.getReflets() == 2);
+        assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
+        banc.frapper(KeyEvent.VK_SUBTRACT);
+        attendre("une touche essayée va au cadre", () -> banc.atelier.reglages.getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
-        banc.frapper(touches, KeyEvent.VK_ESCAPE);
+        banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap le ferme", () -> !touches.isShowing());
     }
 
-    @Test
-    void lesPanneauxSeRangentACoteDuCadreEtSansSeRecouvrir() throws Exception {
-        ImageMemoire image = ouvrir();
-        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        // sans gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où il l'a ouvert
-        faire(() -> banc.cadre.setLocationRelativeTo(null));
-        attendre("Java sait où est le cadre : au milieu", () -> Math.abs(banc.cadre.getBounds().getCenterX()
-                - ecran.getCenterX()) <= 1);
-        // et le reste su quand une souris l'a visé
-        banc.viser(banc.panneau, 5, 5);
-        banc.frapper(KeyEvent.VK_F3);
-        composant("vitesse", JDialog.class);
-        // à l'écran, car Java se trompe aussi sur l'endroit du panneau
-        attendre("il ne cache pas l'image", () -> BancFenetre.trouver(image.codes, L) != null);
-        // du panneau même, où elle ne sert à rien tant qu'aucun point n'est choisi
-        banc.frapper(composant("vitesse", JDialog.class), KeyEvent.VK_ENTER);
-        composant("inspecteur", JDialog.class);
-        attendre("l'un ne recouvre pas l'autre", () -> {
-            List<Rectangle> places = Arrays.stream(banc.cadre.getOwnedWindows()).filter(Window::isVisible).map(Window::getBounds)
-                    .collect(Collectors.toList());
-            return places.size() == 2 && places.stream().allMatch(p -> ecran.contains(p)
-                    && places.stream().filter(p::intersects).count() == 1);
-        });
+    private static final Class<JTabbedPane> ONGLETS = JTabbedPane.class;
+
+    private void attendreOnglet(String nom) throws Exception {
+        JTabbedPane panneau = composant("panneau", ONGLETS);
+        attendre("l'onglet " + nom, () -> panneau.getTitleAt(panneau.getSelectedIndex()).equals(nom));
     }
 
     @Test
-    void duCadreEchapFermeLUneApresLAutreLesFenetresDACote() throws Exception {
+    void lePanneauSOuvreADroiteSansDeplacerLImageEtEchapRendSaTailleAuCadre() throws Exception {
         ouvrir();
+        Dimension avant = surFilEvenements(banc.cadre::getSize);
+        Rectangle image = surFilEvenements(banc.panneau::getBounds);
+        banc.frapper(KeyEvent.VK_F2);
+        attendreOnglet("Réglages");
+        attendre("le cadre s'est élargi", () -> banc.cadre.getWidth() > avant.width);
+        assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a pas bougé");
         banc.frapper(KeyEvent.VK_F3);
-        composant("vitesse", JDialog.class);
-        banc.frapper(KeyEvent.VK_F1);
-        composant("table", JLabel.class);
-        for (int reste = 1; reste >= 0; reste--) {
-            int encore = reste;
-            banc.frapper(KeyEvent.VK_ESCAPE);
-            attendre("une de moins", () -> Arrays.stream(banc.cadre.getOwnedWindows()).filter(Window::isVisible).count() == encore);
-        }
+        attendreOnglet("Vitesse");
+        banc.frapper(KeyEvent.VK_ENTER);
+        attendreOnglet("Pixel");
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("le cadre reprend sa taille", () -> banc.cadre.getSize().equals(avant));
+        assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a toujours pas bougé");
     }
 
     @Test
-    void surUnPetitEcranUnPanneauCacheDAbordLeCadrePlutotQuUnAutrePanneau() {
-        Rectangle ecran = new Rectangle(0, 0, 1024, 768);
-        Rectangle cadre = new Rectangle(0, 0, 812, 720);
-        List<Rectangle> prises = new ArrayList<>();
-        for (Dimension taille : new Dimension[] {new Dimension(350, 720), new Dimension(400, 230), new Dimension(560, 480)}) {
-            Rectangle place = new Rectangle(Dialogues.place(taille, ecran, cadre, prises), taille);
-            assertTrue(ecran.contains(place) && prises.stream().noneMatch(place::intersects), place + " et " + prises);
-            prises.add(place);
+    void unDoubleClicDitLePixelDuPremierClicMemeSiLImageSeReduit() throws Exception {
+        ouvrir();
+        // plus de place à droite : le panneau prend sur l'image
+        faire(() -> banc.cadre.setLocation(Toolkit.getDefaultToolkit().getScreenSize().width - banc.cadre.getWidth(), 0));
+        banc.viser(banc.panneau, (banc.panneau.getWidth() + L) / 2 - 10, banc.panneau.getHeight() / 2);
+        Point pixel = surFilEvenements(banc.panneau::getPixelVise);
+        for (int k = 0; k < 2; k++) {
+            banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            banc.robot.waitForIdle();
         }
+        attendreOnglet("Pixel");
+        EssaiInspecteur.attendreTitre(pixel.x, pixel.y);
+    }
+
+    @Test
+    void lApparenceSombreSeChoisitAuMenuSeRetientEtLaisseLImageTelleQuelle() throws Exception {
+        ImageMemoire image = ouvrir();
+        JMenu affichage = banc.cadre.getJMenuBar().getMenu(1);
+        JMenuItem sombre = Arrays.stream(affichage.getMenuComponents()).filter(c -> c instanceof JCheckBoxMenuItem)
+                .map(c -> (JMenuItem) c).filter(c -> c.getText().equals("Apparence sombre")).findFirst().get();
+        faire(sombre::doClick);
+        try {
+            assertEquals("FlatDarkLaf", surFilEvenements(() -> UIManager.getLookAndFeel().getClass().getSimpleName()));
+            assertTrue(Apparence.estSombre());
+            attendre("le fond est sombre", () -> banc.resume.getParent().getBackground().getRed() < 100);
+            attendre("l'image est la même", () -> BancFenetre.trouver(image.codes, L) != null);
+        } finally {
+            faire(sombre::doClick);
+        }
+        assertEquals("FlatLightLaf", surFilEvenements(() -> UIManager.getLookAndFeel().getClass().getSimpleName()));
     }
 
     @Test
     void ceQuiSeMontreAUnNomPourUnLecteurDEcran() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ENTER);
-        BancFenetre.mettreDevant(composant("inspecteur", JDialog.class));
+        composant("recit", JComponent.class);
+        nommes("image", "avancement", "cote", "recit");
         banc.frapper(KeyEvent.VK_F3);
-        for (String nom : new String[] {"image", "avancement", "cote", "vitesse.graphique", "recit"}) {
+        nommes("vitesse.graphique");
+    }
+
+    private void nommes(String... noms) throws Exception {
+        for (String nom : noms) {
             String dit = composant(nom, JComponent.class).getAccessibleContext().getAccessibleName();
             assertTrue(dit != null && !dit.trim().isEmpty(), nom);
         }

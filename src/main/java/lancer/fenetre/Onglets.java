@@ -1,0 +1,103 @@
+package lancer.fenetre;
+
+import java.awt.BorderLayout;
+import java.awt.Frame;
+import java.awt.Rectangle;
+import java.util.function.Supplier;
+import javax.swing.Box;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+
+/** Le panneau à droite de l'image : un onglet pour chaque question. Le contenu d'un onglet est fait à sa demande. */
+@SuppressWarnings("serial")
+final class Onglets extends JSplitPane {
+
+    static final int LARGEUR = 430;
+    private static final int BARRE = 6;
+
+    private final JFrame cadre;
+    private final JTabbedPane onglets = new JTabbedPane();
+    /** Largeur du panneau la dernière fois qu'il était ouvert, et ce que le cadre y a gagné. */
+    private int largeur = LARGEUR;
+    private int gagne;
+
+    /** @param image ce qui est toujours à gauche */
+    Onglets(JFrame cadre, JComponent image) {
+        super(HORIZONTAL_SPLIT, image, null);
+        this.cadre = cadre;
+        setBorder(null);
+        setResizeWeight(1);
+        setFocusable(false);
+        setDividerSize(0);
+        onglets.setName("panneau");
+        // les flèches sont pour le pixel
+        onglets.setFocusable(false);
+        JButton fermer = new JButton("×");
+        fermer.setToolTipText("fermer le panneau (Échap)");
+        fermer.setFocusable(false);
+        fermer.addActionListener(e -> fermer());
+        // FlatLaf le pose au bout des onglets
+        fermer.putClientProperty("JButton.buttonType", "toolBarButton");
+        Box bout = Box.createHorizontalBox();
+        bout.add(Box.createHorizontalGlue());
+        bout.add(fermer);
+        onglets.putClientProperty("JTabbedPane.trailingComponent", bout);
+        onglets.addChangeListener(e -> remplir());
+    }
+
+    void ajouter(String nom, Supplier<JComponent> contenu) {
+        JPanel onglet = new JPanel(new BorderLayout());
+        onglet.putClientProperty(Supplier.class, contenu);
+        onglets.addTab(nom, onglet);
+    }
+
+    private void remplir() {
+        JComponent onglet = (JComponent) onglets.getSelectedComponent();
+        if (estOuvert() && onglet.getComponentCount() == 0) {
+            onglet.add((JComponent) ((Supplier<?>) onglet.getClientProperty(Supplier.class)).get());
+            onglet.validate();
+        }
+    }
+
+    boolean estOuvert() {
+        return getRightComponent() != null;
+    }
+
+    /** Montre cet onglet ; le cadre s'élargit vers la droite autant que l'écran le permet, l'image ne bouge pas. */
+    JComponent montrer(int rang) {
+        onglets.setSelectedIndex(rang);
+        if (!estOuvert()) {
+            Rectangle ecran = Dialogues.ecran();
+            boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
+            gagne = !libre ? 0 : Math.max(0, Math.min(largeur + BARRE,
+                    ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
+            setRightComponent(onglets);
+            setDividerSize(BARRE);
+            setDividerLocation(getWidth() - largeur - BARRE);
+            cadre.validate();
+            // ce que le cadre gagne, quand le bureau le lui donne, est pour l'image
+            cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
+            cadre.validate();
+            setDividerLocation(getWidth() - largeur - BARRE);
+            remplir();
+        }
+        return (JComponent) ((JComponent) onglets.getSelectedComponent()).getComponent(0);
+    }
+
+    void fermer() {
+        if (estOuvert()) {
+            largeur = onglets.getWidth();
+            setRightComponent(null);
+            setDividerSize(0);
+            if (cadre.getExtendedState() == Frame.NORMAL && !cadre.isUndecorated()) {
+                cadre.setSize(cadre.getWidth() - gagne, cadre.getHeight());
+            }
+            cadre.validate();
+            getLeftComponent().requestFocusInWindow();
+        }
+    }
+}

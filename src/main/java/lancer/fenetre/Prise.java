@@ -1,0 +1,253 @@
+package lancer.fenetre;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.util.function.DoubleBinaryOperator;
+import javax.swing.AbstractAction;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import lancer.Camera;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.fenetre.Bandeau.Sujet;
+import lancer.scene.Deplacement;
+import lancer.scene.SceneLue;
+
+/** Une sphère, ou une lampe, que prend la souris avec Maj : elle se déplace en mémoire, et l'image la suit. */
+@SuppressWarnings("serial")
+final class Prise extends MouseAdapter {
+
+    /** Part de la distance à l'œil que gagne un cran de la molette. */
+    private static final double CRAN = 1.04;
+    private static final int RAYON_ETOILE = 9;
+    private static final int BRANCHES = 8;
+    private static final Color LAMPE = new Color(0xFFE040);
+    /** Deux touches, ou deux crans, plus rapprochés que cela sont d'un même geste. */
+    private static final long GESTE_NS = 1_000_000_000;
+
+    private final Atelier atelier;
+    private final PanneauImage panneau;
+    /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 : rien n'est pris. */
+    private int rang = -1;
+    private boolean estLampe;
+    /** Point de l'image d'où part un geste de la souris, et position de ce qui est pris à ce moment. */
+    private Point2D depart;
+    private Point origine;
+    private long dernierNs;
+    private boolean etoiles;
+    /** Ce qui a lu la scène dont quelque chose est pris. */
+    private Tracage lue;
+
+    Prise(Atelier atelier, PanneauImage panneau) {
+        this.atelier = atelier;
+        this.panneau = panneau;
+        panneau.addMouseListener(this);
+        panneau.addMouseMotionListener(this);
+        panneau.addMouseWheelListener(this);
+        panneau.prises = this::peindre;
+        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
+            {KeyEvent.VK_DOWN, 0, 1}};
+        for (int[] s : sens) {
+            panneau.getInputMap().put(KeyStroke.getKeyStroke(s[0], InputEvent.SHIFT_DOWN_MASK), s);
+            panneau.getActionMap().put(s, new AbstractAction() {
+                /** Sans prise, la touche reste à ce qu'elle fait d'autre. */
+                @Override
+                public boolean isEnabled() {
+                    return estPris();
+                }
+
+                @Override
+                public void actionPerformed(ActionEvent e) {
+                    pousser(s[1], s[2]);
+                }
+            });
+        }
+        atelier.prevenir(() -> {
+            if (lue != atelier.adopte) {
+                lue = atelier.adopte;
+                lacher();
+            }
+        });
+    }
+
+    private SceneLue getLue() {
+        return atelier.source.getLue();
+    }
+
+    boolean estPris() {
+        return rang >= 0;
+    }
+
+    void lacher() {
+        rang = -1;
+        depart = null;
+        panneau.repaint();
+    }
+
+    private Object getChose() {
+        return estLampe ? getLue().lampes.get(rang) : getLue().objets.get(rang);
+    }
+
+    private Point getPosition() {
+        return estLampe ? ((Lampe) getChose()).getPosition() : ((Sphere) getChose()).getCentre();
+    }
+
+    private Camera getCamera() {
+        return atelier.montre.getLancer().getCamera();
+    }
+
+    @Override
+    public void mousePressed(MouseEvent e) {
+        if (panneau.montree == null || atelier.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
+            return;
+        }
+        lacher();
+        if (e.isShiftDown() && prendre(panneau.pointDe(e))) {
+            depart = panneau.pointDe(e);
+            origine = getPosition();
+            dernierNs = 0;
+            panneau.repaint();
+        }
+    }
+
+    /** Prend la lampe, sinon la sphère, que montre ce point de l'image ; dit pourquoi, si rien ne se prend. */
+    private boolean prendre(Point2D ou) {
+        for (int k = 0; k < getLue().lampes.size(); k++) {
+            Point2D etoile = etoile(getLue().lampes.get(k));
+            if (etoile != null && etoile.distance(panneau.placeDe(ou.getX(), ou.getY())) < RAYON_ETOILE) {
+                estLampe = true;
+                rang = k;
+                return true;
+            }
+        }
+        Scene scene = atelier.montre.getScene().avec(atelier.montre.getScene().getModele());
+        PointContact contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
+        Objet3D objet = contact == null ? null : contact.objet;
+        SceneLue montree = atelier.montre.getLue();
+        estLampe = false;
+        rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
+        if (!estPris()) {
+            panneau.bandeau.dire(Sujet.AVIS, objet == null ? "rien à prendre ici : aucun objet ne s'y voit"
+                    : montree.origines.de(objet) + " ne se prend pas : la souris ne prend que les sphères et les lampes");
+        }
+        return estPris();
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent e) {
+        if (depart != null && estPris()) {
+            Point2D ici = panneau.pointDe(e);
+            aller(deplacee(origine, ici.getX() - depart.getX(), ici.getY() - depart.getY()));
+        }
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent e) {
+        depart = null;
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent e) {
+        if (etoiles != e.isShiftDown()) {
+            etoiles = e.isShiftDown();
+            panneau.repaint();
+        }
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent e) {
+        if (e.isShiftDown() && estPris()) {
+            Point oeil = getCamera().getOeil();
+            aller(oeil.add(new Vecteur(oeil, getPosition()).mul(Math.pow(CRAN, -e.getPreciseWheelRotation()))));
+        }
+    }
+
+    private void pousser(int dx, int dy) {
+        aller(deplacee(getPosition(), dx, dy));
+    }
+
+    /** Cette position, de tant de pixels plus à droite et plus bas, dans le plan parallèle à l'écran. */
+    private Point deplacee(Point p, double dx, double dy) {
+        double pixels = getCamera().projeter(p).z;
+        return p.add(new Vecteur(dx / pixels, -dy / pixels, 0));
+    }
+
+    private void aller(Point voulue) {
+        Point ou = Deplacement.arrondir(voulue, Math.abs(getCamera().projeter(voulue).z));
+        Object ancienne = getChose();
+        if (ou.equals(getPosition())) {
+            return;
+        }
+        long maintenant = System.nanoTime();
+        boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
+        dernierNs = maintenant;
+        atelier.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
+                : Deplacement.en((Sphere) ancienne, ou), suite);
+        panneau.repaint();
+    }
+
+    /** Où se voit cette lampe sur l'écran ; {@code null} si elle est derrière l'œil. */
+    private Point2D etoile(Lampe lampe) {
+        Point vue = getCamera().projeter(lampe.getPosition());
+        return vue.z > 0 && !Double.isInfinite(vue.z) ? panneau.placeDe(vue.x, vue.y) : null;
+    }
+
+    private void peindre(Graphics2D g) {
+        if (panneau.montree == null || atelier.montre == null || !etoiles && !estPris()) {
+            return;
+        }
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        for (Lampe lampe : getLue().lampes) {
+            Point2D etoile = etoile(lampe);
+            if (etoile != null) {
+                tracer(g, etoile(etoile), LAMPE);
+            }
+        }
+        if (estPris()) {
+            Point vue = getCamera().projeter(getPosition());
+            Point2D centre = panneau.placeDe(vue.x, vue.y);
+            double rayon = estLampe ? 2 * RAYON_ETOILE : ((Sphere) getChose()).getRayon() * vue.z
+                    * panneau.getReduction(panneau.montree);
+            tracer(g, new Ellipse2D.Double(centre.getX() - rayon, centre.getY() - rayon, 2 * rayon, 2 * rayon),
+                    Color.WHITE);
+        }
+    }
+
+    private static void tracer(Graphics2D g, Shape forme, Color couleur) {
+        g.setStroke(new BasicStroke(4));
+        g.setColor(Color.BLACK);
+        g.draw(forme);
+        g.setStroke(new BasicStroke(2));
+        g.setColor(couleur);
+        g.draw(forme);
+    }
+
+    private static Shape etoile(Point2D centre) {
+        DoubleBinaryOperator x = (angle, r) -> centre.getX() + r * Math.cos(angle);
+        DoubleBinaryOperator y = (angle, r) -> centre.getY() + r * Math.sin(angle);
+        Path2D etoile = new Path2D.Double();
+        for (int k = 0; k < BRANCHES; k++) {
+            double angle = 2 * Math.PI * k / BRANCHES;
+            etoile.moveTo(x.applyAsDouble(angle, 2), y.applyAsDouble(angle, 2));
+            etoile.lineTo(x.applyAsDouble(angle, RAYON_ETOILE), y.applyAsDouble(angle, RAYON_ETOILE));
+        }
+        return etoile;
+    }
+}
