@@ -268,8 +268,13 @@ public final class Fenetre {
     private void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            inspecteur = inspecteur == null ? new Inspecteur(cadre, atelier, panneau, caracteres) : inspecteur;
+            inspecteur = inspecteur == null ? new Inspecteur(atelier, panneau, caracteres) : inspecteur;
             inspecteur.montrer(pixel);
+            if (!inspecteur.isShowing()) {
+                cadre.add(inspecteur, BorderLayout.LINE_END);
+                cadre.setSize(cadre.getWidth() + inspecteur.getPreferredSize().width, cadre.getHeight());
+                cadre.validate();
+            }
         }
     }
 
@@ -284,6 +289,10 @@ public final class Fenetre {
             atelier.arreter();
         } else if (aCote() != null) {
             aCote().setVisible(false);
+        } else if (inspecteur != null && inspecteur.isShowing()) {
+            cadre.remove(inspecteur);
+            cadre.setSize(cadre.getWidth() - inspecteur.getWidth(), cadre.getHeight());
+            cadre.validate();
         } else if (plein.isSelected()) {
             plein.doClick();
         }

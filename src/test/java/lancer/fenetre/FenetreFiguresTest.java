@@ -19,7 +19,8 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JComponent;
-import javax.swing.JTextPane;
+import javax.swing.JTextArea;
+import javax.swing.JTree;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -47,8 +48,9 @@ class FenetreFiguresTest extends EssaiInspecteur {
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
+        Inspecteur ouvert = inspecteur();
         presser(KeyEvent.VK_ESCAPE);
-        attendre("l'inspecteur se ferme", () -> inspecteurFerme());
+        attendre("l'inspecteur se ferme", () -> !ouvert.isShowing());
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("sans figure de nouveau", codes);
     }
@@ -156,17 +158,6 @@ class FenetreFiguresTest extends EssaiInspecteur {
         return blancs >= 12;
     }
 
-    private static boolean inspecteurFerme() {
-        return Arrays.stream(java.awt.Window.getWindows()).noneMatch(w -> w instanceof Inspecteur && w.isShowing());
-    }
-
-    /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */
-    private void cliquerSur(JTextPane recit, String debut) throws Exception {
-        Rectangle place = surFilEvenements(() -> recit.modelToView(recit.getDocument()
-                .getText(0, recit.getDocument().getLength()).indexOf("\n" + debut) + 1));
-        banc.cliquer(recit, place.x + 3, place.y + place.height / 2);
-    }
-
     private static BufferedImage vueDeCote() throws Exception {
         JComponent cote = composant("cote", JComponent.class);
         return surFilEvenements(() -> peindre(cote));
@@ -183,15 +174,22 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ouvrir();
         cliquer(150, 110);
         attendreVerdict("Au bit près");
-        JTextPane recit = composant("recit", JTextPane.class);
+        JTree recit = composant("recit", JTree.class);
         JComponent cote = composant("cote", JComponent.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
+        Inspecteur inspecteur = inspecteur();
         int[] tous = BancFenetre.codes(vueDeCote());
-        presser();
         cliquerSur(recit, "1  [Sphere 1]");
         attendre("la vue de côté ne montre que lui, de près", () -> !Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
-        attendreVerdict("Au bit près");
+        attendre("et le dit", () -> lu(recit).startsWith("pixel 150, 110") && recit.getSelectionCount() == 1
+                && verdict.getText().endsWith("Les figures ne montrent que le rebond 1 ; 0 pour tous."));
         cliquerSur(recit, "1  [Sphere 1]");
         attendre("elle les montre tous de nouveau", () -> Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
+        presser(KeyEvent.VK_1);
+        attendre("de même au clavier", () -> inspecteur.rebond == 1 && recit.getSelectionCount() == 1);
+        presser(KeyEvent.VK_RIGHT);
+        attendreTitre(151, 110);
+        attendre("d'un autre pixel, tous se voient", () -> inspecteur.rebond == 0 && recit.getSelectionCount() == 0);
     }
 
     @Test
@@ -202,7 +200,5 @@ class FenetreFiguresTest extends EssaiInspecteur {
         attendreVerdict("Au bit près");
         long noirs = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == 0xFF000000).count();
         assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
-        Rectangle place = inspecteur().getBounds();
-        assertTrue(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()).contains(place), place.toString());
     }
 }

@@ -104,7 +104,7 @@ class FenetreTest extends EssaiFenetre {
         attendre("il ne cache pas l'image", () -> BancFenetre.trouver(image.codes, L) != null);
         // du panneau même, où elle ne sert à rien tant qu'aucun point n'est choisi
         banc.frapper(composant("vitesse", JDialog.class), KeyEvent.VK_ENTER);
-        composant("inspecteur", JDialog.class);
+        composant("pixel", Inspecteur.class);
         attendre("l'un ne recouvre pas l'autre", () -> {
             List<Rectangle> places = Arrays.stream(banc.cadre.getOwnedWindows()).filter(Window::isVisible).map(Window::getBounds)
                     .collect(Collectors.toList());
@@ -143,7 +143,7 @@ class FenetreTest extends EssaiFenetre {
     void ceQuiSeMontreAUnNomPourUnLecteurDEcran() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ENTER);
-        BancFenetre.mettreDevant(composant("inspecteur", JDialog.class));
+        composant("pixel", Inspecteur.class);
         banc.frapper(KeyEvent.VK_F3);
         for (String nom : new String[] {"image", "avancement", "cote", "vitesse.graphique", "recit"}) {
             String dit = composant(nom, JComponent.class).getAccessibleContext().getAccessibleName();
