@@ -16,6 +16,7 @@ import javax.swing.KeyStroke;
 import lancer.commande.Etape;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.fenetre.Bandeau.Sujet;
 
 /** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
 final class MenuDessin {
@@ -100,6 +101,8 @@ final class MenuDessin {
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         menu.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
+        atelier.panneau.bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     private void montrer() {
