@@ -14,6 +14,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.KeyListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -23,15 +24,16 @@ import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
+import javax.swing.ImageIcon;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
-import javax.swing.UIManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
@@ -54,7 +56,6 @@ final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
     private static final Dimension TAILLE = new Dimension(420, 400);
-    private static final int HAUTEUR_FIGURE = 180;
     private static final int SAUT = 10;
 
     private final Atelier atelier;
@@ -106,17 +107,13 @@ final class Inspecteur extends JPanel {
         ToolTipManager.sharedInstance().registerComponent(arbre);
         JScrollPane ascenseur = new JScrollPane(arbre);
         ascenseur.setPreferredSize(TAILLE);
-        JPanel bas = new JPanel(new BorderLayout()) {
-            @Override
-            public Dimension getPreferredSize() {
-                // le récit d'abord : un écran dense n'est parfois haut que de quatre cents points
-                return new Dimension(0, Math.min(HAUTEUR_FIGURE, Inspecteur.this.getHeight() / 5));
-            }
-        };
-        bas.add(vue);
+        vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
+        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
+        // le récit d'abord : un écran dense n'est parfois haut que de quatre cents points
+        partage.setResizeWeight(0.8);
+        partage.setBorder(null);
         add(verdict, BorderLayout.PAGE_START);
-        add(ascenseur, BorderLayout.CENTER);
-        add(bas, BorderLayout.PAGE_END);
+        add(partage, BorderLayout.CENTER);
         arbre.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
@@ -194,10 +191,16 @@ final class Inspecteur extends JPanel {
             isoler(noeud.rebond);
         } else if (noeud.echantillon >= 0) {
             choisir(noeud.echantillon);
-        } else if (arbre.isExpanded(chemin)) {
-            arbre.collapsePath(chemin);
         } else {
+            basculer(chemin, !arbre.isExpanded(chemin));
+        }
+    }
+
+    private void basculer(TreePath chemin, boolean ouvert) {
+        if (ouvert) {
             arbre.expandPath(chemin);
+        } else {
+            arbre.collapsePath(chemin);
         }
     }
 
@@ -289,18 +292,16 @@ final class Inspecteur extends JPanel {
     /** Ouvre ce qui doit l'être, et choisit le rebond isolé. */
     private void ouvrir() {
         parcourir((noeud, chemin) -> {
-            if (ouverts.getOrDefault(noeud.sujet, !noeud.replie)) {
-                arbre.expandPath(chemin);
-            } else {
-                arbre.collapsePath(chemin);
+            boolean ouvert = ouverts.getOrDefault(noeud.sujet, !noeud.replie);
+            // Java ouvre tout ce qui est au-dessus d'un nœud que l'on ouvre ou ferme
+            if (chemin.getPathCount() == 1 || arbre.isExpanded(chemin.getParentPath())) {
+                basculer(chemin, ouvert);
             }
         });
         arbre.clearSelection();
-        parcourir((noeud, chemin) -> {
-            if (rebond > 0 && noeud.rebond == rebond) {
-                arbre.setSelectionPath(chemin);
-            }
-        });
+        IntStream.range(0, rebond == 0 ? 0 : arbre.getRowCount()).mapToObj(arbre::getPathForRow)
+                .filter(chemin -> noeud(chemin.getLastPathComponent()).rebond == rebond)
+                .forEach(arbre::setSelectionPath);
     }
 
     /** Ouvre tout ce qui se replie, ou le replie. */
@@ -320,11 +321,14 @@ final class Inspecteur extends JPanel {
             Noeud noeud = noeud(branche);
             boolean change = noeud.avant != null || !ouvert && noeud.aChange();
             // entre le fond et celui de ce qui est choisi : lisible dans un thème clair comme dans un sombre
-            setBackgroundNonSelectionColor(!change ? null : melange(UIManager.getColor("Tree.background"),
-                    UIManager.getColor("Tree.selectionBackground")));
+            Color fond = tree.getBackground();
+            Color choix = getBackgroundSelectionColor();
+            setBackgroundNonSelectionColor(!change || choix == null ? null
+                    : new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
+                            (2 * fond.getBlue() + choix.getBlue()) / 3));
             String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
             super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
-            Icon pastille = noeud.couleur == null ? null : new Pastille(new Color(noeud.couleur.getCode()));
+            Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
             setIcon(pastille);
             setDisabledIcon(pastille);
             setToolTipText(texte);
@@ -333,37 +337,14 @@ final class Inspecteur extends JPanel {
         }
     }
 
-    private static Color melange(Color fond, Color choix) {
-        return new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
-                (2 * fond.getBlue() + choix.getBlue()) / 3);
-    }
-
-    /** Un carré d'une couleur. */
-    private static final class Pastille implements Icon {
-
-        private final Color couleur;
-
-        Pastille(Color couleur) {
-            this.couleur = couleur;
-        }
-
-        @Override
-        public int getIconWidth() {
-            return 2 * MARGE;
-        }
-
-        @Override
-        public int getIconHeight() {
-            return 2 * MARGE;
-        }
-
-        @Override
-        public void paintIcon(Component c, Graphics g, int x, int y) {
-            g.setColor(couleur);
-            g.fillRect(x, y, 2 * MARGE, 2 * MARGE);
-            g.setColor(Color.GRAY);
-            g.drawRect(x, y, 2 * MARGE - 1, 2 * MARGE - 1);
-        }
+    private static Icon pastille(Couleur couleur) {
+        BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
+        Graphics g = carre.createGraphics();
+        g.setColor(new Color(couleur.getCode()));
+        g.fillRect(0, 0, 2 * MARGE, 2 * MARGE);
+        g.setColor(Color.GRAY);
+        g.drawRect(0, 0, 2 * MARGE - 1, 2 * MARGE - 1);
+        return new ImageIcon(carre);
     }
 
     private String comparer(Couleur couleur) {

@@ -49,20 +49,13 @@ public final class Noeud {
         this(texte, sujet, couleur, null, Collections.emptyList(), false, 0, -1);
     }
 
-    Noeud sur(List<Noeud> siens) {
-        return new Noeud(texte, sujet, couleur, avant, siens, replie, rebond, echantillon);
+    Noeud sur(List<Noeud> siens, boolean replies) {
+        return new Noeud(texte, sujet, couleur, avant, siens, replies, rebond, echantillon);
     }
 
-    Noeud replier(List<Noeud> siens) {
-        return new Noeud(texte, sujet, couleur, avant, siens, true, rebond, echantillon);
-    }
-
-    Noeud titrer(int numero) {
-        return new Noeud(texte, sujet, couleur, avant, enfants, replie, numero, echantillon);
-    }
-
-    Noeud choisir(int rang) {
-        return new Noeud(texte, sujet, couleur, avant, enfants, replie, rebond, rang);
+    /** Le même, titre de ce rayon, ou échantillon de ce rang. */
+    Noeud choisissant(int unRebond, int unEchantillon) {
+        return new Noeud(texte, sujet, couleur, avant, enfants, replie, unRebond, unEchantillon);
     }
 
     /** Les lignes, chacune avant celles qui l'expliquent, en retrait ; celles de la racine n'en ont pas. */

@@ -79,7 +79,8 @@ public final class Recit {
         }
         Echantillon choisi = pixel.getChoisi();
         String titre = "pixel " + pixel.x + ", " + pixel.y;
-        return new Noeud(titre, choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye, null).sur(lignes);
+        String sujet = choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye;
+        return new Noeud(titre, sujet, null).sur(lignes, false);
     }
 
     private Noeud dire(String format, Object... valeurs) {
@@ -118,11 +119,11 @@ public final class Recit {
         for (Echantillon e : echantillons) {
             quoi = e.xe + " " + e.ye;
             String partage = e.estDans(pixel.x, pixel.y) ? "" : " (partagé)";
-            vus.add(dire("%s%s : %s", e, partage, e.couleur).choisir(vus.size()));
+            vus.add(dire("%s%s : %s", e, partage, e.couleur).choisissant(0, vus.size()));
         }
         quoi = "échantillons";
         lignes.add(dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
-                : " et " + (echantillons.size() - siens) + " partagés avec les voisins").sur(vus));
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins").sur(vus, false));
         List<Noeud> termes = new ArrayList<>();
         for (Echantillon terme : pixel.termes) {
             quoi = "terme " + terme.xe + " " + terme.ye;
@@ -130,7 +131,7 @@ public final class Recit {
         }
         quoi = "termes";
         if (!termes.isEmpty()) {
-            lignes.add(dire("%d termes", termes.size()).replier(termes));
+            lignes.add(dire("%d termes", termes.size()).sur(termes, true));
         }
         quoi = "";
         if (pixel.somme != null) {
@@ -157,7 +158,7 @@ public final class Recit {
             if (!etape.inconnue().estNoire()) {
                 lignes.add(dire("autre = %s (que le récit ne connaît pas)", etape.inconnue()));
             }
-            lignes.add(dire("contact, normale et rivaux").replier(details(etape, rayon, depart)));
+            lignes.add(dire("contact, normale et rivaux").sur(details(etape, rayon, depart), true));
         }
         if (etape.somme != null && aTraversLAir(etape)) {
             direLAir(lignes, etape);
@@ -165,7 +166,7 @@ public final class Recit {
         if (etape.somme != null && etape.numero == pixel.getEtapes().size()) {
             lignes.add(arret(etape));
         }
-        return titre.sur(lignes).titrer(etape.numero);
+        return titre.sur(lignes, false).choisissant(etape.numero, -1);
     }
 
     /** Les termes d'une somme, en un mot chacun. */
@@ -174,19 +175,14 @@ public final class Recit {
             return "";
         }
         List<Eclairage> ajoutees = etape.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
-        List<String> termes = new ArrayList<>();
         boolean exactes = ajoutees.stream().allMatch(e -> e.ajouts.get(e.apport()).equals(e.produit));
-        if (exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire())) {
-            termes.add("diffus");
-        }
-        if (exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire())) {
-            termes.add("reflet");
-        }
+        boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
+        boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
         String lampes = ajoutees.size() == 1 ? "une lampe" : ajoutees.size() + " lampes";
-        if (!ajoutees.isEmpty() && (termes.isEmpty() || ajoutees.size() > 1)) {
-            lampes = termes.isEmpty() ? lampes : String.join(" + ", termes) + " de " + lampes;
-            termes.clear();
-            termes.add(lampes);
+        String apports = diffus && reflet ? "diffus + reflet" : diffus ? "diffus" : reflet ? "reflet" : lampes;
+        List<String> termes = new ArrayList<>();
+        if (!ajoutees.isEmpty()) {
+            termes.add(ajoutees.size() > 1 && (diffus || reflet) ? apports + " de " + lampes : apports);
         }
         Couleur Ks = etape.contact.objet.getKs();
         String facteur = Ks.r == Ks.v && Ks.v == Ks.b ? Nombre.ecrire(Ks.r) : "(" + lue(Ks) + ")";
@@ -227,8 +223,8 @@ public final class Recit {
             List<Eclairage> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
             if (pareilles != null && pareilles.get(0) == terme) {
                 quoi = sort(terme);
-                lignes.add(dire("%d lampes %s", pareilles.size(), quoi).replier(
-                        pareilles.stream().map(lampe -> lampe(etape, lampe)).collect(Collectors.toList())));
+                lignes.add(dire("%d lampes %s", pareilles.size(), quoi).sur(
+                        pareilles.stream().map(lampe -> lampe(etape, lampe)).collect(Collectors.toList()), true));
             } else if (!terme.eclaire() && pareilles == null && (terme.lampe != null || terme.suite != null)) {
                 lignes.add(terme.lampe != null ? lampe(etape, terme)
                         : dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
@@ -245,8 +241,8 @@ public final class Recit {
     private Noeud reflet(Etape etape, Eclairage terme) {
         quoi = "réfléchi";
         return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(etape.contact.objet.getKs()), nomDeLaVue(terme.suite),
-                terme.ajouts.get(terme.apport())).replier(Arrays.asList(dire("R = %s", etape.R),
-                etape.poids == null ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", etape.poids)));
+                terme.ajouts.get(terme.apport())).sur(Arrays.asList(dire("R = %s", etape.R), etape.poids == null
+                ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", etape.poids)), true);
     }
 
     /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
@@ -264,12 +260,12 @@ public final class Recit {
             Noeud titre = dire("%s  N·L = %s  %s", quoi, e.cosinus, e.L == null
                     ? "sans effet sur cette matière : pas de rayon d'ombre"
                     : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
-            return e.L == null ? titre : titre.replier(Arrays.asList(dire("L = %s", e.L)));
+            return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
         }
         Couleur apport = e.ajouts.get(e.apport());
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
                 : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", quoi, e.cosinus, apport);
-        return titre.replier(facteurs(etape, e));
+        return titre.sur(facteurs(etape, e), true);
     }
 
     private List<Noeud> facteurs(Etape etape, Eclairage e) {
@@ -345,7 +341,7 @@ public final class Recit {
                     pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance)));
             parts.add(dire("(1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k)));
         }
-        lignes.add(dire("vue %d = %s", etape.numero, etape.vue).sur(parts));
+        lignes.add(dire("vue %d = %s", etape.numero, etape.vue).sur(parts, false));
     }
 
     private Noeud arret(Etape etape) {

@@ -21,6 +21,7 @@ import java.util.Arrays;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
+import javax.swing.UIManager;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -198,7 +199,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         assertNull(chercher("cote", JComponent.class));
         cliquer(150, 100);
         attendreVerdict("Au bit près");
-        long noirs = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == 0xFF000000).count();
-        assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
+        int encre = surFilEvenements(() -> UIManager.getColor("Tree.textForeground").getRGB());
+        long points = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == encre).count();
+        assertTrue(points > 30, points + " points de la couleur du texte : l'œil et l'écran");
     }
 }

@@ -71,6 +71,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         presser(KeyEvent.VK_RIGHT);
         attendreTitre(151, 100);
         attendre("qui le restent au pixel d'à côté", () -> lu(arbre).contains("\ndiffus = Kd "));
+        faire(() -> arbre.collapsePath(arbre.getPathForRow(lu(arbre).split("\n1  ")[0].split("\n").length)));
+        attendre("un contact se ferme", () -> !lu(arbre).contains("\n[Lampe 1]"));
+        presser(KeyEvent.VK_RIGHT);
+        attendreTitre(152, 100);
+        assertFalse(surFilEvenements(() -> lu(arbre)).contains("\n[Lampe 1]"), "et le reste");
     }
 
     @Test
