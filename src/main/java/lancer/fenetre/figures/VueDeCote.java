@@ -38,7 +38,7 @@ import lancer.inspection.Inspection;
 public final class VueDeCote extends JPanel {
 
     private static final int MARGE = 14;
-    private static final Color RAYON = new Color(0x0070C0);
+    private static final Color RAYON = new Color(0x2A90D8);
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
 
@@ -168,6 +168,7 @@ public final class VueDeCote extends JPanel {
     }
 
     private void numeroter(Graphics2D g, Etape etape) {
+        g.setColor(UIManager.getColor("Tree.textForeground"));
         String numero = String.valueOf(etape.numero);
         Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
         float x = (float) h(etape.contact.z) + 4;
