@@ -38,7 +38,7 @@ final class Atelier {
     private final Dessin premier;
     private final Consumer<Dessin> programme;
     private final ExecutorService dessins;
-    private final PanneauImage panneau;
+    final PanneauImage panneau;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();

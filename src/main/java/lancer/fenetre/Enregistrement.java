@@ -4,6 +4,9 @@ import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -17,6 +20,8 @@ import lancer.texte.Texte;
 
 /** L'image achevée, vers le presse-papiers, ou vers un fichier PNG, le même qu'avec {@code --image}. */
 final class Enregistrement {
+
+    private static final DirectColorModel SANS_ALPHA = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Atelier atelier;
     private final Bandeau bandeau;
@@ -36,8 +41,10 @@ final class Enregistrement {
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
-            BufferedImage copie = new BufferedImage(image.largeur, image.hauteur, BufferedImage.TYPE_INT_RGB);
-            copie.setRGB(0, 0, copie.getWidth(), copie.getHeight(), image.codes, 0, copie.getWidth());
+            // sur le tableau même des codes, qui ne change plus : d'une grande image, une copie prendrait du temps
+            BufferedImage copie = new BufferedImage(SANS_ALPHA, Raster.createPackedRaster(
+                    new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur, image.largeur,
+                    SANS_ALPHA.getMasks(), null), false, null);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {

@@ -89,7 +89,7 @@ public final class Fenetre {
         enregistrement = new Enregistrement(atelier, panneau.bandeau);
         prise = new Prise(atelier, panneau);
         onglets = new Onglets(cadre, panneau);
-        onglets.ajouter("Pixel", () -> new Inspecteur(cadre, atelier, panneau, caracteres));
+        onglets.ajouter("Pixel", () -> new Inspecteur(atelier, panneau, caracteres));
         onglets.ajouter("Réglages", () -> new PanneauReglages(atelier));
         onglets.ajouter("Vitesse", () -> new PanneauVitesse(atelier));
         JMenuBar menus = new JMenuBar();
@@ -136,8 +136,8 @@ public final class Fenetre {
         menu.addSeparator();
         menu.add(Menus.siScene(atelier, menuVues()));
         Menus.siScene(atelier, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
-        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2), () -> onglets.montrer(1));
-        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3), () -> onglets.montrer(2));
+        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2), () -> onglets.montrer(1).transferFocus());
+        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3), () -> onglets.montrer(2).transferFocus());
         menu.addSeparator();
         JCheckBoxMenuItem sombre = new JCheckBoxMenuItem("Apparence sombre", Apparence.estSombre());
         Menus.article(menu, sombre, null, () -> Apparence.changer(sombre.isSelected()));

@@ -2,150 +2,136 @@ package lancer.fenetre;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Point;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.HierarchyEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
+import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
+import javax.swing.Icon;
+import javax.swing.ImageIcon;
 import javax.swing.JComponent;
-import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
-import javax.swing.JTextPane;
+import javax.swing.JTree;
 import javax.swing.KeyStroke;
-import javax.swing.text.BadLocationException;
-import javax.swing.text.DefaultCaret;
-import javax.swing.text.DefaultStyledDocument;
-import javax.swing.text.SimpleAttributeSet;
-import javax.swing.text.StyleConstants;
+import javax.swing.SwingUtilities;
+import javax.swing.ToolTipManager;
+import javax.swing.tree.DefaultMutableTreeNode;
+import javax.swing.tree.DefaultTreeCellRenderer;
+import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreePath;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.dessin.Dessin;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
-import lancer.fenetre.figures.GrilleEchantillons;
 import lancer.fenetre.figures.VueDeCote;
 import lancer.image.ImageMemoire;
-import lancer.inspection.Depliage;
 import lancer.inspection.Inspection;
+import lancer.inspection.Noeud;
 import lancer.inspection.Recit;
 import lancer.texte.Nombre;
 
-/** Explication d'un pixel, dans une fenêtre à côté, qui le suit d'un dessin à l'autre ; un fil à part la calcule. */
+/** Explication d'un pixel, qu'elle suit d'un dessin à l'autre tant qu'elle se voit ; un fil à part la calcule. */
 @SuppressWarnings("serial")
 final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
-    private static final int LARGEUR = 520;
-    private static final int LARGEUR_MIN = 350;
-    private static final int HAUTEUR_MIN = 500;
-    private static final int COTE_FIGURES = 180;
+    private static final Dimension TAILLE = new Dimension(420, 400);
     private static final int SAUT = 10;
-    private static final Color CHANGE = new Color(0xFFE9A8);
-    private static final Color VOILE = new Color(0x90FFFFFF, true);
-    private static final Color LIEN = new Color(0x0050A0);
-    private static final String ARRONDI = "(nombres arrondis à cinq chiffres ; --pixel les écrit en entier)";
 
     private final Atelier atelier;
     private final PanneauImage panneau;
-    private final JTextPane texte = new JTextPane() {
+    private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
         @Override
-        protected void paintComponent(Graphics g) {
-            super.paintComponent(g);
-            if (enCours != null) {
-                // en gris : changer la couleur d'un long texte prendrait plus de temps que de le remplacer
-                g.setColor(VOILE);
-                g.fillRect(0, 0, getWidth(), getHeight());
+        public void updateUI() {
+            super.updateUI();
+            // ses touches sont celles de la fenêtre : les flèches mènent le pixel, les chiffres isolent un rebond
+            SwingUtilities.replaceUIInputMap(this, WHEN_FOCUSED, null);
+            SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
+            for (KeyListener frappe : getKeyListeners()) {
+                removeKeyListener(frappe);
             }
+            setRowHeight(getFontMetrics(getFont()).getHeight() + MARGE / 2);
+            setCellRenderer(new Rendu());
         }
     };
-    private final JScrollPane ascenseur = new JScrollPane(texte);
     private final JTextArea verdict = Bandeau.etiquette("verdict");
-    private final GrilleEchantillons grille = new GrilleEchantillons(this::choisir);
     private final VueDeCote vue = new VueDeCote(this::isoler);
     private final ExecutorService fil = Atelier.unFil("lancer-inspection");
-    private final Depliage depliage = new Depliage();
-    private List<Recit.Ligne> vues = Collections.emptyList();
     private Inspection enCours;
+    private Inspection montree;
     private Point pixel;
     /** Caméra de l'image dont c'est un pixel ; {@code null} : celle qui est montrée. */
     private Camera camera;
     private int rang = Inspection.AU_CENTRE;
     /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
     int rebond;
+    private String fichier;
+    private Noeud recit;
+    /** Le même, tous chiffres écrits. */
+    private List<String> lignes = Collections.emptyList();
+    /** Ce qui a été ouvert ou fermé, par son sujet. */
+    private final Map<String, Boolean> ouverts = new HashMap<>();
 
     /** @param caracteres où mettre ce qu'il fait d'un caractère */
-    Inspecteur(JFrame cadre, Atelier atelier, PanneauImage panneau, Map<Character, Runnable> caracteres) {
-        super(new BorderLayout());
+    Inspecteur(Atelier atelier, PanneauImage panneau, Map<Character, Runnable> caracteres) {
+        super(new BorderLayout(MARGE, MARGE));
         this.atelier = atelier;
         this.panneau = panneau;
-        setName("inspecteur");
-        verdict.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        texte.setName("recit");
-        texte.getAccessibleContext().setAccessibleName("chaîne du pixel");
-        texte.setEditable(false);
-        ((DefaultCaret) texte.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
-        texte.setFont(new Font(Font.MONOSPACED, Font.PLAIN, verdict.getFont().getSize()));
-        texte.setBorder(verdict.getBorder());
-        grille.setPreferredSize(new Dimension(COTE_FIGURES, COTE_FIGURES));
-        JPanel bas = new JPanel(new BorderLayout(MARGE, MARGE)) {
-            @Override
-            public Dimension getPreferredSize() {
-                // le texte d'abord : un écran dense n'est parfois haut que de quatre cents points
-                return new Dimension(0, Math.min(COTE_FIGURES, Inspecteur.this.getHeight() / 4));
-            }
-        };
-        bas.add(vue, BorderLayout.CENTER);
-        bas.add(grille, BorderLayout.LINE_END);
+        setName("pixel");
+        setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        verdict.setText("Un clic sur l'image dit pourquoi un pixel a sa couleur.");
+        arbre.setName("recit");
+        arbre.getAccessibleContext().setAccessibleName("chaîne du pixel");
+        arbre.setLargeModel(true);
+        arbre.setToggleClickCount(0);
+        ToolTipManager.sharedInstance().registerComponent(arbre);
+        JScrollPane ascenseur = new JScrollPane(arbre);
+        ascenseur.setPreferredSize(TAILLE);
+        vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
+        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
+        // le récit d'abord : un écran dense n'est parfois haut que de quatre cents points
+        partage.setResizeWeight(0.8);
+        partage.setBorder(null);
         add(verdict, BorderLayout.PAGE_START);
-        add(ascenseur, BorderLayout.CENTER);
-        add(bas, BorderLayout.PAGE_END);
-        // il n'y a rien à y écrire : + et − sont pour le cadre
-        texte.setKeymap(null);
-        texte.addMouseListener(new MouseAdapter() {
+        add(partage, BorderLayout.CENTER);
+        arbre.addMouseListener(new MouseAdapter() {
             @Override
-            public void mouseClicked(MouseEvent e) {
-                int ou = texte.viewToModel(e.getPoint());
-                int ligne = texte.getDocument().getDefaultRootElement().getElementIndex(ou);
-                Recit.Ligne vue = vues.isEmpty() ? null : vues.get(ligne);
-                if (vue != null && vue.repli != null) {
-                    deplier(vue.repli);
-                } else if (vue != null && vue.rebond() > 0) {
-                    isoler(vue.rebond());
+            public void mousePressed(MouseEvent e) {
+                TreePath chemin = arbre.getPathForLocation(e.getX(), e.getY());
+                if (chemin != null && enCours == null && SwingUtilities.isLeftMouseButton(e)) {
+                    suivre(chemin);
                 }
             }
         });
-        lierTouches(texte, JComponent.WHEN_FOCUSED);
-        lierTouches((JComponent) cadre.getContentPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        for (int sens : new int[] {-1, 1}) {
-            KeyStroke touche = Menus.ctrl(sens < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN);
-            texte.registerKeyboardAction(e -> choisir(grille.voisin(sens)), touche, JComponent.WHEN_FOCUSED);
-        }
-        texte.registerKeyboardAction(e -> {
-            if (texte.getSelectedText() == null) {
-                texte.selectAll();
-            }
-            texte.copy();
-            texte.select(0, 0);
-        }, Menus.ctrl(KeyEvent.VK_C), JComponent.WHEN_FOCUSED);
+        lierTouches(arbre, WHEN_FOCUSED);
+        lierTouches(this, WHEN_IN_FOCUSED_WINDOW);
+        arbre.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), WHEN_FOCUSED);
         IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
-        caracteres.put('d', () -> deplier(null));
+        caracteres.put('d', this::deplier);
         atelier.prevenir(this::calculer);
         addHierarchyListener(e -> {
-            if (!isShowing()) {
-                abandonner();
-                panneau.suivre(null);
-                panneau.superposer(null, null);
+            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                paraitreOuNon();
             }
         });
     }
@@ -156,19 +142,35 @@ final class Inspecteur extends JPanel {
         for (int[] s : sens) {
             for (int pas : new int[] {1, SAUT}) {
                 ou.registerKeyboardAction(e -> {
-                    if (isShowing()) {
+                    if (pixel != null) {
                         montrer(new Point(pixel.x + pas * s[1], pixel.y + pas * s[2]));
                     }
                 }, KeyStroke.getKeyStroke(s[0], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
             }
         }
+        for (int pas : new int[] {-1, 1}) {
+            ou.registerKeyboardAction(e -> {
+                if (montree != null) {
+                    choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
+                }
+            }, Menus.ctrl(pas < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN), quand);
+        }
     }
 
+    /** Explique ce pixel, tout de suite ou dès que cela se verra. */
     void montrer(Point voulu) {
+        rebond = voulu.equals(pixel) ? rebond : 0;
         pixel = voulu;
         camera = null;
-        panneau.suivre(pixel);
         rang = Inspection.AU_CENTRE;
+        paraitreOuNon();
+    }
+
+    private void paraitreOuNon() {
+        panneau.suivre(isShowing() ? pixel : null);
+        if (!isShowing()) {
+            panneau.superposer(null, null);
+        }
         calculer();
     }
 
@@ -179,33 +181,48 @@ final class Inspecteur extends JPanel {
 
     /** Ne montre plus dans les figures que ce rebond ; tous, si c'est déjà lui ou s'il n'existe pas. */
     private void isoler(int numero) {
-        if (isShowing()) {
-            rebond = numero == rebond ? 0 : numero;
-            calculer();
+        rebond = numero == rebond || !isShowing() ? 0 : numero;
+        calculer();
+    }
+
+    private void suivre(TreePath chemin) {
+        Noeud noeud = noeud(chemin.getLastPathComponent());
+        if (noeud.rebond > 0) {
+            isoler(noeud.rebond);
+        } else if (noeud.echantillon >= 0) {
+            choisir(noeud.echantillon);
+        } else {
+            basculer(chemin, !arbre.isExpanded(chemin));
         }
     }
 
-    /** @param repli {@code null} pour tout déplier, ou tout replier */
-    private void deplier(String repli) {
-        if (isShowing()) {
-            depliage.basculer(repli);
-            ecrire();
+    private void basculer(TreePath chemin, boolean ouvert) {
+        if (ouvert) {
+            arbre.expandPath(chemin);
+        } else {
+            arbre.collapsePath(chemin);
         }
     }
 
-    private void abandonner() {
-        if (enCours != null) {
-            enCours.arreter();
-            enCours = null;
-        }
+    private void copier() {
+        getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
+        panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }
 
     /** Explique le pixel de l'image montrée, par ce qui l'a dessinée ; ce qui se lit est gris en attendant. */
     private void calculer() {
         Dessin montre = atelier.montre;
-        abandonner();
-        if (!isShowing() || montre == null) {
+        if (enCours != null) {
+            enCours.arreter();
+            enCours = null;
+        }
+        if (!isShowing() || montre == null || pixel == null) {
             return;
+        }
+        if (!montre.fichier.equals(fichier)) {
+            fichier = montre.fichier;
+            recit = null;
+            rebond = 0;
         }
         // d'une image d'une autre taille, le même endroit
         double fois = camera == null ? 1 : (double) montre.getImage().largeur / camera.getLargeur();
@@ -218,72 +235,126 @@ final class Inspecteur extends JPanel {
         int seul = rebond;
         enCours = nouvelle;
         verdict.setText("calcul…");
-        texte.repaint();
+        arbre.repaint();
         Atelier.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
-            List<Recit.Ligne> lignes = new Recit(nouvelle, Nombre::arrondir).raconter();
-            lignes.add(1, new Recit.Ligne(ARRONDI, 0, ARRONDI, null, false));
+            List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
+            Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
-            EventQueue.invokeLater(() -> recevoir(nouvelle, lignes, figure, garde));
+            EventQueue.invokeLater(() -> {
+                if (nouvelle == enCours) {
+                    lignes = entieres;
+                    recevoir(nouvelle, racine, figure, garde);
+                }
+            });
         }, verdict::setText);
     }
 
-    private void recevoir(Inspection nouvelle, List<Recit.Ligne> lignes, Figure figure, int seul) {
-        if (nouvelle != enCours) {
-            return;
-        }
+    private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {
         enCours = null;
+        montree = nouvelle;
         rebond = seul;
-        depliage.remplacer(atelier.montre.fichier, lignes);
-        ecrire();
+        recit = racine.depuis(recit);
+        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, arbre.isExpanded(chemin)));
+        arbre.setModel(new DefaultTreeModel(branche(recit)));
+        ouvrir();
         boolean connue = nouvelle.getEtapes().stream().allMatch(etape -> etape.inconnue().estNoire());
-        verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé." : comparer(nouvelle.getCouleur())
-                + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
-        grille.montrer(nouvelle);
+        verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
+                : comparer(nouvelle.getCouleur()))
+                + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur.")
+                + (rebond == 0 ? "" : "\nLes figures ne montrent que le rebond " + rebond + " ; 0 pour tous."));
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
     }
 
-    /** Met à l'écran les lignes qui ne sont pas repliées, à l'endroit du texte où l'on était. */
-    private void ecrire() {
-        Point place = ascenseur.getViewport().getViewPosition();
-        DefaultStyledDocument document = new DefaultStyledDocument();
-        vues = depliage.getVues();
-        vues.forEach(vue -> ajouter(document, vue));
-        // coupées aux blancs seuls : ce que Swing fait d'un texte latin, et non d'un qui a des signes comme ⊗
-        document.putProperty("multiByte", false);
-        texte.setDocument(document);
-        EventQueue.invokeLater(() -> ascenseur.getViewport().setViewPosition(place));
+    private static DefaultMutableTreeNode branche(Noeud noeud) {
+        DefaultMutableTreeNode branche = new DefaultMutableTreeNode(noeud);
+        noeud.enfants.forEach(enfant -> branche.add(branche(enfant)));
+        return branche;
     }
 
-    /** Ajoute une ligne ; sa suite, si elle est trop longue, garde son retrait. */
-    private void ajouter(DefaultStyledDocument document, Recit.Ligne ligne) {
-        SimpleAttributeSet style = new SimpleAttributeSet();
-        if (ligne.changee) {
-            StyleConstants.setBackground(style, CHANGE);
+    private static Noeud noeud(Object branche) {
+        return (Noeud) ((DefaultMutableTreeNode) branche).getUserObject();
+    }
+
+    /** Donne à faire ceux des nœuds qui ont des enfants, un parent avant ses enfants. */
+    private void parcourir(BiConsumer<Noeud, TreePath> geste) {
+        DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
+        List<?> branches = racine == null ? Collections.emptyList() : Collections.list(racine.preorderEnumeration());
+        for (Object branche : branches) {
+            if (!((DefaultMutableTreeNode) branche).isLeaf()) {
+                geste.accept(noeud(branche), new TreePath(((DefaultMutableTreeNode) branche).getPath()));
+            }
         }
-        if (ligne.repli != null || ligne.rebond() > 0) {
-            StyleConstants.setForeground(style, LIEN);
+    }
+
+    /** Ouvre ce qui doit l'être, et choisit le rebond isolé. */
+    private void ouvrir() {
+        parcourir((noeud, chemin) -> {
+            boolean ouvert = ouverts.getOrDefault(noeud.sujet, !noeud.replie);
+            // Java ouvre tout ce qui est au-dessus d'un nœud que l'on ouvre ou ferme
+            if (chemin.getPathCount() == 1 || arbre.isExpanded(chemin.getParentPath())) {
+                basculer(chemin, ouvert);
+            }
+        });
+        arbre.clearSelection();
+        IntStream.range(0, rebond == 0 ? 0 : arbre.getRowCount()).mapToObj(arbre::getPathForRow)
+                .filter(chemin -> noeud(chemin.getLastPathComponent()).rebond == rebond)
+                .forEach(arbre::setSelectionPath);
+    }
+
+    /** Ouvre tout ce qui se replie, ou le replie. */
+    private void deplier() {
+        boolean[] tout = {true};
+        parcourir((noeud, chemin) -> tout[0] &= !noeud.replie || !arbre.isExpanded(chemin));
+        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, tout[0] || !noeud.replie));
+        ouvrir();
+    }
+
+    /** Une ligne : sa couleur, son texte, et ce qui s'y lisait s'il a changé. */
+    private final class Rendu extends DefaultTreeCellRenderer {
+
+        @Override
+        public Component getTreeCellRendererComponent(JTree tree, Object branche, boolean choisi, boolean ouvert,
+                boolean feuille, int ligne, boolean clavier) {
+            Noeud noeud = noeud(branche);
+            boolean change = noeud.avant != null || !ouvert && noeud.aChange();
+            // entre le fond et celui de ce qui est choisi : lisible dans un thème clair comme dans un sombre
+            Color fond = tree.getBackground();
+            Color choix = getBackgroundSelectionColor();
+            setBackgroundNonSelectionColor(!change || choix == null ? null
+                    : new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
+                            (2 * fond.getBlue() + choix.getBlue()) / 3));
+            String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
+            super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
+            Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
+            setIcon(pastille);
+            setDisabledIcon(pastille);
+            setToolTipText(texte);
+            setEnabled(enCours == null);
+            return this;
         }
-        float retrait = (ligne.texte.length() - ligne.texte.replaceFirst("^ +", "").length() + 2)
-                * texte.getFontMetrics(texte.getFont()).charWidth(' ');
-        SimpleAttributeSet paragraphe = new SimpleAttributeSet();
-        StyleConstants.setLeftIndent(paragraphe, retrait);
-        StyleConstants.setFirstLineIndent(paragraphe, -retrait);
-        try {
-            int debut = document.getLength();
-            document.insertString(debut, debut == 0 ? ligne.texte : "\n" + ligne.texte, style);
-            document.setParagraphAttributes(document.getLength(), 0, paragraphe, false);
-        } catch (BadLocationException e) {
-            throw new IllegalStateException(e);
-        }
+    }
+
+    private static Icon pastille(Couleur couleur) {
+        BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
+        Graphics g = carre.createGraphics();
+        g.setColor(new Color(couleur.getCode()));
+        g.fillRect(0, 0, 2 * MARGE, 2 * MARGE);
+        g.setColor(Color.GRAY);
+        g.drawRect(0, 0, 2 * MARGE - 1, 2 * MARGE - 1);
+        return new ImageIcon(carre);
     }
 
     private String comparer(Couleur couleur) {
         ImageMemoire image = atelier.getImageComplete();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
+        }
+        if (!image.sens.equals(ImageMemoire.COULEUR)) {
+            return "La couleur de ce pixel, que la vue remplace : #"
+                    + String.format("%06X", couleur.getCode() & 0xFFFFFF);
         }
         int k = pixel.y * image.largeur + pixel.x;
         float[] vu = image.lineaire;

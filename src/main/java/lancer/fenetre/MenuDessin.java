@@ -15,6 +15,7 @@ import javax.swing.KeyStroke;
 import lancer.commande.Etape;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 
 /** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
@@ -97,6 +98,8 @@ final class MenuDessin {
                 + Deplacement.sections(atelier.adopte.dessin.getLue(), atelier.source.getLue());
         menu.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
+        atelier.panneau.bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     private void montrer() {

@@ -91,7 +91,8 @@ final class PanneauVitesse extends JPanel {
             essais = Atelier.confier(fil, () -> evaluer(memeScene, fait, montre), etat::setText);
         }
         ImageMemoire image = atelier.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.lineaire != null && estPresent(voulu)) {
+        if (voulu != null && auto != null && image != null && image.lineaire != null
+                && image.sens.equals(ImageMemoire.COULEUR) && estPresent(voulu)) {
             if (atelier.direFautes() == null) {
                 mesurer(montre.getLancer(), image);
             } else {

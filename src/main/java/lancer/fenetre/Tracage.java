@@ -2,12 +2,12 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.util.Locale;
-import lancer.Constantes;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingWorker;
+import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.dessin.Dessin;

@@ -3,8 +3,10 @@ package lancer.inspection;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Constantes;
@@ -18,9 +20,10 @@ import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Etape;
 import lancer.contrat.Specularite;
+import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** La chaîne d'un pixel en lignes de texte, chaque terme dans l'ordre où il s'ajoute, avec ses facteurs. */
+/** La chaîne d'un pixel en arbre : un contact après celui que voit son reflet, puis ses termes, puis leurs facteurs. */
 public final class Recit {
 
     /** Nombre de lampes de même sort au-delà duquel elles ne se montrent qu'à la demande. */
@@ -28,245 +31,290 @@ public final class Recit {
 
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
-    private final List<Ligne> lignes = new ArrayList<>();
+    private final DoubleFunction<String> composante;
     private int etape;
-    /** Lampe, rival ou échantillon dont il est question, et celui dont c'est la chaîne ; vide : aucun. */
+    /** Lampe, rival ou échantillon dont il est question. */
     private String quoi = "";
-    private String chaine = "";
 
-    /** Une ligne, et où elle est. Immuable. */
-    public static final class Ligne {
-
-        public final String texte;
-
-        /** Le numéro du rayon dont elle parle, 0 si c'est du pixel, et son sujet, le même d'un dessin à l'autre. */
-        final int etape;
-        final String sujet;
-
-        /** Titre qui la remplace, avec ses pareilles, tant qu'on ne les demande pas, ou null ; et si elle a changé. */
-        public final String repli;
-        public final boolean changee;
-
-        public Ligne(String texte, int etape, String sujet, String repli, boolean changee) {
-            this.texte = texte;
-            this.etape = etape;
-            this.sujet = sujet;
-            this.repli = repli;
-            this.changee = changee;
-        }
-
-        /** Le numéro du rayon dont elle est le titre ; 0 : aucun. */
-        public int rebond() {
-            return texte.startsWith(etape + "  ") ? etape : 0;
-        }
+    /** @param nombre comment s'écrit un nombre calculé ; un nombre du fichier s'écrit comme là-bas */
+    public Recit(Inspection pixel, DoubleFunction<String> nombre) {
+        this(pixel, nombre, nombre);
     }
 
-    /** @param nombre comment s'écrit un nombre */
-    public Recit(Inspection pixel, DoubleFunction<String> nombre) {
+    /** @param composante comment s'écrit, d'une couleur calculée, une composante */
+    public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
         this.nombre = nombre;
+        this.composante = composante;
     }
 
     /** Lignes de la chaîne, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
     public List<String> lignes() {
-        return raconter().stream().map(ligne -> ligne.texte).collect(Collectors.toList());
+        return raconter().lignes();
     }
 
-    /** Les lignes de la chaîne, jusqu'à la faute s'il y en a une. */
-    public List<Ligne> raconter() {
-        dire("pixel %d, %d", pixel.x, pixel.y);
+    /** La chaîne, jusqu'à la faute s'il y en a une. */
+    public Noeud raconter() {
+        List<Noeud> lignes = new ArrayList<>();
         if (pixel.getEchantillons().size() > 1) {
-            dire(pixel.getEchantillons());
+            direLesEchantillons(lignes);
         }
+        List<Noeud> contacts = new ArrayList<>();
         Rayon rayon = pixel.getDepart();
         Objet3D depart = null;
         for (Etape suivante : pixel.getEtapes()) {
             etape = suivante.numero;
-            dire(suivante, rayon, depart);
+            // la somme d'un contact, avant le contact qui s'en sert
+            contacts.add(0, contact(suivante, rayon, depart));
             rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
             depart = rayon == null ? null : suivante.contact.objet;
         }
+        lignes.addAll(contacts);
         etape = 0;
-        chaine = "";
         if (pixel.getFaute() != null) {
-            dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA));
+            lignes.add(dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA)));
         } else {
-            dire("somme %s = #%06X", pixel.getCouleur(), pixel.getCouleur().getCode() & 0xFFFFFF);
+            Couleur somme = pixel.getCouleur();
+            lignes.add(new Noeud(dire("somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF).texte, "somme", somme));
         }
-        return lignes;
+        Echantillon choisi = pixel.getChoisi();
+        String titre = "pixel " + pixel.x + ", " + pixel.y;
+        String sujet = choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye;
+        return new Noeud(titre, sujet, null).sur(lignes, false);
     }
 
-    /** Ce texte sans les numéros de ligne du fichier, que change tout ce qui s'écrit plus haut. */
-    static String sansNumero(String texte) {
-        return texte.replaceAll(" ligne \\d+", "");
-    }
-
-    private void dire(String format, Object... valeurs) {
-        replier(null, format, valeurs);
-    }
-
-    private void replier(String repli, String format, Object... valeurs) {
+    private Noeud dire(String format, Object... valeurs) {
         Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
-        lignes.add(new Ligne(String.format(Locale.ROOT, format, textes), etape,
-                etape + chaine + " " + sansNumero(quoi) + format.split(" = | : |%")[0], repli, false));
+        Object derniere = valeurs.length == 0 ? null : valeurs[valeurs.length - 1];
+        return new Noeud(String.format(Locale.ROOT, format, textes),
+                etape + " " + Noeud.sansNumero(quoi) + format.split(" = | : |%")[0],
+                derniere instanceof Couleur ? (Couleur) derniere : null);
     }
 
     /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
     private Object ecrire(Object valeur) {
         if (valeur instanceof Couleur) {
             Couleur c = (Couleur) valeur;
-            return ecrire(c.r) + " " + ecrire(c.v) + " " + ecrire(c.b);
+            return composante.apply(c.r) + " " + composante.apply(c.v) + " " + composante.apply(c.b);
         }
         if (valeur instanceof Tuple) {
             Tuple t = (Tuple) valeur;
             return ecrire(t.x) + " " + ecrire(t.y) + " " + ecrire(t.z);
         }
         if (valeur instanceof Echantillon) {
-            return ecrire(((Echantillon) valeur).xe) + ", " + ecrire(((Echantillon) valeur).ye);
+            return ecrire(((Echantillon) valeur).xe) + " " + ecrire(((Echantillon) valeur).ye);
         }
         return valeur instanceof Double ? nombre.apply((Double) valeur) : valeur;
     }
 
-    private void dire(List<Echantillon> echantillons) {
+    /** Une couleur telle que le fichier l'écrit. */
+    private static String lue(Couleur c) {
+        return Nombre.ecrire(c.r) + " " + Nombre.ecrire(c.v) + " " + Nombre.ecrire(c.b);
+    }
+
+    private void direLesEchantillons(List<Noeud> lignes) {
+        List<Echantillon> echantillons = pixel.getEchantillons();
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
-        dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
-                : " et " + (echantillons.size() - siens) + " partagés avec les voisins");
+        List<Noeud> vus = new ArrayList<>();
         for (Echantillon e : echantillons) {
             quoi = e.xe + " " + e.ye;
-            dire("  %s%s : %s", e, e.estDans(pixel.x, pixel.y) ? "" : " (partagé)", e.couleur);
+            String partage = e.estDans(pixel.x, pixel.y) ? "" : " (partagé)";
+            vus.add(dire("%s%s : %s", e, partage, e.couleur).choisissant(0, vus.size()));
         }
-        quoi = "termes";
-        if (!pixel.termes.isEmpty()) {
-            dire("%d termes", pixel.termes.size());
-        }
+        quoi = "échantillons";
+        lignes.add(dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins").sur(vus, false));
+        List<Noeud> termes = new ArrayList<>();
         for (Echantillon terme : pixel.termes) {
             quoi = "terme " + terme.xe + " " + terme.ye;
-            dire("  %s × %s = %s", terme.poids, terme, terme.couleur);
+            termes.add(dire("%s × %s = %s", terme.poids, terme, terme.couleur));
+        }
+        quoi = "termes";
+        if (!termes.isEmpty()) {
+            lignes.add(dire("%d termes", termes.size()).sur(termes, true));
         }
         quoi = "";
         if (pixel.somme != null) {
-            dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme, pixel.diviseur);
+            lignes.add(dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme,
+                    Nombre.ecrire(pixel.diviseur)));
         }
-        chaine = pixel.getChoisi().xe + " " + pixel.getChoisi().ye;
-        dire("chaîne de l'échantillon %s", pixel.getChoisi());
+        lignes.add(dire("chaîne de l'échantillon %s", pixel.getChoisi()));
     }
 
     /** @param rayon celui de l'étape, parti de cet objet ; {@code null} si une forme se colore à sa façon */
-    private void dire(Etape etape, Rayon rayon, Objet3D depart) {
+    private Noeud contact(Etape etape, Rayon rayon, Objet3D depart) {
+        String nom = etape.contact == null ? "ciel" : pixel.nom(etape.contact.objet);
+        quoi = "";
+        Noeud titre = etape.somme == null ? dire("%d  %s", etape.numero, nom)
+                : new Noeud(dire("%d  %s  %s%s", etape.numero, nom, etape.somme, resume(etape)).texte,
+                        etape.numero + " ", etape.somme);
+        List<Noeud> lignes = new ArrayList<>();
         if (etape.contact == null) {
-            dire("%d  ciel", etape.numero);
+            direLeVide(lignes, etape);
         } else {
-            dire("%d  %s  d = %s", etape.numero, pixel.nom(etape.contact.objet), etape.contact.distance);
-            dire("   contact = %s", etape.contact);
             if (etape.N != null) {
-                direLaSurface(etape, rayon, depart);
+                direLesTermes(lignes, etape);
             }
+            if (!etape.inconnue().estNoire()) {
+                lignes.add(dire("autre = %s (que le récit ne connaît pas)", etape.inconnue()));
+            }
+            lignes.add(dire("contact, normale et rivaux").sur(details(etape, rayon, depart), true));
         }
-        if (etape.somme == null) {
-            return;
+        if (etape.somme != null && aTraversLAir(etape)) {
+            direLAir(lignes, etape);
         }
-        if (!etape.inconnue().estNoire()) {
-            dire("     autre = %s (que le récit ne connaît pas)", etape.inconnue());
+        if (etape.somme != null && etape.numero == pixel.getEtapes().size()) {
+            lignes.add(arret(etape));
         }
-        dire("   somme %d = %s", etape.numero, etape.somme);
-        if (aTraversLAir(etape)) {
-            direLAir(etape);
+        return titre.sur(lignes, false).choisissant(etape.numero, -1);
+    }
+
+    /** Les termes d'une somme, en un mot chacun. */
+    private String resume(Etape etape) {
+        if (etape.N == null) {
+            return "";
         }
-        if (etape.numero == pixel.getEtapes().size()) {
-            direLArret(etape);
+        List<Eclairage> ajoutees = etape.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
+        boolean exactes = ajoutees.stream().allMatch(e -> e.ajouts.get(e.apport()).equals(e.produit));
+        boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
+        boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
+        String lampes = ajoutees.size() == 1 ? "une lampe" : ajoutees.size() + " lampes";
+        String apports = diffus && reflet ? "diffus + reflet" : diffus ? "diffus" : reflet ? "reflet" : lampes;
+        List<String> termes = new ArrayList<>();
+        if (!ajoutees.isEmpty()) {
+            termes.add(ajoutees.size() > 1 && (diffus || reflet) ? apports + " de " + lampes : apports);
+        }
+        Couleur Ks = etape.contact.objet.getKs();
+        String facteur = Ks.r == Ks.v && Ks.v == Ks.b ? Nombre.ecrire(Ks.r) : "(" + lue(Ks) + ")";
+        etape.termes.stream().filter(terme -> terme.suite != null && terme.eclaire())
+                .forEach(terme -> termes.add(terme.ajouts.get(terme.apport()).equals(terme.produit)
+                        ? facteur + " ⊗ " + nomDeLaVue(terme.suite) : "réfléchi"));
+        if (!etape.inconnue().estNoire() || etape.termes.stream()
+                .anyMatch(terme -> terme.ajouts.size() > (terme.eclaire() ? 1 : 0))) {
+            termes.add("autre");
+        }
+        return termes.isEmpty() ? " : rien ne l'éclaire" : " = " + String.join(" + ", termes);
+    }
+
+    private String nomDeLaVue(Etape etape) {
+        return (aTraversLAir(etape) ? "vue " : "somme ") + etape.numero;
+    }
+
+    /** Dit pourquoi le rayon de l'écran ne rencontre rien, si c'est le cas de tous. */
+    private void direLeVide(List<Noeud> lignes, Etape etape) {
+        List<Objet3D> objets = pixel.scene.getObjets();
+        if (objets.isEmpty()) {
+            lignes.add(dire("aucun objet dans la scène"));
+        } else if (etape.numero == 1 && objets.stream().allMatch(objet -> objet instanceof Sphere
+                && ((Sphere) objet).getCentre().z + ((Sphere) objet).getRayon() <= 0)) {
+            lignes.add(dire("aucun objet devant l'écran : tous sont en z ≤ 0, et les rayons partent de z = 0"));
         }
     }
 
-    private void direLaSurface(Etape etape, Rayon rayon, Objet3D depart) {
-        dire("   N = %s", etape.N);
-        int reflet = 1 + etape.lampes.size();
-        etape.termes.subList(0, reflet).forEach(terme -> dire(etape, terme));
-        quoi = "";
-        String details = "   demi-corde, rivaux et directions des lampes";
-        if (rayon != null) {
-            direLesRivaux(details, etape.contact, rayon, depart);
+    private void direLesTermes(List<Noeud> lignes, Etape etape) {
+        if (etape.lampes.isEmpty()) {
+            lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
+                    : "aucune lampe demandée"));
         }
-        for (Eclairage lampe : etape.lampes) {
-            if (lampe.L != null) {
-                quoi = pixel.nom(lampe.lampe);
-                replier(details, "     L = %s  vers %s", lampe.L, quoi);
+        Map<String, List<Eclairage>> sorts = etape.lampes.stream().filter(lampe -> !lampe.eclaire())
+                .collect(Collectors.groupingBy(Recit::sort, LinkedHashMap::new, Collectors.toList()));
+        sorts.values().removeIf(lampes -> lampes.size() <= LAMPES);
+        for (Eclairage terme : etape.termes) {
+            List<Eclairage> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
+            if (pareilles != null && pareilles.get(0) == terme) {
+                quoi = sort(terme);
+                lignes.add(dire("%d lampes %s", pareilles.size(), quoi).sur(
+                        pareilles.stream().map(lampe -> lampe(etape, lampe)).collect(Collectors.toList()), true));
+            } else if (!terme.eclaire() && pareilles == null && (terme.lampe != null || terme.suite != null)) {
+                lignes.add(terme.lampe != null ? lampe(etape, terme)
+                        : dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
+            }
+            quoi = "";
+            for (int k = 0; k < terme.ajouts.size(); k++) {
+                lignes.add(k != terme.apport() ? dire("autre terme = %s", terme.ajouts.get(k))
+                        : terme.lampe != null ? lampe(etape, terme) : reflet(etape, terme));
+                quoi = "";
             }
         }
-        quoi = "";
-        etape.termes.subList(reflet, etape.termes.size()).forEach(terme -> dire(etape, terme));
-        quoi = "";
     }
 
-    /** Dit une lampe ou un reflet, puis ce qui s'ajoute tant qu'il en est question, dans l'ordre. */
-    private void dire(Etape etape, Eclairage terme) {
-        if (terme.lampe != null) {
-            direLaLampe(etape, terme);
-        } else if (terme.suite != null) {
-            dire("     réfléchi : R = %s, poids %s → %d", etape.R, etape.poids == null ? "inconnu" : etape.poids,
-                    terme.suite.numero);
-        }
-        for (int k = 0; k < terme.ajouts.size(); k++) {
-            if (k != terme.apport()) {
-                dire("     autre terme = %s", terme.ajouts.get(k));
-            } else if (terme.lampe != null) {
-                direLApport(etape, terme);
-            } else {
-                direLeProduit("       Ks (%s) ⊗ %s %d = %s", terme.produit, etape.contact.objet.getKs(),
-                        aTraversLAir(terme.suite) ? "vue" : "somme", terme.suite.numero, terme.ajouts.get(k));
-            }
-        }
+    private Noeud reflet(Etape etape, Eclairage terme) {
+        quoi = "réfléchi";
+        return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(etape.contact.objet.getKs()), nomDeLaVue(terme.suite),
+                terme.ajouts.get(terme.apport())).sur(Arrays.asList(dire("R = %s", etape.R), etape.poids == null
+                ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", etape.poids)), true);
     }
 
     /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
-    private void direLeProduit(String format, Couleur produit, Object... valeurs) {
-        dire(produit.equals(valeurs[valeurs.length - 1]) ? format
+    private Noeud produit(String format, Couleur produit, Object... valeurs) {
+        return dire(produit.equals(valeurs[valeurs.length - 1]) ? format
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
     }
 
-    /** Dit la demi-corde d'une sphère, et les deux plus proches des autres objets, trouvés par les boucles du cours. */
-    private void direLesRivaux(String details, PointContact contact, Rayon rayon, Objet3D depart) {
-        if (contact.objet instanceof Sphere) {
-            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
-            Vecteur f = new Vecteur(rayon.getP(), ((Sphere) contact.objet).getCentre());
-            replier(details, "     demi-corde h = %s", Math.abs(contact.distance - f.dot(rayon.getV())));
-        }
-        pixel.scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart
-                && objet.getIntersectionDistance(rayon) < Constantes.INFINI).map(objet -> rayon.calcContact())
-                .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
-                .forEach(rival -> {
-                    quoi = pixel.nom(rival.objet);
-                    replier(details, "     rival %s  d = %s", quoi, rival.distance);
-                });
-    }
-
-    private void direLaLampe(Etape etape, Eclairage e) {
-        long pareilles = etape.lampes.stream().filter(autre -> sort(autre).equals(sort(e))).count();
+    private Noeud lampe(Etape etape, Eclairage e) {
         quoi = pixel.nom(e.lampe);
-        String repli = e.eclaire() || pareilles <= LAMPES ? null : "     " + pareilles + " lampes " + sort(e);
         if (e.diffus == null) {
-            replier(repli, "     %s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
-            return;
+            return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
         }
-        replier(repli, "     %s  N·L = %s  %s", quoi, e.cosinus, e.eclaire() ? "éclairée"
-                : e.L == null ? "sans effet sur cette matière : pas de rayon d'ombre"
-                : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
+        if (!e.eclaire()) {
+            Noeud titre = dire("%s  N·L = %s  %s", quoi, e.cosinus, e.L == null
+                    ? "sans effet sur cette matière : pas de rayon d'ombre"
+                    : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
+            return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
+        }
+        Couleur apport = e.ajouts.get(e.apport());
+        Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
+                : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", quoi, e.cosinus, apport);
+        return titre.sur(facteurs(etape, e), true);
     }
 
-    private void direLApport(Etape etape, Eclairage e) {
+    private List<Noeud> facteurs(Etape etape, Eclairage e) {
         Couleur KL = e.lampe.getCouleur();
         Objet3D objet = etape.contact.objet;
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         // sans rayon d'ombre, personne n'a dit L
         double base = e.L == null ? Double.NaN : specularite.base(etape.V, etape.N, e.L, etape.R);
         double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, objet.getNs());
-        direLeProduit("       diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", objet.getKd().mul(e.cosinus, KL),
-                objet.getKd(), KL, e.cosinus, e.diffus);
         String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
-                + specularite.nomDeLaBase() + " " + ecrire(base) + ")^" + ecrire(specularite.exposant(objet.getNs()));
-        direLeProduit("       + reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
-                objet.getKs(), KL, facteur, e.reflet);
-        Couleur apport = e.ajouts.get(e.apport());
-        dire(apport.equals(e.produit) ? "       = %s" : "       diffus + reflet ne donne pas %s", apport);
+                + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
+                + Nombre.ecrire(specularite.exposant(objet.getNs()));
+        List<Noeud> facteurs = new ArrayList<>();
+        if (e.L != null) {
+            facteurs.add(dire("L = %s", e.L));
+        }
+        facteurs.add(produit("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", objet.getKd().mul(e.cosinus, KL),
+                lue(objet.getKd()), lue(KL), e.cosinus, e.diffus));
+        facteurs.add(produit("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
+                lue(objet.getKs()), lue(KL), facteur, e.reflet));
+        return facteurs;
+    }
+
+    /** Le contact, la demi-corde d'une sphère, et les deux plus proches des autres objets, par les boucles du cours. */
+    private List<Noeud> details(Etape etape, Rayon rayon, Objet3D depart) {
+        PointContact contact = etape.contact;
+        List<Noeud> lignes = new ArrayList<>();
+        lignes.add(dire("d = %s", contact.distance));
+        lignes.add(dire("contact = %s", contact));
+        if (etape.N != null) {
+            lignes.add(dire("N = %s", etape.N));
+        }
+        if (etape.N == null || rayon == null) {
+            return lignes;
+        }
+        if (contact.objet instanceof Sphere) {
+            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
+            Vecteur f = new Vecteur(rayon.getP(), ((Sphere) contact.objet).getCentre());
+            lignes.add(dire("demi-corde h = %s", Math.abs(contact.distance - f.dot(rayon.getV()))));
+        }
+        pixel.scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart
+                && objet.getIntersectionDistance(rayon) < Constantes.INFINI).map(objet -> rayon.calcContact())
+                .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
+                .forEach(rival -> {
+                    quoi = pixel.nom(rival.objet);
+                    lignes.add(dire("rival %s  d = %s", quoi, rival.distance));
+                });
+        quoi = "";
+        return lignes;
     }
 
     private static String sort(Eclairage e) {
@@ -284,25 +332,27 @@ public final class Recit {
         return !Double.isNaN(k(etape)) || !etape.vue.equals(etape.somme);
     }
 
-    private void direLAir(Etape etape) {
+    private void direLAir(List<Noeud> lignes, Etape etape) {
         double k = k(etape);
+        List<Noeud> parts = new ArrayList<>();
         if (!Double.isNaN(k)) {
-            dire("     air : k = %s", k);
-            dire("       k · air = %s",
-                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance));
-            dire("       + (1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k));
+            parts.add(dire("air : k = %s", k));
+            parts.add(dire("k · air = %s",
+                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance)));
+            parts.add(dire("(1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k)));
         }
-        dire("   vue %d = %s", etape.numero, etape.vue);
+        lignes.add(dire("vue %d = %s", etape.numero, etape.vue).sur(parts, false));
     }
 
-    private void direLArret(Etape etape) {
+    private Noeud arret(Etape etape) {
         if (etape.contact == null) {
-            dire("   arrêt : ciel");
-        } else if (etape.poids != null) {
-            dire("   arrêt : poids %s < seuil %s", etape.poids.max(), pixel.scene.getModele().getSeuil());
-        } else {
-            dire("   arrêt : %s", etape.contact.objet.getKs().estNoire() ? "Ks nul"
-                    : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion"));
+            return dire("arrêt : ciel");
         }
+        if (etape.poids != null) {
+            return dire("arrêt : poids %s < seuil %s", etape.poids.max(),
+                    Nombre.ecrire(pixel.scene.getModele().getSeuil()));
+        }
+        return dire("arrêt : %s", etape.contact.objet.getKs().estNoire() ? "Ks nul"
+                : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion"));
     }
 }

@@ -1,5 +1,6 @@
 package lancer.texte;
 
+import java.math.BigDecimal;
 import java.util.Locale;
 
 /**
@@ -9,6 +10,9 @@ import java.util.Locale;
  */
 public final class Nombre {
 
+    /** Grandeur en deçà de laquelle un nombre se lit mieux avec un exposant. */
+    private static final double PETIT = 1e-5;
+
     private Nombre() {
     }
 
@@ -16,7 +20,12 @@ public final class Nombre {
     public static String arrondir(double x) {
         double manque = 1 - Math.abs(x);
         int chiffres = manque > 0 && manque < 0.1 ? 4 - (int) Math.floor(Math.log10(manque)) : 5;
-        return String.format(Locale.ROOT, "%." + chiffres + "g", x);
+        return x == 0 ? "0" : String.format(Locale.ROOT, "%." + chiffres + "g", x).replace("e-0", "e-");
+    }
+
+    /** Arrondit à trois décimales une composante de couleur, dont un écran montre moins ; plus petite, à un chiffre. */
+    public static String arrondirComposante(double x) {
+        return x == 0 ? "0" : String.format(Locale.ROOT, Math.abs(x) >= 5e-4 ? "%.3f" : "%.0e", x).replace("e-0", "e-");
     }
 
     /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */
@@ -36,7 +45,9 @@ public final class Nombre {
 
     /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
     public static String ecrire(double x) {
-        String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x) : Double.toString(x);
+        boolean petit = Math.abs(x) < 1e-3 && Math.abs(x) >= PETIT;
+        String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x)
+                : petit ? new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString() : Double.toString(x);
         return s.replace(".0E", "e").replace('E', 'e');
     }
 }

@@ -26,6 +26,7 @@ import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.scene.Origines;
+import lancer.texte.Nombre;
 
 /**
  * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
@@ -77,7 +78,7 @@ public final class EssaiRecit {
     }
 
     public void verifier(int x, int y, String sortie) {
-        lignes = Arrays.asList(sortie.split("\\R"));
+        lignes = dansLOrdreDesRayons(sortie.split("\\R"));
         suivante = 0;
         assertEquals("pixel " + x + ", " + y, lignes.get(suivante++));
         double xe = x + 0.5;
@@ -101,8 +102,28 @@ public final class EssaiRecit {
         assertTrue(actuelle().endsWith(String.format("#%06X", new Couleur(somme[0], somme[1], somme[2]).getCode() & 0xFFFFFF)), actuelle());
     }
 
+    /** Les lignes, le premier contact d'abord : le récit va du dernier, dont la somme sert, au premier. */
+    private static List<String> dansLOrdreDesRayons(String[] dites) {
+        List<String> lignes = new ArrayList<>();
+        int debut = -1;
+        int suite = 0;
+        for (String ligne : dites) {
+            debut = debut < 0 && ligne.matches("\\d+  .*") ? lignes.size() : debut;
+            boolean fin = ligne.startsWith("somme ");
+            int place = fin || debut < 0 ? lignes.size() : ligne.startsWith(" ") ? suite : debut;
+            lignes.add(place, ligne);
+            suite = place + 1;
+        }
+        return lignes;
+    }
+
     private String actuelle() {
         return lignes.get(suivante);
+    }
+
+    /** Ce que dit d'abord, plus bas, une ligne qui commence ainsi. */
+    private double[] chercher(String debut) {
+        return nombres(lignes.stream().skip(suivante).filter(ligne -> ligne.startsWith(debut)).findFirst().get().substring(debut.length()));
     }
 
     private double[] moyenne() {
@@ -152,78 +173,75 @@ public final class EssaiRecit {
                 d = di;
             }
         }
-        double[] somme;
-        double poids;
+        String debut = numero + "  " + (proche == null ? "ciel" : origines.de(proche)) + "  ";
+        assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut);
+        String[] dits = titre.substring(debut.length()).split(" = | : ", 2);
+        double[] somme = nombres(dits[0]);
         if (proche == null) {
-            assertEquals(numero + "  ciel", titre);
-            somme = V[1] > 0 ? new double[] {0.7 * (1 - V[1]), 0.7 * (1 - V[1]), 1} : new double[] {0.5, 0.4 + 0.2 * V[1], 0.1};
-            proche(somme, lire("   somme " + numero + " = "));
-            somme = nombres(lignes.get(suivante - 1).replaceAll(".*=", ""));
-        } else {
-            contacts++;
-            String debut = numero + "  " + origines.de(proche) + "  d = ";
-            assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut + d);
-            proche(new double[] {d}, nombres(titre.substring(debut.length())));
-            double[] X = lire("   contact = ");
-            proche(plus(P, d, V), X);
-            double[] N = lire("   N = ");
-            proche(unite(moins(X, t(proche.getCentre()))), N);
-            double[] R = plus(V, -2 * dot(V, N), N);
-            double[] ks = t(proche.getKs());
-            double[] total = new double[3];
-            for (Lampe lampe : scene.getLampes()) {
-                ajouter(total, lampe(lampe, proche, X, N, R));
+            assertEquals(1, dits.length, titre);
+            proche(V[1] > 0 ? new double[] {0.7 * (1 - V[1]), 0.7 * (1 - V[1]), 1} : new double[] {0.5, 0.4 + 0.2 * V[1], 0.1}, somme);
+            if (scene.getObjets().isEmpty()) {
+                assertEquals("  aucun objet dans la scène", lignes.get(suivante++));
             }
-            details(proche, sauf, d);
-            produit = fois(produit, ks);
-            poids = Math.max(produit[0], Math.max(produit[1], produit[2]));
-            boolean suivi = actuelle().contains("réfléchi : ");
-            if (suivi) {
-                double[] dit = nombres(lignes.get(suivante++).replaceAll("poids|→ \\d+|[,:]", "").replaceAll(".*=", ""));
-                proche(R, Arrays.copyOf(dit, 3));
-                proche(produit, Arrays.copyOfRange(dit, 3, 6));
-                int memoire = suivante;
-                double[] reflet = nombres(lignes.get(suivante++).replaceAll(".*=", ""));
-                ajouter(total, reflet);
-                double[] fini = finir(numero, total, d);
-                P = X;
-                V = unite(R);
-                double[] vue = etape(numero + 1, proche);
-                assertTrue(lignes.get(memoire).matches("       Ks \\([^)]*\\) ⊗ (somme|vue) " + (numero + 1) + " = .*"),
-                        lignes.get(memoire));
-                assertArrayEquals(fois(ks, vue), reflet, lignes.get(memoire));
-                assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
-                return fini;
-            }
-            double[] dite = finir(numero, total, d);
-            return arret(numero, proche, poids, dite);
+            return arret(numero, null, 0, traverser(numero, somme, d));
         }
-        return arret(numero, null, 0, traverser(numero, somme, d));
+        contacts++;
+        double[] X = chercher("    contact = ");
+        double[] N = chercher("    N = ");
+        double[] R = plus(V, -2 * dot(V, N), N);
+        double[] ks = t(proche.getKs());
+        double[] total = new double[3];
+        int avant = eclairees;
+        for (Lampe lampe : scene.getLampes()) {
+            ajouter(total, lampe(lampe, proche, X, N, R));
+        }
+        produit = fois(produit, ks);
+        double poids = Math.max(produit[0], Math.max(produit[1], produit[2]));
+        double[] reflet = null;
+        String suite = "(somme|vue) " + (numero + 1);
+        if (actuelle().matches("  Ks \\([^)]*\\) ⊗ " + suite + " = .*")) {
+            assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
+            assertTrue(dits[1].matches(".* ⊗ " + suite), titre);
+            reflet = nombres(lignes.get(suivante++).replaceAll(".*=", ""));
+            ajouter(total, reflet);
+            proche(R, lire("    R = "));
+            proche(produit, lire("    poids, produit des Ks = "));
+        }
+        assertEquals(eclairees == avant && reflet == null, dits[1].equals("rien ne l'éclaire"), titre);
+        assertArrayEquals(total, somme, titre);
+        details(proche, sauf, d, X, N);
+        double[] vue = traverser(numero, somme, d);
+        if (reflet == null) {
+            return arret(numero, proche, poids, vue);
+        }
+        P = X;
+        V = unite(R);
+        assertArrayEquals(fois(ks, etape(numero + 1, proche)), reflet, titre);
+        return vue;
     }
 
-    /** La demi-corde, les rivaux du plus proche, et la direction des lampes qui ont été demandées. */
-    private void details(Sphere proche, Objet3D sauf, double d) {
+    /** Le contact, la demi-corde et les rivaux du plus proche. */
+    private void details(Sphere proche, Objet3D sauf, double d, double[] X, double[] N) {
+        assertEquals("  contact, normale et rivaux", lignes.get(suivante++));
+        proche(new double[] {d}, lire("    d = "));
+        proche(plus(P, d, V), lire("    contact = "));
+        proche(unite(moins(X, t(proche.getCentre()))), lire("    N = "));
         double[] f = moins(t(proche.getCentre()), P);
         double delta = proche.getRayon() * proche.getRayon() - dot(plus(f, -dot(f, V), V), plus(f, -dot(f, V), V));
-        proche(new double[] {Math.sqrt(delta)}, lire("     demi-corde h = "));
+        proche(new double[] {Math.sqrt(delta)}, lire("    demi-corde h = "));
         double[] rivaux = scene.getObjets().stream().filter(o -> o != proche && o != sauf)
                 .mapToDouble(o -> distance(P, V, (Sphere) o)).filter(di -> di < Double.POSITIVE_INFINITY).sorted().limit(2).toArray();
         for (double rival : rivaux) {
-            assertTrue(actuelle().startsWith("     rival ["), actuelle());
+            assertTrue(actuelle().startsWith("    rival ["), actuelle());
             proche(new double[] {rival}, nombres(lignes.get(suivante++).replaceAll(".* d = ", "")));
-        }
-        while (actuelle().startsWith("     L = ")) {
-            double[] L = nombres(actuelle().replaceAll(".*= |  vers.*", ""));
-            assertEquals(1, dot(L, L), 1e-12, actuelle());
-            suivante++;
         }
     }
 
     private double[] arret(int numero, Sphere objet, double poids, double[] vue) {
-        String raison = lignes.get(suivante++).replaceFirst("   arrêt : ", "");
+        String raison = lignes.get(suivante++).replaceFirst("  arrêt : ", "");
         boolean noir = objet != null && new Couleur().equals(objet.getKs());
         assertEquals(objet == null ? "ciel" : noir ? "Ks nul" : numero > reflets ? reflets + (reflets > 1 ? " réflexions" : " réflexion")
-                : "poids " + nombres(raison + " ")[0] + " < seuil " + scene.getModele().getSeuil(), raison);
+                : "poids " + nombres(raison + " ")[0] + " < seuil " + Nombre.ecrire(scene.getModele().getSeuil()), raison);
         if (raison.startsWith("poids")) {
             proche(new double[] {poids}, Arrays.copyOf(nombres(raison), 1));
             assertTrue(poids < scene.getModele().getSeuil());
@@ -232,26 +250,20 @@ public final class EssaiRecit {
         return vue;
     }
 
-    private double[] finir(int numero, double[] total, double d) {
-        double[] somme = lire("   somme " + numero + " = ");
-        assertArrayEquals(total, somme, "somme " + numero);
-        return traverser(numero, somme, d);
-    }
-
     private double[] traverser(int numero, double[] somme, double d) {
         if (k == null) {
             return somme;
         }
         double part = d == Double.POSITIVE_INFINITY ? 1 : k.applyAsDouble(d);
-        double dite = lire("     air : k = ")[0];
+        double[] vue = lire("  vue " + numero + " = ");
+        double dite = lire("    air : k = ")[0];
         proche(new double[] {part}, new double[] {dite});
-        double[] deLAir = lire("       k · air = ");
-        double[] reste = lire("       + (1 − k) · somme " + numero + " = ");
+        double[] deLAir = lire("    k · air = ");
+        double[] reste = lire("    (1 − k) · somme " + numero + " = ");
         for (int c = 0; c < 3; c++) {
             assertEquals(dite * air[c], deLAir[c]);
             assertEquals((1 - dite) * somme[c], reste[c]);
         }
-        double[] vue = lire("   vue " + numero + " = ");
         ajouter(deLAir, reste);
         assertArrayEquals(deLAir, vue);
         return vue;
@@ -260,18 +272,23 @@ public final class EssaiRecit {
     /** @return ce que cette lampe ajoute */
     private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
         String titre = lignes.get(suivante++);
-        String nom = "     " + origines.de(lampe) + "  ";
+        String nom = origines.de(lampe) + "  ";
+        if (titre.matches("  \\d+ lampes .*")) {
+            // les pareilles sont dessous
+            titre = lignes.get(suivante++);
+        }
+        titre = titre.trim();
         assertTrue(titre.startsWith(nom), titre);
         double[] S = t(lampe.getPosition());
         double[] versLampe = moins(S, X);
         double devant = dot(N, versLampe);
         if (devant <= 0) {
             assertTrue(titre.endsWith("dans le dos : pas de rayon d'ombre"), titre);
-            proche(new double[] {devant}, nombres(titre.replaceAll(".*= ", "").replaceAll(" .*", "")));
+            proche(new double[] {devant}, nombres(titre.replaceFirst("^.*?= ", "").replaceAll(" .*", "")));
             return new double[3];
         }
         double[] L = unite(versLampe);
-        proche(new double[] {dot(N, L)}, nombres(titre.replaceAll(".*= ", "").replaceAll(" .*", "")));
+        proche(new double[] {dot(N, L)}, nombres(titre.replaceFirst("^.*?= ", "").replaceAll(" .*", "")));
         Objet3D cache = null;
         double auPlus = Math.sqrt(dot(versLampe, versLampe));
         for (Objet3D autre : scene.getObjets()) {
@@ -284,6 +301,7 @@ public final class EssaiRecit {
         if (cache != null) {
             cachees++;
             assertTrue(titre.endsWith("cachée par " + origines.de(cache)), titre);
+            proche(L, nombres(lignes.get(suivante++).trim().replaceFirst("^L = ", "")));
             return new double[3];
         }
         double[] kl = t(lampe.getCouleur());
@@ -296,23 +314,22 @@ public final class EssaiRecit {
             return new double[3];
         }
         eclairees++;
-        assertTrue(titre.endsWith("  éclairée"), titre);
+        assertTrue(titre.contains("  éclairée : diffus + reflet = "), titre);
+        proche(L, lire("    L = "));
         double[] ditDiffus = produit("diffus = Kd", objet.getKd(), lampe, "N·L \\S+");
         proche(diffus, ditDiffus);
-        String ligne = actuelle();
-        double[] dit = produit("\\+ reflet = Ks", objet.getKs(), lampe,
+        double[] dit = produit("reflet = Ks", objet.getKs(), lampe,
                 "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"));
         proche(reflet, dit);
         ajouter(ditDiffus, dit);
-        double[] apport = lire("       = ");
-        assertArrayEquals(ditDiffus, apport, ligne);
-        return apport;
+        assertArrayEquals(ditDiffus, nombres(titre.replaceAll(".* = ", "")), titre);
+        return ditDiffus;
     }
 
     /** Un terme et ses facteurs, dont le produit est lui, au bit près pour le diffus. */
     private double[] produit(String debut, Couleur matiere, Lampe lampe, String reste) {
         String ligne = lignes.get(suivante++);
-        assertTrue(ligne.matches("       " + debut + " \\([^)]*\\) ⊗ lampe \\([^)]*\\) × " + reste + " = \\S+ \\S+ \\S+"), ligne);
+        assertTrue(ligne.matches("    " + debut + " \\([^)]*\\) ⊗ lampe \\([^)]*\\) × " + reste + " = \\S+ \\S+ \\S+"), ligne);
         double[] dits = nombres(ligne.replace("max(0, ", "").replaceAll("[()^]", " ").replaceAll(" = \\S+ \\S+ \\S+$", ""));
         assertArrayEquals(t(matiere), Arrays.copyOf(dits, 3), ligne);
         assertArrayEquals(t(lampe.getCouleur()), Arrays.copyOfRange(dits, 3, 6), ligne);
@@ -331,9 +348,10 @@ public final class EssaiRecit {
     private static double[] nombres(String texte) {
         List<Double> lus = new ArrayList<>();
         for (String mot : texte.trim().split(" +")) {
-            if (mot.matches("-?[\\d.]+(E-?\\d+)?")) {
-                lus.add(Double.parseDouble(mot));
-                assertEquals(Double.toString(lus.get(lus.size() - 1)), mot);
+            if (mot.matches("-?[\\d.]+([eE]-?\\d+)?")) {
+                double lu = Double.parseDouble(mot);
+                lus.add(lu);
+                assertTrue(mot.equals(Double.toString(lu)) || mot.equals(Nombre.ecrire(lu)), mot);
             }
         }
         return lus.stream().mapToDouble(n -> n).toArray();

@@ -13,10 +13,10 @@ import java.util.regex.Pattern;
 public final class Sommes {
 
     private static final String TRIPLET = "(\\S+ \\S+ \\S+)";
-    private static final Pattern TERME = Pattern.compile("(?: {7}=| {5}autre terme =| {7}diffus \\+ reflet ne donne pas"
-            + "| {7}Ks \\(.*\\) ⊗ (?:vue|somme) \\d+ (?:=|ne donne pas)) " + TRIPLET);
-    private static final Pattern AUTRE = Pattern.compile(" {5}autre = " + TRIPLET + " \\(que le récit ne connaît pas\\)");
-    private static final Pattern SOMME = Pattern.compile(" {3}somme \\d+ = " + TRIPLET);
+    private static final Pattern TERME = Pattern.compile(" *(?:.* éclairée : diffus \\+ reflet(?: =| ne donne pas)|autre terme ="
+            + "|Ks \\(.*\\) ⊗ (?:vue|somme) \\d+ (?:=|ne donne pas)) " + TRIPLET);
+    private static final Pattern AUTRE = Pattern.compile(" {2}autre = " + TRIPLET + " \\(que le récit ne connaît pas\\)");
+    private static final Pattern SOMME = Pattern.compile("\\d+  \\[.*  " + TRIPLET + "(?: = .*| : .*)");
 
     private Sommes() {
     }
@@ -29,32 +29,34 @@ public final class Sommes {
         List<double[]> autres = new ArrayList<>();
         double[] termes = new double[3];
         double[] autre = null;
-        boolean surface = false;
-        for (String ligne : recit.split("\\R")) {
+        double[] somme = null;
+        for (String ligne : (recit + "\n0  fin").split("\\R")) {
             double[] terme = lire(TERME, ligne);
-            double[] somme = lire(SOMME, ligne);
-            surface |= ligne.startsWith("   N = ");
             if (terme != null) {
                 Triplets.ajouter(termes, terme);
             } else if (lire(AUTRE, ligne) != null) {
                 autre = lire(AUTRE, ligne);
-            } else if (somme != null && surface) {
-                autres.add(autre);
-                if (autre == null) {
-                    assertArrayEquals(somme, termes, recit);
-                } else {
-                    assertFalse(Arrays.equals(somme, termes), recit);
-                    assertArrayEquals(Triplets.moins(somme, termes), autre, recit);
+            } else if (ligne.matches("\\d+  .*")) {
+                // le contact qui précède est fini
+                if (somme != null) {
+                    autres.add(autre);
+                    verifier(somme, termes, autre, recit);
                 }
-            }
-            // d'un reflet, la somme vient après ses termes, avant ceux de la suite
-            if (somme != null) {
+                somme = lire(SOMME, ligne);
                 termes = new double[3];
                 autre = null;
-                surface = false;
             }
         }
         return autres;
+    }
+
+    private static void verifier(double[] somme, double[] termes, double[] autre, String recit) {
+        if (autre == null) {
+            assertArrayEquals(somme, termes, recit);
+        } else {
+            assertFalse(Arrays.equals(somme, termes), recit);
+            assertArrayEquals(Triplets.moins(somme, termes), autre, recit);
+        }
     }
 
     private static double[] lire(Pattern motif, String ligne) {

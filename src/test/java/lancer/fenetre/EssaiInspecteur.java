@@ -1,29 +1,43 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.JTextArea;
-import javax.swing.JTextPane;
+import javax.swing.JTree;
+import javax.swing.SwingUtilities;
 
-/** De quoi attendre, dans l'inspecteur ouvert, son titre, son récit et son verdict. */
+/** De quoi attendre, dans l'inspecteur ouvert, son pixel, son récit et son verdict. */
 abstract class EssaiInspecteur extends EssaiFenetre {
 
     static Inspecteur inspecteur() throws Exception {
-        return BancFenetre.chercher(null, Inspecteur.class);
+        return chercher("pixel", Inspecteur.class);
     }
 
     static void attendreTitre(int x, int y) throws Exception {
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("le pixel " + x + ", " + y, () -> recit.getText().startsWith("pixel " + x + ", " + y));
+        JTree recit = composant("recit", JTree.class);
+        attendre("le pixel " + x + ", " + y, () -> lu(recit).startsWith("pixel " + x + ", " + y + "\n"));
+    }
+
+    /** Les lignes qui se voient de l'arbre, à demander sur le fil des événements. */
+    static String lu(JTree arbre) {
+        return IntStream.range(0, arbre.getRowCount()).mapToObj(r -> ((JLabel) arbre.getCellRenderer().getTreeCellRendererComponent(
+                arbre, arbre.getPathForRow(r).getLastPathComponent(), false, arbre.isExpanded(r), false, r, false)).getText())
+                .collect(Collectors.joining("\n"));
     }
 
     static String attendreRecit(String fin) throws Exception {
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("le récit finit par " + fin, () -> recit.getText().replaceFirst("   ←[^\n]*$", "").endsWith(fin));
-        return surFilEvenements(recit::getText);
+        JTree recit = composant("recit", JTree.class);
+        attendre("le récit finit par " + fin, () -> lu(recit).replaceFirst("   ←[^\n]*$", "").endsWith(fin));
+        return surFilEvenements(() -> lu(recit));
     }
 
     static void attendreVerdict(String debut) throws Exception {
@@ -31,8 +45,24 @@ abstract class EssaiInspecteur extends EssaiFenetre {
         attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
     }
 
+    /** Frappe ces touches quand l'arbre a le clavier. */
     void presser(int... touches) throws Exception {
-        banc.frapper(touches);
+        JTree recit = composant("recit", JTree.class);
+        BancFenetre.mettreDevant(SwingUtilities.getWindowAncestor(recit));
+        faire(recit::requestFocusInWindow);
+        attendre("le clavier est au récit", recit::isFocusOwner);
+        banc.frapper(SwingUtilities.getWindowAncestor(recit), touches);
+    }
+
+    /** Clique, de la vraie souris, sur la ligne du récit qui commence ainsi. */
+    void cliquerSur(JTree recit, String debut) throws Exception {
+        Rectangle place = surFilEvenements(() -> {
+            String[] lignes = lu(recit).split("\n");
+            int ligne = IntStream.range(0, lignes.length).filter(k -> lignes[k].startsWith(debut)).findFirst().getAsInt();
+            recit.scrollRowToVisible(ligne);
+            return recit.getRowBounds(ligne);
+        });
+        banc.cliquer(recit, place.x + 20, place.y + place.height / 2);
     }
 
     static String couleur(int code) {

@@ -15,6 +15,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.Image;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -134,6 +135,10 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         BufferedImage lue = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         lue.createGraphics().drawImage(copie, 0, 0, null);
         assertArrayEquals(attendue(L, H), BancFenetre.codes(lue));
+        int[] codes = surFilEvenements(banc.atelier::getImageComplete).codes;
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("un autre dessin ne se fait pas dans l'image copiée", () -> banc.atelier.getImageComplete() != null
+                && banc.atelier.getImageComplete().codes != codes);
     }
 
     /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */

@@ -17,7 +17,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import javax.swing.JTextArea;
-import javax.swing.JTextPane;
+import javax.swing.JTree;
 import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.PointContact;
@@ -30,7 +30,7 @@ import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui manque au dessin : une scène devenue fautive, un pixel qu'une classe ne sait pas calculer. */
-class FenetreFautesTest extends EssaiFenetre {
+class FenetreFautesTest extends EssaiInspecteur {
 
     private static final int MAGENTA = 0xFFFF00FF;
     private static final int NOIR = 0xFF000000;
@@ -107,9 +107,9 @@ class FenetreFautesTest extends EssaiFenetre {
         // le bandeau cache le bas de l'image
         fermerLeMessage();
         cliquer(premier % L, premier / L);
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("la chaîne va jusqu'à la faute", () -> recit.getText().contains("  objet 3  d = ")
-                && recit.getText().contains("\néchec : java.lang.IllegalStateException: boum ("));
+        JTree recit = composant("recit", JTree.class);
+        attendre("la chaîne va jusqu'à la faute", () -> lu(recit).contains("  objet 3\n")
+                && lu(recit).contains("\néchec : java.lang.IllegalStateException: boum ("));
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("le verdict", () -> verdict.getText().equals("Ce pixel n'a pu être calculé."));
     }
@@ -166,37 +166,33 @@ class FenetreFautesTest extends EssaiFenetre {
         int blanc = IntStream.range(0, L * H).filter(k -> k % L > 50 && k / L > 50 && banc.panneau.montree.codes[k] == 0)
                 .findFirst().getAsInt();
         cliquer(blanc % L, blanc / L);
-        JTextPane recit = composant("recit", JTextPane.class);
+        JTree recit = composant("recit", JTree.class);
         attendre("ce qui a été dessiné s'inspecte",
-                () -> recit.getText().contains("\néchec : java.lang.IllegalStateException: boum et boum"));
+                () -> lu(recit).contains("\néchec : java.lang.IllegalStateException: boum et boum"));
     }
 
     @Test
     void apresUneFauteEnregistreeLInspecteurRepondPourLImageQuiResteEtF3Aussi() throws Exception {
         int[] codes = ouvrir().codes;
         cliquer(150, 100);
-        Inspecteur inspecteur = composant("inspecteur", Inspecteur.class);
-        JTextPane recit = composant("recit", JTextPane.class);
+        Inspecteur inspecteur = composant("pixel", Inspecteur.class);
+        JTree recit = composant("recit", JTree.class);
         JTextArea verdict = composant("verdict", JTextArea.class);
-        attendre("le pixel", () -> recit.getText().endsWith(couleur(codes[100 * L + 150])));
+        attendre("le pixel", () -> lu(recit).endsWith(couleur(codes[100 * L + 150])));
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
-        banc.frapper(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
-        attendre("une flèche mène au pixel voisin", () -> recit.getText().startsWith("pixel 140, 100\n")
-                && recit.getText().endsWith(couleur(codes[100 * L + 140])) && verdict.getText().startsWith("Au bit près"));
-        banc.frapper(KeyEvent.VK_ESCAPE);
+        presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
+        attendre("une flèche mène au pixel voisin", () -> lu(recit).startsWith("pixel 140, 100\n")
+                && lu(recit).endsWith(couleur(codes[100 * L + 140])) && verdict.getText().startsWith("Au bit près"));
+        presser(KeyEvent.VK_ESCAPE);
         attendre("il se ferme", () -> !inspecteur.isShowing());
         cliquer(160, 120);
-        attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && recit.getText().startsWith("pixel 160, 120\n")
-                && recit.getText().endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
+        attendre("il rouvre sur le pixel cliqué", () -> inspecteur.isShowing() && lu(recit).startsWith("pixel 160, 120\n")
+                && lu(recit).endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
         assertFalse(surFilEvenements(() -> banc.atelier.enCours));
         assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
-    }
-
-    private static String couleur(int code) {
-        return String.format(" = #%06X", code & 0xFFFFFF);
     }
 }

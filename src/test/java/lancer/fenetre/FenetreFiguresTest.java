@@ -11,15 +11,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.Robot;
-import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JComponent;
-import javax.swing.JTextPane;
+import javax.swing.JTextArea;
+import javax.swing.JTree;
+import javax.swing.UIManager;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -47,8 +47,9 @@ class FenetreFiguresTest extends EssaiInspecteur {
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
+        Inspecteur ouvert = inspecteur();
         presser(KeyEvent.VK_ESCAPE);
-        attendre("l'inspecteur se ferme", () -> inspecteurFerme());
+        attendre("l'inspecteur se ferme", () -> !ouvert.isShowing());
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("sans figure de nouveau", codes);
     }
@@ -113,33 +114,6 @@ class FenetreFiguresTest extends EssaiInspecteur {
         attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
     }
 
-    @Test
-    void surUnEcranDenseLeTableauDesTouchesDefileAuClavier() throws Exception {
-        ouvrirSurUnEcranDense();
-        Robot robot = new Robot();
-        for (int touche : new int[] {KeyEvent.VK_F1, KeyEvent.VK_PAGE_DOWN}) {
-            int[] avant = ecranTranquille(robot);
-            attendre("l'écran change", () -> {
-                robot.keyPress(touche);
-                robot.keyRelease(touche);
-                return !Arrays.equals(avant, ecranTranquille(robot));
-            });
-        }
-    }
-
-    /** Ce qui se voit de l'écran, une fois que rien n'y bouge plus. */
-    private static int[] ecranTranquille(Robot robot) throws Exception {
-        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        int[] avant = {};
-        int[] vu = BancFenetre.codes(robot.createScreenCapture(ecran));
-        while (!Arrays.equals(avant, vu)) {
-            Thread.sleep(300);
-            avant = vu;
-            vu = BancFenetre.codes(robot.createScreenCapture(ecran));
-        }
-        return vu;
-    }
-
     /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
     private static boolean estEntoure(Robot robot, double x, double y) {
         int blancs = 0;
@@ -154,17 +128,6 @@ class FenetreFiguresTest extends EssaiInspecteur {
         }
         // les traits qui partent de là le recouvrent
         return blancs >= 12;
-    }
-
-    private static boolean inspecteurFerme() throws Exception {
-        return inspecteur() == null;
-    }
-
-    /** Clique, de la vraie souris, sur la ligne du texte qui commence ainsi. */
-    private void cliquerSur(JTextPane recit, String debut) throws Exception {
-        Rectangle place = surFilEvenements(() -> recit.modelToView(recit.getDocument()
-                .getText(0, recit.getDocument().getLength()).indexOf("\n" + debut) + 1));
-        banc.cliquer(recit, place.x + 3, place.y + place.height / 2);
     }
 
     private static BufferedImage vueDeCote() throws Exception {
@@ -183,15 +146,22 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ouvrir();
         cliquer(150, 110);
         attendreVerdict("Au bit près");
-        JTextPane recit = composant("recit", JTextPane.class);
+        JTree recit = composant("recit", JTree.class);
         JComponent cote = composant("cote", JComponent.class);
+        JTextArea verdict = composant("verdict", JTextArea.class);
+        Inspecteur inspecteur = inspecteur();
         int[] tous = BancFenetre.codes(vueDeCote());
-        presser();
         cliquerSur(recit, "1  [Sphere 1]");
         attendre("la vue de côté ne montre que lui, de près", () -> !Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
-        attendreVerdict("Au bit près");
+        attendre("et le dit", () -> lu(recit).startsWith("pixel 150, 110") && recit.getSelectionCount() == 1
+                && verdict.getText().endsWith("Les figures ne montrent que le rebond 1 ; 0 pour tous."));
         cliquerSur(recit, "1  [Sphere 1]");
         attendre("elle les montre tous de nouveau", () -> Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
+        presser(KeyEvent.VK_1);
+        attendre("de même au clavier", () -> inspecteur.rebond == 1 && recit.getSelectionCount() == 1);
+        presser(KeyEvent.VK_RIGHT);
+        attendreTitre(151, 110);
+        attendre("d'un autre pixel, tous se voient", () -> inspecteur.rebond == 0 && recit.getSelectionCount() == 0);
     }
 
     @Test
@@ -200,9 +170,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         assertNull(chercher("cote", JComponent.class));
         cliquer(150, 100);
         attendreVerdict("Au bit près");
-        long noirs = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == 0xFF000000).count();
-        assertTrue(noirs > 30, noirs + " points noirs : l'œil et l'écran");
-        Rectangle place = inspecteur().getBounds();
-        assertTrue(new Rectangle(Toolkit.getDefaultToolkit().getScreenSize()).contains(place), place.toString());
+        int encre = surFilEvenements(() -> UIManager.getColor("Tree.textForeground").getRGB());
+        long points = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == encre).count();
+        assertTrue(points > 30, points + " points de la couleur du texte : l'œil et l'écran");
     }
 }

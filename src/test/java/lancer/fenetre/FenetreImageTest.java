@@ -20,6 +20,7 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JTree;
 import lancer.Couleur;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -96,7 +97,8 @@ class FenetreImageTest extends EssaiFenetre {
         Rectangle cadre = surFilEvenements(banc.cadre::getBounds);
         assertTrue(Dialogues.ecran().contains(cadre), cadre + " tient dans l'écran");
         banc.frapper(KeyEvent.VK_ENTER);
-        EssaiInspecteur.attendreRecit("");
+        JTree recit = BancFenetre.composant("recit", JTree.class);
+        attendre("le récit dit le pixel", () -> EssaiInspecteur.lu(recit).startsWith("pixel "));
         boolean reduite = image.codes.length > 1;
         attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
     }

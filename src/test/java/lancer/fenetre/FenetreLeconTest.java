@@ -163,12 +163,8 @@ class FenetreLeconTest extends EssaiFenetre {
             faire(vues.getItem(k + 1)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
             attendre("elle se dit", () -> banc.resume.getText().contains("vue " + nom));
-            attendre("sa valeur sous la souris, " + nom + " : " + surFilEvenements(banc.pixel::getText), () -> {
-                Point coin = banc.panneau.getLocationOnScreen();
-                banc.robot.mouseMove(coin.x + banc.panneau.getWidth() / 2 + (int) (System.nanoTime() % 3),
-                        coin.y + banc.panneau.getHeight() / 2);
-                return banc.pixel.getText().matches("pixel .* " + dits[rang]);
-            });
+            banc.viser(banc.panneau, banc.panneau.getWidth() / 2 + k % 2, banc.panneau.getHeight() / 2);
+            attendre("sa valeur sous la souris", () -> banc.pixel.getText().matches("pixel .* " + dits[rang]));
         }
         faire(vues.getItem(0)::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));

@@ -105,7 +105,7 @@ class FenetreMenusTest extends EssaiFenetre {
         }
         assertEquals(nombre, faits.size(), faits.toString());
         assertTrue(nombre > 20, faits.toString());
-        assertNull(BancFenetre.chercher(null, Inspecteur.class), "l'inspecteur ne s'est pas ouvert derrière");
+        assertNull(BancFenetre.chercher("pixel", Inspecteur.class), "l'inspecteur ne s'est pas ouvert derrière");
     }
 
     @Test

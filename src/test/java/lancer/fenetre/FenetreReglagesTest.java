@@ -78,6 +78,7 @@ class FenetreReglagesTest extends EssaiFenetre {
             copie[0] = BancFenetre.copie();
             return copie[0].startsWith("; java -");
         });
+        banc.attendreMessage("réglages copiés : la commande");
         assertEquals("--taille 320x240 --reflets 10 " + scene + "\n", copie[0].substring(copie[0].indexOf("--taille")));
         assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8));
     }

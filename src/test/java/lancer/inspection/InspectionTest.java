@@ -106,8 +106,9 @@ class InspectionTest {
             pixel.faire();
             etapes.add(pixel.getEtapes().size());
             List<String> lignes = new Recit(pixel, Double::toString).lignes();
-            String arret = lignes.get(lignes.size() - 2);
-            assertTrue(arret.matches("   arrêt : (ciel|" + reflets + " réflexions?)"), arret);
+            String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
+            assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
+            assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
         }
         assertEquals(1, etapes.get(0));
         assertTrue(etapes.get(1) == 2 && etapes.get(2) >= 2, etapes.toString());
@@ -154,46 +155,58 @@ class InspectionTest {
     void seuleUneLigneQuiAChangeSeMarqueEtDeSonAncienneValeur() {
         Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
         sphere.setKd(new Couleur(1));
-        Depliage depliage = new Depliage();
+        Noeud recit = null;
         for (double vert : new double[] {1, 0.5}) {
             List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
                     new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
+            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
         }
-        List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
-                .collect(Collectors.toList());
+        List<String> marquees = changes(recit);
         assertEquals(5, marquees.size(), marquees.toString());
-        // la seconde lampe : son diffus, son reflet nul mais dit de sa couleur, leur somme ; puis celles du contact et du pixel
-        assertTrue(marquees.get(0).matches("       diffus = Kd .* ⊗ lampe \\(1.0 0.5 1.0\\) .* = (\\S+) \\S+ \\1   ← = (\\S+) \\2 \\2"),
+        // la somme du contact ; la seconde lampe, son diffus, son reflet nul mais dit de sa couleur ; la somme du pixel
+        assertTrue(marquees.get(0).matches("1  objet 1  (\\S+) \\S+ \\1 = diffus de 2 lampes   ← (\\S+) \\2 \\2 = diffus de 2 lampes"),
                 marquees.get(0));
-        assertTrue(marquees.get(2).matches("       = (\\S+) \\S+ \\1   ← = (\\S+) \\2 \\2"), marquees.get(2));
-        assertTrue(marquees.get(3).startsWith("   somme 1 = ") && marquees.get(3).contains("   ← = "), marquees.get(3));
+        assertTrue(marquees.get(1).matches("lampe 2 .* éclairée : diffus \\+ reflet = (\\S+) \\S+ \\1   ← (\\S+) \\2 \\2"),
+                marquees.get(1));
+        assertTrue(marquees.get(2).matches("diffus = Kd .* ⊗ lampe \\(1 0.5 1\\) .* = (\\S+) \\S+ \\1   ← Kd .* ⊗ lampe \\(1 1 1\\) .*"),
+                marquees.get(2));
+        assertTrue(marquees.get(4).matches("somme (\\S+) \\S+ \\1 = #FF\\w\\wFF   ← somme (\\S+) \\2 \\2 = #FFFFFF"), marquees.get(4));
+    }
+
+    /** Les lignes qui ont changé, ce qui s'y lisait à côté. */
+    private static List<String> changes(Noeud noeud) {
+        List<String> changes = new ArrayList<>();
+        if (noeud.avant != null) {
+            changes.add(noeud.texte + "   ← " + noeud.avant);
+        }
+        noeud.enfants.forEach(enfant -> changes.addAll(changes(enfant)));
+        assertEquals(!changes.isEmpty(), noeud.aChange());
+        return changes;
     }
 
     @Test
     void uneLigneAjouteePlusHautDansLeFichierNEmpecheNiNeFaitUneMarque() throws Exception {
         String ini = "[Sphere 1]\ncentre=0 0 8\nrayon=2\nKd=1 1 1\n[Lampe 1]\nposition=0 0 -5\ncouleur=1 1 1\n";
-        Depliage depliage = new Depliage();
+        Noeud recit = null;
         for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
             Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
             SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
             Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
+            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
         }
-        List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte.trim().split(" ")[0])
-                .collect(Collectors.toList());
-        assertEquals(Arrays.asList("diffus", "+", "=", "somme", "somme"), marquees);
+        List<String> marquees = changes(recit).stream().map(ligne -> ligne.split(" ")[0]).collect(Collectors.toList());
+        assertEquals(Arrays.asList("1", "[Lampe", "diffus", "reflet", "somme"), marquees);
     }
 
     @Test
     void unRepliOuQuelqueChoseAChangeEstMarque() {
         Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
         sphere.setKd(new Couleur(1));
-        Depliage depliage = new Depliage();
+        Noeud recit = null;
         for (double loin : new double[] {20, 25}) {
             List<Lampe> lampes = new ArrayList<>();
             for (int k = 0; k < 5; k++) {
@@ -202,27 +215,56 @@ class InspectionTest {
             Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
                     new Camera(9, 9), 5, 4, 4);
             pixel.faire();
-            depliage.remplacer("", new Recit(pixel, Double::toString).raconter());
+            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
         }
-        for (boolean ouvert : new boolean[] {false, true}) {
-            List<String> marquees = depliage.getVues().stream().filter(ligne -> ligne.changee).map(ligne -> ligne.texte)
-                    .collect(Collectors.toList());
-            assertEquals(1, marquees.size(), marquees.toString());
-            assertTrue(marquees.get(0).startsWith(ouvert ? "     lampe 5  N·(lampe − contact) = " : "     5 lampes dans le dos ▸"));
-            depliage.basculer(null);
-        }
+        Noeud repli = recit.enfants.get(0).enfants.get(0);
+        assertEquals("5 lampes dans le dos", repli.texte);
+        assertTrue(repli.replie && repli.avant == null && repli.aChange());
+        assertEquals(1, changes(recit).size(), changes(recit).toString());
+        assertTrue(changes(recit).get(0).matches("lampe 5  N·\\(lampe − contact\\) = -19.0  dans le dos.*   ← -14.0  dans le dos.*"),
+                changes(recit).toString());
     }
 
     @Test
-    void uneAutreSceneNeSeMarquePasCommeUnChangement() {
-        Depliage depliage = new Depliage();
-        for (double rayon : new double[] {2, 3}) {
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), rayon)),
-                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, 4, 4);
+    void unAutrePixelNeSeMarquePasCommeUnChangement() {
+        Noeud recit = null;
+        for (int x : new int[] {4, 5}) {
+            Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), 3)),
+                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, x, 4);
             pixel.faire();
-            depliage.remplacer("de rayon " + rayon, new Recit(pixel, Double::toString).raconter());
+            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
         }
-        assertTrue(depliage.getVues().stream().noneMatch(ligne -> ligne.changee));
+        assertEquals(Collections.emptyList(), changes(recit));
+    }
+
+    /** Ce que la classe demande d'abord d'un pixel noir ou d'un ciel. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 | 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "
+            + "| aucune lampe dans la scène : rien ne l'éclaire",
+        "[Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | aucun objet dans la scène",
+        "[Sphere] centre=0,0,-9 rayon=1 [Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | aucun objet devant l'écran : tous sont en z ≤ 0, "
+            + "et les rayons partent de z = 0",
+        "[Sphere] centre=9,0,9 rayon=1 | 1  ciel  | arrêt : ciel",
+        "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 [Lampe] position=0,0,99 couleur=1,1,1 "
+            + "| 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "
+            + "| [Lampe] ligne 5  N·(lampe − contact) = -91.0  dans le dos : pas de rayon d'ombre"})
+    void ceQuiManqueAUnPixelNoirSeDit(String ini, String titre, String premiere) throws Exception {
+        Path fichier = Essai.scene(dossier.resolve("s.ini"), ini.replace(" ", "\n").replace(',', ' ').split("\n"));
+        List<String> lignes = Arrays.asList(Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie.split("\\R"));
+        assertTrue((lignes.get(1) + "  ").startsWith(titre), lignes.toString());
+        assertEquals("  " + premiere, lignes.get(2));
+    }
+
+    @Test
+    void unNombreDuFichierSeDitCommeIlYEstEcrit() throws Exception {
+        Path fichier = Essai.scene(dossier.resolve("s.ini"), "[Sphere]", "centre=0 0 9", "rayon=1", "Kd=0.93 0.06 1", "Ks=0.68 0.68 0.68",
+                "ns=80", "[Lampe]", "position=0 0 0", "couleur=1.12 1 0.0005");
+        String dit = Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie;
+        assertTrue(dit.contains("    diffus = Kd (0.93 0.06 1) ⊗ lampe (1.12 1 0.0005) × N·L 1.0 = "), dit);
+        assertTrue(dit.contains("    reflet = Ks (0.68 0.68 0.68) ⊗ lampe (1.12 1 0.0005) × (R·L 1.0)^80 = "), dit);
+        assertTrue(dit.contains(" = diffus + reflet + 0.68 ⊗ somme 2\n".replace("\n", System.lineSeparator())), dit);
+        assertTrue(dit.indexOf("2  ciel") < dit.indexOf("⊗ somme 2"), dit);
     }
 
     @Test
@@ -251,8 +293,8 @@ class InspectionTest {
         Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
-        assertTrue(lignes.get(1).startsWith("1  objet 1  d = "), lignes.toString());
-        assertTrue(lignes.get(4).startsWith("     lampe 1  N·L = "), lignes.toString());
+        assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
+        assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
     }
 
     @Test
@@ -282,9 +324,9 @@ class InspectionTest {
         pixel.faire();
         List<String> lignes = new Recit(pixel, Double::toString).lignes();
         assertEquals("9 échantillons", lignes.get(1));
-        assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9.0 pour le pixel", lignes.get(11));
-        assertTrue(lignes.get(14).startsWith("   contact = "), lignes.toString());
-        assertEquals(Arrays.asList("   somme 1 = 0.25 0.5 0.75", "   arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"),
-                lignes.subList(15, lignes.size()));
+        assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
+        assertEquals("1  objet 1  0.25 0.5 0.75", lignes.get(13));
+        assertTrue(lignes.get(16).startsWith("    contact = "), lignes.toString());
+        assertEquals(Arrays.asList("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(17, lignes.size()));
     }
 }

@@ -40,6 +40,18 @@ class NombreTest {
         assertEquals("1.0000", Nombre.arrondir(1));
         assertEquals("0.9999987300", Nombre.arrondir(0.99999873));
         assertEquals("0.87000", Nombre.arrondir(0.87));
+        assertEquals("1.5900e-45", Nombre.arrondir(1.59e-45));
+        assertEquals("2.0000e-5", Nombre.arrondir(2e-5));
+        assertEquals("0", Nombre.arrondir(0));
+    }
+
+    @Test
+    void uneComposanteArrondieATroisDecimalesOuUnSeulChiffre() {
+        assertEquals("0.445", Nombre.arrondirComposante(0.4449));
+        assertEquals("1.120", Nombre.arrondirComposante(1.12));
+        assertEquals("2e-45", Nombre.arrondirComposante(1.59e-45));
+        assertEquals("3e-4", Nombre.arrondirComposante(3e-4));
+        assertEquals("0", Nombre.arrondirComposante(0));
     }
 
     @Test
@@ -134,6 +146,9 @@ class NombreTest {
     void unNombreSEcritCommeALaMain() {
         assertEquals("0", Nombre.ecrire(0));
         assertEquals("0.05", Nombre.ecrire(0.05));
+        assertEquals("0.0009765625", Nombre.ecrire(1.0 / 1024));
+        assertEquals("-0.0002", Nombre.ecrire(-2e-4));
+        assertEquals("2e-6", Nombre.ecrire(2e-6));
         assertEquals("64", Nombre.ecrire(64));
         assertEquals("-1e100", Nombre.ecrire(-1e100));
         assertEquals("1e-100", Nombre.ecrire(1e-100));

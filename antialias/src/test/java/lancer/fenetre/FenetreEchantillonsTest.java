@@ -10,9 +10,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import java.util.function.DoubleConsumer;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JTextArea;
-import javax.swing.JTextPane;
+import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.contrat.Section;
 import lancer.dessin.ReglagesDessin;
@@ -20,23 +19,22 @@ import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
-class FenetreEchantillonsTest extends EssaiFenetre {
+class FenetreEchantillonsTest extends EssaiInspecteur {
 
     @Test
     void chaqueEchantillonSeChoisitDUnClicOuDUneToucheEtLePixelResteLeMeme() throws Exception {
         ecrire(ROUGE + "[Antialias]\nn=3\nseuil=0\n");
         ouvrir();
         cliquer(150, 100);
-        JTextPane recit = composant("recit", JTextPane.class);
-        attendre("l'échantillon du centre", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.50\n"));
-        String somme = surFilEvenements(() -> recit.getText().replaceAll("(?s).*\n", ""));
-        JComponent grille = composant("echantillons", JComponent.class);
-        banc.cliquer(grille, 5, 5);
-        attendre("le premier", () -> recit.getText().contains("\nchaîne de l'échantillon 150.17, 100.17\n"));
-        banc.frapper(SwingUtilities.getWindowAncestor(grille), KeyEvent.VK_CONTROL, KeyEvent.VK_PAGE_DOWN);
-        attendre("le deuxième", () -> recit.getText().contains("\nchaîne de l'échantillon 150.50, 100.17\n"));
-        attendre("la même somme", () -> recit.getText().endsWith(somme));
-        assertFalse(surFilEvenements(recit::getText).contains("←"), "d'un échantillon à l'autre, rien n'a changé");
+        JTree recit = composant("recit", JTree.class);
+        attendre("l'échantillon du centre", () -> lu(recit).contains("\nchaîne de l'échantillon 150.50 100.50\n"));
+        String somme = surFilEvenements(() -> lu(recit).replaceAll("(?s).*\n", ""));
+        cliquerSur(recit, "150.17 100.17 : ");
+        attendre("le premier", () -> lu(recit).contains("\nchaîne de l'échantillon 150.17 100.17\n"));
+        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_PAGE_DOWN);
+        attendre("le deuxième", () -> lu(recit).contains("\nchaîne de l'échantillon 150.50 100.17\n"));
+        attendre("la même somme", () -> lu(recit).endsWith(somme));
+        assertFalse(surFilEvenements(() -> lu(recit)).contains("←"), "d'un échantillon à l'autre, rien n'a changé");
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
     }

@@ -23,8 +23,8 @@ import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JColorChooser;
-import javax.swing.JDialog;
 import javax.swing.JSlider;
+import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
 import lancer.essai.Essai;
@@ -202,13 +202,13 @@ class FenetreVariantesTest extends EssaiFenetre {
     void laBoiteDUneVarianteLaisseLesFlechesALInspecteur() throws Exception {
         ouvrir();
         cliquer(150, 100);
-        JDialog inspecteur = composant("inspecteur", JDialog.class);
+        JTree recit = composant("recit", JTree.class);
         glissiere("Brume.fin");
         JCheckBox boite = composant("Brume", JCheckBox.class);
         faire(boite::requestFocusInWindow);
         attendre("le clavier est à la boîte", boite::hasFocus);
         banc.frapper(SwingUtilities.getWindowAncestor(boite), KeyEvent.VK_RIGHT);
-        attendre("le pixel voisin", () -> inspecteur.getTitle().endsWith(" 151, 100"));
+        attendre("le pixel voisin", () -> EssaiInspecteur.lu(recit).startsWith("pixel 151, 100\n"));
     }
 
     @Test

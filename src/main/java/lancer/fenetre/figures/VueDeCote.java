@@ -23,6 +23,7 @@ import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JPanel;
+import javax.swing.UIManager;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
@@ -37,7 +38,7 @@ import lancer.inspection.Inspection;
 public final class VueDeCote extends JPanel {
 
     private static final int MARGE = 14;
-    private static final Color RAYON = new Color(0x0070C0);
+    private static final Color RAYON = new Color(0x2A90D8);
     private static final Color SPHERE = new Color(0x909090);
     private static final Color LAMPE = new Color(0xC08000);
 
@@ -73,7 +74,7 @@ public final class VueDeCote extends JPanel {
 
     @Override
     protected void paintComponent(Graphics g) {
-        g.setColor(Color.WHITE);
+        g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (pixel != null) {
             Graphics2D g2 = (Graphics2D) g.create();
@@ -126,7 +127,7 @@ public final class VueDeCote extends JPanel {
     }
 
     private void peindre(Graphics2D g) {
-        g.setColor(Color.BLACK);
+        g.setColor(UIManager.getColor("Tree.textForeground"));
         Point depart = pixel.camera.getOeil();
         g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
         g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
@@ -149,7 +150,7 @@ public final class VueDeCote extends JPanel {
             }
             depart = bout;
         }
-        g.setColor(Color.DARK_GRAY);
+        g.setColor(UIManager.getColor("Tree.textForeground"));
         pixel.getEtapes().stream().filter(etape -> seul > 0 && Math.abs(seul - etape.numero) <= 1
                 && etape.contact != null && !noms.containsKey(etape.contact.objet)).forEach(etape -> nommer(g, etape));
     }
@@ -167,6 +168,7 @@ public final class VueDeCote extends JPanel {
     }
 
     private void numeroter(Graphics2D g, Etape etape) {
+        g.setColor(UIManager.getColor("Tree.textForeground"));
         String numero = String.valueOf(etape.numero);
         Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
         float x = (float) h(etape.contact.z) + 4;

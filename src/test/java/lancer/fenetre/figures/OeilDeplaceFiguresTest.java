@@ -10,6 +10,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Collections;
+import javax.swing.UIManager;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -77,7 +78,7 @@ class OeilDeplaceFiguresTest {
         vue.montrer(pixel, 0);
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
-        assertEquals(0xFF000000, image.getRGB((int) vue.h(z) - 2, (int) vue.v(y)), "l'œil");
+        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(z) - 2, (int) vue.v(y)), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
             assertTrue(new Color(image.getRGB((int) vue.h(bord.z), (int) vue.v(bord.y))).getRed() < BLANC, "l'écran");
