@@ -11,6 +11,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 
 /** Le panneau à droite de l'image : un onglet pour chaque question. Le contenu d'un onglet est fait à sa demande. */
 @SuppressWarnings("serial")
@@ -20,7 +21,13 @@ final class Onglets extends JSplitPane {
     private static final int BARRE = 6;
 
     private final JFrame cadre;
-    private final JTabbedPane onglets = new JTabbedPane();
+    private final JTabbedPane onglets = new JTabbedPane() {
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
+        }
+    };
     /** Largeur du panneau la dernière fois qu'il était ouvert, et ce que le cadre y a gagné. */
     private int largeur = LARGEUR;
     private int gagne;
@@ -34,7 +41,6 @@ final class Onglets extends JSplitPane {
         setFocusable(false);
         setDividerSize(0);
         onglets.setName("panneau");
-        // les flèches sont pour le pixel
         onglets.setFocusable(false);
         JButton fermer = new JButton("×");
         fermer.setToolTipText("fermer le panneau (Échap)");
@@ -47,6 +53,13 @@ final class Onglets extends JSplitPane {
         bout.add(fermer);
         onglets.putClientProperty("JTabbedPane.trailingComponent", bout);
         onglets.addChangeListener(e -> remplir());
+    }
+
+    /** Les flèches et Ctrl sont pour l'image, non pour passer d'un onglet à l'autre ou déplacer la séparation. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
     }
 
     void ajouter(String nom, Supplier<JComponent> contenu) {

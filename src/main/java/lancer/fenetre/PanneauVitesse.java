@@ -133,7 +133,9 @@ final class PanneauVitesse extends JPanel {
 
     /** Met sur le graphique, depuis le fil des essais, le point des réglages de ce dessin. */
     private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
-        montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée).",
+        montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée)."
+                + (montre.getReglages().getVariantes().isEmpty()
+                ? "\nantialias.jar, mis à la place de lancer.jar, apporte d'autres réglages." : ""),
                 fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(),
                         montre.getReglages().getProfondeur()));
     }
@@ -144,7 +146,9 @@ final class PanneauVitesse extends JPanel {
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);
-                graphique.montrer(essayes, present);
+                ImageMemoire image = atelier.montre.getImage();
+                graphique.montrer(essayes, present, (double) image.largeur * image.hauteur
+                        / Math.min(atelier.fils, Runtime.getRuntime().availableProcessors()));
                 auto = present == null ? null : enCours;
                 suivre();
             }
@@ -166,7 +170,7 @@ final class PanneauVitesse extends JPanel {
         List<Object> scene = essayee;
         Auto fait = auto;
         Candidat reglage = voulu;
-        double rayons = lancer.getCompteurs().rayons() / (double) image.codes.length;
+        double temps = lancer.getDureeNs() / 1e9;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
             Toile controle = fait.surveiller((couleur, i, j) -> { });
@@ -180,8 +184,8 @@ final class PanneauVitesse extends JPanel {
             EventQueue.invokeLater(() -> {
                 if (scene == essayee) {
                     etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                            + "%.1f rayons par pixel", erreur, incertitude, reglage.auMoins, reglage.auPlus, rayons));
-                    graphique.ajouterMesure(rayons, erreur, incertitude);
+                            + "%.2f s", erreur, incertitude, reglage.auMoins, reglage.auPlus, temps));
+                    graphique.ajouterMesure(temps, erreur, incertitude);
                 }
             });
         }, panne -> etat.setText("Mesure impossible : " + panne));

@@ -104,7 +104,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
             banc.cadre.validate();
         });
         int lignes = surFilEvenements(() -> recit.getVisibleRect().height / recit.getRowHeight());
-        assertTrue(lignes >= 14, lignes + " lignes en vue");
+        assertTrue(lignes >= 12, lignes + " lignes en vue");
     }
 
     @Test

@@ -145,6 +145,18 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     @Test
+    void depuisLImageUneFlecheMeneAuPixelVoisinEtCtrlHautGrossit() throws Exception {
+        ouvrir();
+        cliquer(160, 120);
+        EssaiInspecteur.attendreTitre(160, 120);
+        assertTrue(surFilEvenements(banc.panneau::isFocusOwner), "le clavier est à l'image");
+        banc.frapper(KeyEvent.VK_RIGHT);
+        EssaiInspecteur.attendreTitre(161, 120);
+        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
+        attendre("grossie", () -> banc.panneau.getReduction(banc.panneau.montree) == 2);
+    }
+
+    @Test
     void leCielNeSePrendPasEtLaFenetreLeDit() throws Exception {
         ouvrir();
         tirer(new Point(4, 4), 30, 30);

@@ -24,10 +24,11 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
+import javax.swing.UIManager;
 import lancer.Constantes;
 import lancer.auto.Candidat;
 
-/** Réglages, chacun un point : son prix en abscisse, son erreur en ordonnée, tous deux en échelle logarithmique. */
+/** Réglages, chacun un point : son temps en abscisse, son erreur en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
@@ -41,12 +42,8 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int BAS = 42;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
-    private static final Color SOUS_L_ARRONDI = new Color(0xE4F1E4);
-    private static final Color GRILLE = new Color(0xDDDDDD);
-    private static final Color DOMINE = new Color(0xAAAAAA);
-    private static final Color FRONT = new Color(0x1F5FA8);
-    private static final Color MESURE = new Color(0xC0392B);
-
+    private static final double NS_PAR_S = 1e9;
+    private static final Color REFLET = new Color(0xE0503C);
     private final Consumer<String> siAtteint;
     private final Predicate<Candidat> estPresent;
     private List<Candidat> points = Collections.emptyList();
@@ -54,6 +51,8 @@ public final class GraphiqueVitesse extends JPanel {
     private List<Candidat> front = Collections.emptyList();
     private final List<double[]> mesures = new ArrayList<>();
     private int choisi = -1;
+    /** Secondes que prend l'image à une nanoseconde le rayon, pour un rayon par pixel. */
+    private double parRayon = 1;
     private double xMin;
     private double xMax;
     private double yMax;
@@ -64,7 +63,7 @@ public final class GraphiqueVitesse extends JPanel {
         this.estPresent = estPresent;
         setName("vitesse.graphique");
         setFocusable(true);
-        getAccessibleContext().setAccessibleName("réglages, par prix et par erreur");
+        getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
         MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
@@ -104,37 +103,48 @@ public final class GraphiqueVitesse extends JPanel {
     public void vider() {
         mesures.clear();
         choisi = -1;
-        montrer(Collections.emptyList(), null);
+        montrer(Collections.emptyList(), null, 1);
     }
 
-    /** @param ici les réglages présents, s'ils sont évalués ; ou {@code null} */
-    public void montrer(List<Candidat> essayes, Candidat ici) {
+    /**
+     * @param ici les réglages présents, s'ils sont évalués ; ou {@code null}
+     * @param pixels nombre de pixels que dessine chaque fil
+     */
+    public void montrer(List<Candidat> essayes, Candidat ici, double pixels) {
+        parRayon = pixels / NS_PAR_S;
         points = new ArrayList<>(essayes);
         if (ici != null && !aUnPresent()) {
             points.add(ici);
         }
-        front = points.stream().filter(p -> points.stream().noneMatch(q -> q.prix < p.prix && q.erreur <= p.erreur))
-                .sorted(Comparator.comparingDouble(p -> p.prix)).collect(Collectors.toList());
+        front = points.stream().filter(p -> points.stream().noneMatch(
+                q -> secondes(q) < secondes(p) && q.erreur <= p.erreur))
+                .sorted(Comparator.comparingDouble(this::secondes)).collect(Collectors.toList());
         choisi = Math.min(choisi, front.size() - 1);
-        DoubleSummaryStatistics prix = points.stream().mapToDouble(p -> p.prix).summaryStatistics();
-        xMin = prix.getMin() / 1.3;
-        xMax = prix.getMax() * 1.3;
+        DoubleSummaryStatistics temps = points.stream().mapToDouble(this::secondes).summaryStatistics();
+        xMin = temps.getMin() / 1.3;
+        xMax = temps.getMax() * 1.3;
         yMax = Math.max(1, 1.3 * Math.max(points.stream().mapToDouble(p -> p.auPlus).max().orElse(0),
                 mesures.stream().mapToDouble(mesure -> mesure[1] + mesure[2]).max().orElse(0)));
         repaint();
+    }
+
+    /** Temps de l'image à ce réglage : ses rayons, à la durée d'un rayon pendant ses essais. */
+    private double secondes(Candidat p) {
+        return p.prix * p.nsParRayon * parRayon;
     }
 
     public boolean aUnPresent() {
         return points.stream().anyMatch(estPresent);
     }
 
-    public void ajouterMesure(double rayons, double erreur, double incertitude) {
-        mesures.add(new double[] {rayons, erreur, incertitude});
-        montrer(points, null);
+    /** Ajoute ce que l'image dessinée a pris, en secondes, et l'erreur qui y est mesurée. */
+    public void ajouterMesure(double temps, double erreur, double incertitude) {
+        mesures.add(new double[] {temps, erreur, incertitude});
+        montrer(points, null, parRayon * NS_PAR_S);
     }
 
-    private double x(double rayons) {
-        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(rayons / xMin) / Math.log(xMax / xMin);
+    private double x(double temps) {
+        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(temps / xMin) / Math.log(xMax / xMin);
     }
 
     private double y(double erreur) {
@@ -156,19 +166,19 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private Candidat sous(MouseEvent e) {
-        return points.stream().filter(p -> e.getPoint().distance(x(p.prix), y(p.erreur)) < PORTEE)
-                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(p.prix), y(p.erreur)))).orElse(null);
+        return points.stream().filter(p -> e.getPoint().distance(x(secondes(p)), y(p.erreur)) < PORTEE)
+                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(secondes(p)), y(p.erreur)))).orElse(null);
     }
 
     /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
     private String legende(Candidat p) {
         String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
-                .map(autre -> String.format(Locale.FRANCE, "\u00A0; au lieu du présent, %s de rayons et %s d'erreur",
-                        fois(p.prix / autre.prix), fois(p.erreur / autre.erreur))).orElse("");
+                .map(autre -> String.format(Locale.FRANCE, "\u00A0; au lieu du présent, %s de temps et %s d'erreur",
+                        fois(secondes(p) / secondes(autre)), fois(p.erreur / autre.erreur))).orElse("");
         String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
                 : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
-        return enMots(p) + String.format(Locale.FRANCE, " — %.1f rayons par pixel, erreur %s niveau%s",
-                p.prix, erreur, p.auPlus < 2 ? "" : "x") + gain;
+        return enMots(p) + String.format(Locale.FRANCE, " — %s s, %.1f rayons par pixel, erreur %s niveau%s",
+                nombre(secondes(p)), p.prix, erreur, p.auPlus < 2 ? "" : "x") + gain;
     }
 
     /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */
@@ -196,7 +206,7 @@ public final class GraphiqueVitesse extends JPanel {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setColor(Color.WHITE);
+        g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
             peindreAxes(g);
@@ -208,21 +218,21 @@ public final class GraphiqueVitesse extends JPanel {
     private void peindreAxes(Graphics2D g) {
         int droite = getWidth() - DROITE;
         int bas = getHeight() - BAS;
-        g.setColor(SOUS_L_ARRONDI);
+        g.setColor(UIManager.getColor("Panel.background"));
         g.fillRect(GAUCHE, (int) y(ARRONDI), droite - GAUCHE, bas - (int) y(ARRONDI));
         g.setFont(g.getFont().deriveFont(Font.PLAIN, g.getFont().getSize2D() * 0.9f));
         for (double t : graduations(xMin, xMax)) {
-            trait(g, x(t), HAUT, x(t), bas, GRILLE);
+            trait(g, x(t), HAUT, x(t), bas, gris());
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         }
         for (double t : graduations(Y_MIN, yMax)) {
-            trait(g, GAUCHE, y(t), droite, y(t), GRILLE);
+            trait(g, GAUCHE, y(t), droite, y(t), gris());
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         }
-        g.setColor(Color.BLACK);
+        g.setColor(gris());
         g.drawRect(GAUCHE, HAUT, droite - GAUCHE, bas - HAUT);
         ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4, bas - 5, 0);
-        ecrire(g, "rayons de toutes sortes par pixel", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "temps de l'image sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
     }
 
@@ -230,11 +240,11 @@ public final class GraphiqueVitesse extends JPanel {
         g.setStroke(new BasicStroke(1.5f));
         for (int k = 1; k < front.size(); k++) {
             Candidat avant = front.get(k - 1);
-            trait(g, x(avant.prix), y(avant.erreur), x(front.get(k).prix), y(front.get(k).erreur), FRONT);
+            trait(g, x(secondes(avant)), y(avant.erreur), x(secondes(front.get(k))), y(front.get(k).erreur), encre());
         }
         for (Candidat p : points) {
-            Color couleur = front.contains(p) ? FRONT : DOMINE;
-            double x = x(p.prix);
+            Color couleur = front.contains(p) ? encre() : gris();
+            double x = x(secondes(p));
             double pied = auPlus(p) ? y(Y_MIN) - RAYON : y(p.auMoins);
             trait(g, x, pied, x, y(p.auPlus), couleur);
             if (auPlus(p)) {
@@ -243,23 +253,41 @@ public final class GraphiqueVitesse extends JPanel {
                 trait(g, x - RAYON, pied - RAYON, x, pied, couleur);
                 trait(g, x + RAYON, pied - RAYON, x, pied, couleur);
             }
-            g.fill(disque(p.prix, p.erreur, front.contains(p) ? RAYON : RAYON - 2));
-            g.setColor(Color.BLACK);
+            g.fill(disque(secondes(p), p.erreur, front.contains(p) ? RAYON : RAYON - 2));
+            g.setColor(encre());
             if (estPresent.test(p)) {
-                g.draw(disque(p.prix, p.erreur, 2 * RAYON));
+                g.draw(disque(secondes(p), p.erreur, 2 * RAYON));
+                nommer(g, "ici : ", p, -2 * RAYON);
             }
             if (choisi >= 0 && p == front.get(choisi)) {
                 g.drawRect((int) x - 8, (int) y(p.erreur) - 8, 16, 16);
             }
         }
+        front.stream().filter(p -> p.erreur <= ARRONDI).findFirst().filter(p -> !estPresent.test(p))
+                .ifPresent(p -> nommer(g, "assez pour l'œil : ", p, 4 * RAYON));
         for (double[] m : mesures) {
-            trait(g, x(m[0]), y(m[1] - m[2]), x(m[0]), y(m[1] + m[2]), MESURE);
+            trait(g, x(m[0]), y(m[1] - m[2]), x(m[0]), y(m[1] + m[2]), REFLET);
             g.draw(disque(m[0], m[1], RAYON));
         }
     }
 
-    private Ellipse2D disque(double rayons, double erreur, int rayon) {
-        return new Ellipse2D.Double(x(rayons) - rayon, y(erreur) - rayon, 2 * rayon, 2 * rayon);
+    /** Nomme ce point à sa hauteur, plus haut ou plus bas, du côté où il y a la place. */
+    private void nommer(Graphics2D g, String debut, Candidat p, int dy) {
+        double x = x(secondes(p));
+        ecrire(g, debut + enMots(p).replaceFirst(",.*", ""), x, y(p.erreur) + dy, x > getWidth() / 2.0 ? 1 : 0);
+    }
+
+    /** Une encre lisible sur le fond de l'apparence, et un gris qui s'y efface. */
+    private static Color encre() {
+        return UIManager.getColor("Tree.textForeground");
+    }
+
+    private static Color gris() {
+        return UIManager.getColor("Label.disabledForeground");
+    }
+
+    private Ellipse2D disque(double temps, double erreur, int rayon) {
+        return new Ellipse2D.Double(x(temps) - rayon, y(erreur) - rayon, 2 * rayon, 2 * rayon);
     }
 
     private static void trait(Graphics2D g, double x0, double y0, double x1, double y1, Color couleur) {
@@ -269,7 +297,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** @param cale 0 : à partir de x ; 1 : jusqu'à x */
     private static void ecrire(Graphics2D g, String texte, double x, double y, double cale) {
-        g.setColor(Color.DARK_GRAY);
+        g.setColor(encre());
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
     }
 
@@ -281,7 +309,7 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private static String nombre(double t) {
-        return t >= 1 ? String.format(Locale.FRANCE, "%.0f", t)
-                : String.format(Locale.FRANCE, "%.2f", t).replaceAll("0+$", "");
+        return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
+                : String.format(Locale.FRANCE, t >= 0.1 ? "%.2f" : "%.3f", t).replaceAll(",?0+$", "");
     }
 }
