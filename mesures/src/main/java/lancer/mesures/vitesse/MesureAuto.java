@@ -144,7 +144,7 @@ public final class MesureAuto {
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
         Auto auto = new Auto(Dessin.lancer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                 taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
-        auto.lancer.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+        auto.lancer.TracerPixels(auto.surveiller(image, auto.choisi), auto.choisi.reflets, taille.fils);
         return auto;
     }
 
