@@ -9,52 +9,55 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import lancer.Camera;
 import lancer.Lancer;
-import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit le réglage le moins cher qui tient l'erreur voulue, en montant une échelle essayée sur
- * quelques pixels, et contrôle l'image sur d'autres. Le choix ne dépend que de la scène, de la taille et du souhait.
+ * {@code --auto} : choisit le réglage le moins cher qui tient l'erreur voulue, d'après des essais sur quelques pixels.
+ * L'image dessinée est ensuite contrôlée sur d'autres pixels. Le choix dépend de la scène, de la taille et du souhait.
  */
 public final class Auto {
 
-    /** Rayons permis aux essais, contrôle compris : tant, ou près de la moitié de ceux du dessin, qui sont estimés. */
-    private static final double PLANCHER = 600_000;
-    private static final double PART = 0.45;
+    /** Rayons permis aux essais, contrôle compris : le plus grand de ces trois nombres. */
+    private static final double RAYONS_MIN = 200_000;
+    private static final double RAYONS_PAR_PIXEL = 4;
+    private static final double PART_DU_DESSIN = 0.45;
 
-    /** Part qui en est dépensée une fois semé, les limites essayées, les références faites, et le choix. */
-    private static final double SEMER = 0.15;
-    private static final double LIMITER = 0.22;
-    private static final double TIRER = 0.42;
-    private static final double CHOISIR = 0.82;
+    /** Part de ces rayons qui peut être dépensée à la fin de chaque étape. */
+    private static final double PILOTE = 0.25;
+    private static final double LIMITES = 0.35;
+    private static final double REFERENCES = 0.55;
+    private static final double CHOIX = 0.85;
 
-    /** Dispersion du carré d'une erreur, d'un barreau à l'autre, d'une scène à l'autre. */
+    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, et d'une scène à l'autre. */
     private static final double DISPERSION = 0.35;
     private static final double DIVERSITE = 2;
 
-    /** Un échantillonnage dont on ne sait rien, et une erreur qui n'est pas mesurée : elle est de 0 à 255. */
-    private static final Barreau ORDINAIRE = new Barreau(null, 7, 1);
-    private static final Estimation INCONNUE = new Estimation(0, 255.0 * 255 * 255 * 255 / 4);
+    /** Écarts types en dessous de l'erreur attendue : si elle dépasse encore l'erreur voulue, l'essai est inutile. */
+    private static final double SANS_ESSAI = 0.3;
+
+    /** Échantillonnage que rien ne décrit. */
+    private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
     private final double voulue;
     private final Essais essais;
-    private final Echantillonnage deLaScene;
-    private final Semis semis;
+    private final EchantillonPilote pilote;
     private final Limite[] limites;
-    private final Tirage tirage;
-    private final Map<Barreau, Echantillonnage> echelle = new LinkedHashMap<>();
+    private final PixelsDEssai pixels;
+    private final Map<ReglagePropose, Echantillonnage> proposes = new LinkedHashMap<>();
 
-    /** Les candidats essayés, avec ce qui en est attendu, du moins cher au plus juste à peu près. */
+    /** Les candidats essayés, du moins cher au plus juste à peu près. */
     public final List<Candidat> essayes = new ArrayList<>();
 
-    /** Le candidat choisi, et de quoi dessiner la scène comme lui, à la profondeur qu'il dit. */
+    /** Le candidat choisi, et le lancer qui dessine la scène avec lui, à sa profondeur. */
     public final Candidat choisi;
     public final Lancer lancer;
-    private Tirage controle;
+    private Candidat dessine;
+    private PixelsDEssai controle;
 
     /**
      * @param prepare la scène, prête à être dessinée
@@ -70,53 +73,53 @@ public final class Auto {
         this.voulue = voulue;
         limites = Limite.permises(reflets, seuil);
         essais = new Essais(prepare, fils);
-        deLaScene = prepare.getScene().getModele().getEchantillonnage();
         variantes.forEach((variante, sienne) -> {
-            for (Barreau barreau : Objects.requireNonNull(variante.getEchelle(sienne),
-                    variante.getClass().getName() + ".getEchelle a rendu null")) {
+            for (ReglagePropose propose : Objects.requireNonNull(variante.getReglagesProposes(sienne),
+                    variante.getClass().getName() + ".getReglagesProposes a rendu null")) {
                 Modele modele = new Modele();
-                variante.installer(barreau.section, modele);
-                barreau.section.verifierCles();
-                echelle.put(barreau, modele.getEchantillonnage());
+                variante.installer(propose.section, modele);
+                propose.section.verifierCles();
+                proposes.put(propose, modele.getEchantillonnage());
             }
         });
-        if (echelle.isEmpty()) {
-            echelle.put(ORDINAIRE, deLaScene);
+        if (proposes.isEmpty()) {
+            proposes.put(ORDINAIRE, prepare.getScene().getModele().getEchantillonnage());
         }
-        semis = new Semis(essais, reste(SEMER, 1));
+        pilote = new EchantillonPilote(essais, reste(PILOTE, 1));
         for (Limite limite : limites) {
-            limite.essayer(essais, semis, reste(LIMITER, semis.prix) / limites.length);
+            limite.essayer(essais, pilote, reste(LIMITES, pilote.prix) / limites.length);
         }
-        tirage = new Tirage(essais, semis, 0, voulue, reste(TIRER, semis.prix));
-        choisi = monter(suivi);
+        pixels = new PixelsDEssai(essais, pilote, 0, voulue, reste(REFERENCES, pilote.prix));
+        choisi = choisir(suivi);
         Modele modele = prepare.getScene().getModele().avec(choisi.echantillonnage, choisi.seuil);
         lancer = new Lancer(prepare.getScene().avec(modele), prepare.getCamera());
     }
 
-    /** Les rayons qui restent à cette part des essais, si le dessin est à ce prix par pixel. */
+    /** Les rayons qui restent à cette part des essais, pour un dessin à ce prix par pixel. */
     private double reste(double part, double prixDuDessin) {
         Camera camera = essais.prepare.getCamera();
-        double dessin = prixDuDessin * camera.getLargeur() * camera.getHauteur();
-        return voulue == 0 ? Double.MAX_VALUE : part * Math.max(PLANCHER, PART * dessin) - essais.rayons.get();
+        double parPixel = Math.max(RAYONS_PAR_PIXEL, PART_DU_DESSIN * prixDuDessin);
+        double permis = Math.max(RAYONS_MIN, parPixel * camera.getLargeur() * camera.getHauteur());
+        return voulue == 0 ? Double.MAX_VALUE : part * permis - essais.rayons.get();
     }
 
-    /** Essaie du moins cher au plus juste, jusqu'au premier qui devrait tenir ; ceux qui n'y iront pas sont passés. */
-    private Candidat monter(Consumer<Auto> suivi) {
-        Barreau avant = echelle.keySet().iterator().next();
+    /** Essaie du moins cher au plus juste, jusqu'au premier réglage qui promet l'erreur voulue. */
+    private Candidat choisir(Consumer<Auto> suivi) {
+        ReglagePropose avant = proposes.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;
         Estimation ici = new Estimation(carre, DIVERSITE * DIVERSITE * carre * carre);
-        int restants = echelle.size();
-        for (Barreau barreau : echelle.keySet()) {
+        int restants = proposes.size();
+        for (ReglagePropose propose : proposes.keySet()) {
             restants--;
-            if (barreau != avant) {
-                ici = ici.prolongee(barreau.erreur / avant.erreur, DISPERSION);
-                avant = barreau;
-                if (restants > 0 && voulue > 0 && ici.plus(-Candidat.PRUDENCE) > voulue) {
+            if (propose != avant) {
+                ici = ici.prolongee(propose.erreur / avant.erreur, DISPERSION);
+                avant = propose;
+                if (restants > 0 && voulue > 0 && ici.plus(-SANS_ESSAI) > voulue) {
                     continue;
                 }
             }
             double visee = voulue > 0 ? voulue : ici.plus(0);
-            Candidat essaye = essayer(barreau, echelle.get(barreau), ici, Limite.pour(visee, limites));
+            Candidat essaye = essayer(propose, proposes.get(propose), ici, Limite.pour(visee, limites));
             ici = essaye.estimation;
             essayes.add(essaye);
             suivi.accept(this);
@@ -127,65 +130,67 @@ public final class Auto {
         return essayes.stream().min(Comparator.comparingDouble(essaye -> essaye.erreur)).get();
     }
 
-    /** Candidat de ce barreau ; là où les rayons permis ne suffisent pas à l'essayer, ce que promet l'échelle. */
-    private Candidat essayer(Barreau barreau, Echantillonnage echantillonnage, Estimation attendue, Limite limite) {
-        double promis = barreau.prix * limite.rayons;
-        tirage.dessiner(echantillonnage, limite, reste(CHOISIR, promis));
-        boolean mesure = tirage.mesure();
-        return new Candidat(barreau.section, echantillonnage, limite,
-                mesure ? attendue.corrigee(tirage.erreur()) : attendue, mesure ? tirage.prix() : promis);
+    /** Candidat de ce réglage. Faute de rayons pour l'essayer, son erreur est celle que l'on attendait. */
+    private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
+            Limite limite) {
+        double promis = propose.prix * limite.rayons;
+        double rayons = essais.rayons.get();
+        double duree = essais.dureeNs.get();
+        pixels.dessiner(echantillonnage, limite, reste(CHOIX, promis));
+        return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
+                pixels.mesure() ? pixels.prix() : promis,
+                (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons));
     }
 
-    /** Candidat que fait ce dessin de la scène, de cette section, à tant de réflexions ; une fois choisi. */
+    /** Candidat de ce dessin de la scène, avec cette section et tant de réflexions. Se demande après le choix. */
     public Candidat evaluer(Section section, Lancer dessin, int reflets) {
         Modele modele = dessin.getScene().getModele();
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
-        presente.essayer(essais, semis, Double.MAX_VALUE);
-        return essayer(new Barreau(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(), INCONNUE,
-                presente);
+        presente.essayer(essais, pilote, Double.MAX_VALUE);
+        return essayer(new ReglagePropose(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(),
+                Estimation.INCONNUE, presente);
     }
 
     public long getRayonsDesEssais() {
         return essais.rayons.get();
     }
 
-    /** Toile qui voit l'image que l'on dessine sur cette toile, pour la contrôler en d'autres pixels s'il y en a. */
-    public Toile surveiller(Toile toile) {
-        controle = new Tirage(essais, semis, 0.5, voulue, reste(1, choisi.prix));
+    /** Toile qui dessine sur celle-ci, et retient de quoi contrôler l'image du candidat sur d'autres pixels. */
+    public Toile surveiller(Toile toile, Candidat candidat) {
+        dessine = candidat;
+        controle = new PixelsDEssai(essais, pilote, 0.5, voulue, reste(1, candidat.prix));
         return (couleur, xe, ye) -> {
             toile.drawPixel(couleur, xe, ye);
             controle.retenir(couleur, xe, ye);
         };
     }
 
+    /** Moyenne de l'erreur attendue et de celle que mesure le contrôle : deux fois plus de pixels. */
     private Estimation mesuree() {
-        return controle.mesure() ? controle.erreur() : INCONNUE;
+        return dessine.estimation.moyenne(controle.erreur());
     }
 
-    /** L'erreur de l'image, dessinée, mesurée à peu près, en niveaux. */
+    /** L'erreur de l'image, en niveaux, estimée des pixels d'essai et du contrôle. */
     public double getErreurMesuree() {
         return mesuree().plus(0);
     }
 
-    /** Écart possible de cette erreur, en niveaux, dix-neuf fois sur vingt ; jamais 0, et 255 si rien n'est mesuré. */
+    /** Écart possible de cette erreur, en niveaux, dix-neuf fois sur vingt ; jamais 0. */
     public double getIncertitude() {
         return Math.max(0.01, mesuree().plus(2) - mesuree().plus(0));
     }
 
-    /** Verdict : l'image tient-elle l'erreur voulue, d'après son contrôle seul ; sinon, ce qui aiderait. */
+    /** Verdict : l'erreur voulue est tenue, dépassée ou incertaine à un écart type près, et ce qui aiderait. */
     public String getVerdict() {
-        // un contrôle que trop peu de pixels portent ne dément pas des essais qui ne promettaient rien
-        if (mesuree().plus(0) > voulue || mesuree().plus(-2) == 0 && choisi.auPlus > voulue) {
-            return "erreur voulue dépassée" + (mesuree().plus(-2) > voulue ? "" : " sans doute")
-                    + (echelle.size() == 1 && deLaScene == null
-                    ? " : il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
-                    : choisi.auPlus > voulue ? " : il faudrait un échantillonnage plus fin, n=64 et seuil=0 au plus"
-                    : " : demander deux fois moins d'erreur aiderait");
+        if (mesuree().plus(1) <= voulue) {
+            return "erreur voulue tenue";
         }
-        // son écart type passe la moitié de son carré
-        if (mesuree().plus(-2) == 0) {
-            return "on ne peut en dire plus : trop peu de pixels portent l'erreur mesurée, d'autres ont pu manquer";
-        }
-        return mesuree().plus(Candidat.PRUDENCE) <= voulue ? "erreur voulue tenue" : "erreur voulue atteinte, à ± près";
+        // deux mesures qui s'accordent à la dépasser valent un écart type
+        boolean depassee = mesuree().plus(choisi.auPlus > voulue ? 0 : -1) > voulue;
+        return "erreur voulue " + (depassee ? "dépassée : " : "incertaine : ")
+                + (choisi.echantillonnage == null
+                ? "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
+                : choisi.auPlus > voulue ? "il faudrait une grille plus fine, n=64 et seuil=0 au plus"
+                : "demander deux fois moins d'erreur aiderait");
     }
 }

@@ -3,10 +3,10 @@ package lancer.auto;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Section;
 
-/** Façon de dessiner : un échantillonnage et une limite des reflets, l'erreur attendue et le prix. Immuable. */
+/** Un réglage essayé : son échantillonnage, sa limite des reflets, son erreur attendue et son prix. Immuable. */
 public final class Candidat {
 
-    /** Écarts types de l'attendu au promis : neuf fois sur dix, de part et d'autre, d'une loi normale. */
+    /** Écarts types entre l'erreur attendue et ses bornes : elle est entre elles neuf fois sur dix (loi normale). */
     static final double PRUDENCE = 1.64;
 
     /** Réflexions, seuil des reflets, section de variante qui donne l'échantillonnage, ou null pour la scène. */
@@ -14,17 +14,21 @@ public final class Candidat {
     public final double seuil;
     public final Section section;
 
-    /** Attendus : l'erreur, en niveaux, entre quoi elle est neuf fois sur dix, et les rayons par pixel. */
+    /** L'erreur attendue, en niveaux, ses bornes, neuf fois sur dix, et les rayons attendus par pixel. */
     public final double erreur;
     public final double auMoins;
     public final double auPlus;
     public final double prix;
 
+    /** Durée moyenne d'un rayon de l'essai dans un fil, en nanosecondes. Aucun choix n'en dépend ; NaN sans essai. */
+    public final double nsParRayon;
+
     final Estimation estimation;
     final Echantillonnage echantillonnage;
     private final Limite limite;
 
-    Candidat(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix) {
+    Candidat(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix,
+            double nsParRayon) {
         this.section = section;
         this.echantillonnage = echantillonnage;
         this.limite = limite;
@@ -35,6 +39,7 @@ public final class Candidat {
         auMoins = estimation.plus(-PRUDENCE);
         auPlus = estimation.plus(PRUDENCE);
         this.prix = prix;
+        this.nsParRayon = nsParRayon;
     }
 
     /** Demande de ce réglage : la section à écrire dans la scène, et les options. */

@@ -11,22 +11,23 @@ import lancer.Lancer;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 
-/** Essais d'une scène préparée, dont les rayons se comptent à mesure ; rien n'y dépend du nombre de fils. */
+/** Essais d'une scène préparée : chaque rayon est compté. Les résultats ne dépendent pas du nombre de fils. */
 final class Essais {
 
-    /** Profondeur et seuil d'un rayon sans limite, autant dire : sous ce produit des Ks, un reflet ne se voit plus. */
+    /** Profondeur et seuil d'un rayon dit sans limite. Sous ce produit des Ks, un reflet ne se voit plus. */
     static final int PROFONDEUR = 1000;
     static final double SANS_LIMITE = 1e-9;
 
-    /** Nombre d'essais du début, et la part des rayons qui restent qu'ils laissent espérer. */
+    /** Nombre des premiers essais, et part des rayons restants que leur prix permet d'engager. */
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 
     final Lancer prepare;
     private final int fils;
 
-    /** Les rayons de toutes sortes lancés jusqu'ici, et ceux qu'une passe ne doit pas faire dépasser. */
+    /** Rayons de toutes sortes lancés jusqu'ici, durée des essais dans tous les fils, et limite de ces rayons. */
     final AtomicLong rayons = new AtomicLong();
+    final AtomicLong dureeNs = new AtomicLong();
     private long borne;
 
     Essais(Lancer prepare, int fils) {
@@ -35,8 +36,8 @@ final class Essais {
     }
 
     /**
-     * Fait les essais de 0 à {@code nombre} − 1, ou autant que le permettent ces rayons, et dit combien : quelques-uns
-     * d'abord, puis ce que leur prix laisse espérer. Au-delà, tout s'arrête, et les derniers ne comptent pas.
+     * Fait les essais de 0 à {@code nombre} − 1, ou les premiers que permettent ces rayons, et rend leur nombre. Le
+     * prix de quelques essais fixe le nombre des suivants. Un essai interrompu faute de rayons ne compte pas.
      */
     int passer(int nombre, int reflets, double seuil, double permis, BiConsumer<Integer, Vue> essai) {
         long avant = rayons.get();
@@ -53,7 +54,11 @@ final class Essais {
                 sien.getScene().getModele().setSeuil(seuil);
                 Vue vue = vue(equipe, sien, reflets);
                 siens.add(sien);
-                ouvriers.add(rang -> essai.accept(debut + rang, vue));
+                ouvriers.add(rang -> {
+                    long commence = System.nanoTime();
+                    essai.accept(debut + rang, vue);
+                    dureeNs.addAndGet(System.nanoTime() - commence);
+                });
             }
             try {
                 equipe.faire(fin - debut, ouvriers, siens);

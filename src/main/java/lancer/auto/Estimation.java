@@ -3,6 +3,9 @@ package lancer.auto;
 /** Le carré d'une erreur quadratique moyenne, en niveaux², qui s'estime sans biais, et sa variance. Immuable. */
 final class Estimation {
 
+    /** Une erreur qui n'est pas mesurée : elle est de 0 à 255. */
+    static final Estimation INCONNUE = new Estimation(0, 255.0 * 255 * 255 * 255 / 4);
+
     private final double carre;
     private final double variance;
 
@@ -11,20 +14,25 @@ final class Estimation {
         this.variance = variance;
     }
 
-    /** L'erreur en niveaux, le carré étant plus grand de tant d'écarts types ; plus petit, s'ils sont négatifs. */
+    /** L'erreur en niveaux, si le carré est plus grand de tant d'écarts types ; plus petit, s'ils sont négatifs. */
     double plus(double ecartsTypes) {
         return Math.sqrt(Math.max(0, carre + ecartsTypes * Math.sqrt(variance)));
     }
 
-    /** Estimation d'un candidat dont l'erreur est d'ordinaire tant de fois celle-ci. @param dispersion de ce carré */
+    /** Estimation d'un réglage dont l'erreur ordinaire est tant de fois celle-ci. @param dispersion de ce carré */
     Estimation prolongee(double rapport, double dispersion) {
         double fois = rapport * rapport;
         return new Estimation(fois * carre, fois * fois * (variance + dispersion * dispersion * carre * carre));
     }
 
-    /** Moyenne avec une mesure, chacune d'autant plus écoutée qu'elle est sûre (filtre de Kalman, 1960). */
+    /** Moyenne avec une mesure, pondérée par l'inverse des variances (filtre de Kalman, 1960). */
     Estimation corrigee(Estimation mesure) {
         double gain = variance == 0 ? 0 : variance / (variance + mesure.variance);
         return new Estimation(carre + gain * (mesure.carre - carre), gain * mesure.variance);
+    }
+
+    /** Moyenne de deux estimations indépendantes, de même poids. */
+    Estimation moyenne(Estimation autre) {
+        return new Estimation((carre + autre.carre) / 2, (variance + autre.variance) / 4);
     }
 }

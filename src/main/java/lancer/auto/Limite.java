@@ -3,13 +3,13 @@ package lancer.auto;
 import java.math.BigDecimal;
 import java.util.Arrays;
 
-/** Limite jusqu'où les reflets sont suivis, l'erreur que cela fait, et ce que cela coûte. */
+/** Limite des reflets suivis, l'erreur qu'elle cause et son prix. */
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
 
-    /** Pixels où les essayer, et la part du carré de l'erreur visée qui peut leur revenir. */
-    private static final int PIXELS = 1000;
+    /** Nombre de pixels où les essayer, et part du carré de l'erreur visée que les reflets peuvent prendre. */
+    private static final int PIXELS = 500;
     private static final double PART = 0.15;
 
     final int reflets;
@@ -30,22 +30,21 @@ final class Limite {
                 .mapToObj(s -> new Limite(reflets == null ? Essais.PROFONDEUR : reflets, s)).toArray(Limite[]::new);
     }
 
-    /** Essaie celle-ci sur un rayon de quelques pixels du semis, autant que le permettent ces rayons. */
-    void essayer(Essais essais, Semis semis, double permis) {
-        // impair, pour ne pas tomber toujours au même endroit d'un carreau
-        int pas = semis.pixels.length / PIXELS | 1;
-        double[] carres = new double[semis.pixels.length / pas];
+    /** Essaie cette limite sur un rayon de quelques pixels de l'échantillon pilote, avec ces rayons au plus. */
+    void essayer(Essais essais, EchantillonPilote pilote, double permis) {
+        // un pas impair change de place d'un carreau à l'autre
+        int pas = pilote.pixels.length / PIXELS | 1;
+        double[] carres = new double[pilote.pixels.length / pas];
         double avant = essais.rayons.get();
         int faits = essais.passer(carres.length, reflets, seuil, permis, (k, vue) -> {
-            int pixel = semis.pixels[k * pas];
-            double[] vu = Semis.niveaux(vue.couleur(pixel % semis.largeur + 0.5, pixel / semis.largeur + 0.5));
-            carres[k] = Semis.produit(vu, semis.niveaux[k * pas], semis.niveaux[k * pas]);
+            double[] vu = pilote.centre(pilote.pixels[k * pas], vue);
+            carres[k] = EchantillonPilote.produit(vu, pilote.niveaux[k * pas], pilote.niveaux[k * pas]);
         });
         carre = Arrays.stream(carres, 0, faits).average().orElse(0);
         rayons = (essais.rayons.get() - avant) / Math.max(1, faits);
     }
 
-    /** La moins chère qui laisse à l'échantillonnage presque toute cette erreur ; au même prix, la plus large. */
+    /** La limite la moins chère qui laisse à l'échantillonnage presque toute cette erreur ; sinon, la plus large. */
     static Limite pour(double erreur, Limite... limites) {
         Limite choisie = limites[0];
         for (Limite limite : limites) {

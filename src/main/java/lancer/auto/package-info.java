@@ -1,7 +1,6 @@
 /**
- * {@code --auto} : essayer sur quelques milliers de pixels les réglages permis, choisir, et mesurer l'image faite.
+ * {@code --auto} essaie sur quelques pixels les réglages permis, en choisit un, puis mesure l'erreur de l'image.
  *
- * <p>Y entre ce qui estime une erreur ou un prix. Les variantes n'y sont connues que par les réglages qu'elles
- * proposent.
+ * <p>Ce paquetage estime des erreurs et des prix. Il connaît les variantes par les réglages qu'elles proposent.
  */
 package lancer.auto;

@@ -32,7 +32,7 @@ public interface Variante {
      * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante, du
      * moins cher au plus juste, faits de {@code sienne} par {@link Section#sansFichier}.
      */
-    default List<Barreau> getEchelle(Section sienne) {
+    default List<ReglagePropose> getReglagesProposes(Section sienne) {
         return Collections.emptyList();
     }
 }

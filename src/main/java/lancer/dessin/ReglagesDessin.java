@@ -128,11 +128,11 @@ public final class ReglagesDessin {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** Variantes branchées qui ont une échelle, dont la section n'est pas dans le fichier : des essais les règlent. */
+    /** Variantes branchées qui proposent des réglages, et dont la section n'est pas dans le fichier de scène. */
     public Map<Variante, Section> getEssayees() {
         Map<Variante, Section> essayees = new LinkedHashMap<>(lues);
         essayees.entrySet().removeIf(lue -> !estBranchee(lue.getKey()) || lue.getValue().ligne != 0
-                || lue.getKey().getEchelle(lue.getValue()).isEmpty());
+                || lue.getKey().getReglagesProposes(lue.getValue()).isEmpty());
         return essayees;
     }
 

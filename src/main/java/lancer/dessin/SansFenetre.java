@@ -93,7 +93,7 @@ public final class SansFenetre {
                 options.fils, dessin.getReglages().getEssayees(), enCours -> { }) : null;
         Lancer lancer = auto == null ? prepare : auto.lancer;
         double essais = (System.nanoTime() - debut) / NS_PAR_S;
-        long[] traces = tracer(lancer, auto == null ? toile : auto.surveiller(toile),
+        long[] traces = tracer(lancer, auto == null ? toile : auto.surveiller(toile, auto.choisi),
                 auto == null ? profondeur : auto.choisi.reflets);
         Ecriture.ecrire(dessin.getImage(), fichiers);
         if (options.statistiques) {

@@ -173,7 +173,7 @@ final class PanneauVitesse extends JPanel {
         double temps = lancer.getDureeNs() / 1e9;
         etat.setText("mesure de l'image…");
         essais = Atelier.confier(fil, () -> {
-            Toile controle = fait.surveiller((couleur, i, j) -> { });
+            Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
             float[] lineaire = image.lineaire;
             for (int k = 0; k < lineaire.length / 3; k++) {
                 controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),

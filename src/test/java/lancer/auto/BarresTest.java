@@ -15,7 +15,7 @@ class BarresTest {
     private static final int H = 400;
 
     private static Candidat candidat(double carre, double variance, double prix) {
-        return new Candidat(null, null, Limite.permises(5, 0.0)[0], new Estimation(carre, variance), prix);
+        return new Candidat(null, null, Limite.permises(5, 0.0)[0], new Estimation(carre, variance), prix, 100);
     }
 
     @Test

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.Couleur;
-import lancer.contrat.Barreau;
+import lancer.contrat.ReglagePropose;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
@@ -19,27 +19,27 @@ import lancer.scene.SectionLue;
 /** Une quatrième variante, d'étudiant : n × n sous-pixels. */
 final class GrilleDEssai implements Variante {
 
-    private final List<Barreau> echelle;
+    private final List<ReglagePropose> proposes;
 
-    /** @param echelle ce que {@code --auto} peut essayer */
-    GrilleDEssai(List<Barreau> echelle) {
-        this.echelle = echelle;
+    /** @param proposes ce que {@code --auto} peut essayer */
+    GrilleDEssai(List<ReglagePropose> proposes) {
+        this.proposes = proposes;
     }
 
     /** Elle seule, à essayer avec ces n. */
     static Map<Variante, Section> seule(String... n) {
-        return avec(Arrays.stream(n).map(GrilleDEssai::barreau).collect(Collectors.toList()));
+        return avec(Arrays.stream(n).map(GrilleDEssai::propose).collect(Collectors.toList()));
     }
 
-    /** Elle seule, à essayer selon cette échelle. */
-    static Map<Variante, Section> avec(List<Barreau> echelle) {
-        return Collections.singletonMap(new GrilleDEssai(echelle), new SectionLue("Grille"));
+    /** Elle seule, à essayer avec ces réglages. */
+    static Map<Variante, Section> avec(List<ReglagePropose> proposes) {
+        return Collections.singletonMap(new GrilleDEssai(proposes), new SectionLue("Grille"));
     }
 
     /** Une grille pleine de n × n gagne un facteur n^(4/3) pour n² fois le prix, à peu près. */
-    static Barreau barreau(String n) {
+    static ReglagePropose propose(String n) {
         double cote = Double.parseDouble(n);
-        return new Barreau(new SectionLue("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
+        return new ReglagePropose(new SectionLue("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
     }
 
     @Override
@@ -53,8 +53,8 @@ final class GrilleDEssai implements Variante {
     }
 
     @Override
-    public List<Barreau> getEchelle(Section sienne) {
-        return echelle;
+    public List<ReglagePropose> getReglagesProposes(Section sienne) {
+        return proposes;
     }
 
     private static Echantillonnage grille(int n) {

@@ -32,17 +32,17 @@ class OeilDeplaceAutoTest {
             boules.add(new Sphere(rayon.getP().add(3 + 2 * hasard.nextDouble(), rayon.getV()), 0.02));
         }
         Scene scene = new Scene(boules, Collections.emptyList());
-        Semis semis = new Semis(new Essais(new Lancer(scene, camera), 1), 1e6);
+        EchantillonPilote pilote = new EchantillonPilote(new Essais(new Lancer(scene, camera), 1), 1e6);
         int vus = 0;
         for (int k = 0; k < L * FIN * H * FIN; k++) {
             int x = k % (L * FIN);
             int y = k / (L * FIN);
             if (scene.getClosestIntersection(camera.getRayon((x + 0.5) / FIN, (y + 0.5) / FIN)) != null) {
                 vus++;
-                assertTrue(semis.petits.get(y / FIN * L + x / FIN), "pixel " + x / FIN + ", " + y / FIN);
+                assertTrue(pilote.petits.get(y / FIN * L + x / FIN), "pixel " + x / FIN + ", " + y / FIN);
             }
         }
         assertTrue(vus > 100, vus + " points");
-        assertTrue(semis.petits.cardinality() < L * H / 10, semis.petits.cardinality() + " pixels");
+        assertTrue(pilote.petits.cardinality() < L * H / 10, pilote.petits.cardinality() + " pixels");
     }
 }

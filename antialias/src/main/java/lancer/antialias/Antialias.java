@@ -3,10 +3,10 @@ package lancer.antialias;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import lancer.contrat.Barreau;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
+import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
@@ -21,11 +21,12 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** L'échelle de {@code --auto} : n, méthode, seuil, puis l'erreur ordinaire, en niveaux, et le prix. */
-    private static final String[] ECHELLE = {
+    /** Réglages proposés à {@code --auto} : n, méthode, seuil, puis l'erreur ordinaire, en niveaux, et le prix. */
+    private static final String[] PROPOSES = {
         "1 coins 0 7 1", "2 partage 0.4 2.8 1.7", "3 partage 0.3 2 2.1", "4 partage 0.2 1.3 2.6",
         "4 partage 0.15 1.2 2.9", "6 partage 0.12 0.85 3.8", "8 partage 0.1 0.65 4.5", "8 partage 0.08 0.55 5.2",
-        "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21"};
+        "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21",
+        "16 partage 0.016 0.165 32", "16 coins 0 0.15 256"};
 
     /** La méthode du cours, sur n × n sous-pixels, n de 1 à 64 ; à ce seuil de contraste, de 0 (tous, toujours) à 1. */
     public static Echantillonnage coins(int n, double seuil) {
@@ -60,13 +61,13 @@ public final class Antialias implements Variante {
     }
 
     @Override
-    public List<Barreau> getEchelle(Section sienne) {
-        List<Barreau> echelle = new ArrayList<>();
-        for (String barreau : ECHELLE) {
-            String[] mots = barreau.split(" ");
+    public List<ReglagePropose> getReglagesProposes(Section sienne) {
+        List<ReglagePropose> proposes = new ArrayList<>();
+        for (String propose : PROPOSES) {
+            String[] mots = propose.split(" ");
             Section section = sienne.sansFichier("n", mots[0], "methode", mots[1], "seuil", mots[2]);
-            echelle.add(new Barreau(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
+            proposes.add(new ReglagePropose(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
         }
-        return echelle;
+        return proposes;
     }
 }

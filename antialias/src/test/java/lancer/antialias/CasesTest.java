@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import lancer.Couleur;
-import lancer.contrat.Barreau;
+import lancer.contrat.ReglagePropose;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -114,15 +114,16 @@ class CasesTest {
     @Test
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
-        List<Barreau> echelle = antialias.getEchelle(new SectionLue("Antialias"));
-        assertEquals(12, echelle.size());
+        List<ReglagePropose> proposes = antialias.getReglagesProposes(new SectionLue("Antialias"));
+        assertEquals(14, proposes.size());
         double prix = 0;
-        for (Barreau barreau : echelle) {
+        for (ReglagePropose propose : proposes) {
             Modele modele = new Modele();
-            antialias.installer(barreau.section, modele);
-            assertNotNull(modele.getEchantillonnage(), barreau.section.toString());
-            assertTrue(barreau.prix > prix, "de moins cher en plus juste");
-            prix = barreau.prix;
+            antialias.installer(propose.section, modele);
+            assertNotNull(modele.getEchantillonnage(), propose.section.toString());
+            assertTrue(propose.prix > prix, "de moins cher en plus juste");
+            prix = propose.prix;
         }
+        assertEquals("[Antialias] n=16 methode=coins seuil=0", proposes.get(13).section.toString(), "une grille pleine en dernier");
     }
 }

@@ -1,6 +1,8 @@
 package lancer.mesures.vitesse;
 
+import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -44,13 +46,21 @@ import lancer.scene.SectionLue;
  */
 public final class MesureAuto {
 
-    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,verdict,rayons,oracle,rayons_oracle,rayons_des_essais";
+    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,verdict,rayons,oracle,rayons_oracle,"
+            + "rayons_des_essais,secondes,secondes_oracle";
 
     private static final Taille TAILLE = new Taille(200, 150);
+
+    /** Une taille que l'on dessine, et les scènes mesurées ainsi : la recherche dense y est longue. */
+    private static final Taille GRANDE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+    private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "sort-1");
+    private static final int PAS_EN_GRAND = 4;
+
     private static final double[] ERREURS = {0.5, 1, 2, 4};
 
-    /** Les rayons permis aux essais : tant, ou cette part du dessin. */
-    private static final double ESSAIS = 600_000;
+    /** Les rayons permis aux essais : tant, tant par pixel, ou cette part du dessin. */
+    private static final double ESSAIS = 200_000;
+    private static final double ESSAIS_PAR_PIXEL = 4;
     private static final double PART_DES_ESSAIS = 0.5;
 
     private MesureAuto() {
@@ -67,12 +77,14 @@ public final class MesureAuto {
         for (Map.Entry<String, Scene> scene : scenes.entrySet()) {
             // une colonne de trois cents pixels, chacun plus large que les boules
             Taille taille = scene.getKey().equals("colonne") ? new Taille(1, 300) : TAILLE;
-            lignes.addAll(lignes(scene.getKey(), scene.getValue(), taille, ERREURS));
-            System.out.println(String.join("\n", lignes.subList(lignes.size() - ERREURS.length, lignes.size())));
+            for (Taille celle : SCENES_EN_GRAND.contains(scene.getKey()) ? new Taille[] {taille, GRANDE} : new Taille[] {taille}) {
+                lignes.addAll(lignes(scene.getKey(), scene.getValue(), celle, ERREURS));
+                System.out.println(String.join("\n", lignes.subList(lignes.size() - ERREURS.length, lignes.size())));
+            }
         }
         Path csv = Paths.get(args[0]);
         Files.write(csv, lignes);
-        System.out.println(phrase(FichierCsv.lire(csv)));
+        System.out.println(tableau(FichierCsv.lire(csv)).trim());
         System.out.println("noté dans " + csv);
     }
 
@@ -126,36 +138,54 @@ public final class MesureAuto {
 
     /** Choix et annonces du programme pour chaque erreur voulue, croissantes, et ce qu'il en est. */
     static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, 1);
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1);
         Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
         List<String> lignes = new ArrayList<>();
         for (double voulue : voulues) {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+            double debut = secondes();
             Auto auto = dessiner(scene, taille, voulue, image);
+            double secondes = secondes() - debut;
             Oracle.Essai mieux = oracle.leMoinsCher(voulue);
+            double sienne = mieux == null ? 0 : oracle.secondes(mieux);
             lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
-                    auto.getVerdict().replaceAll(" ;.*", ""), nombre((double) auto.lancer.getCompteurs().rayons() / taille.pixels()),
+                    auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
+                    nombre((double) auto.lancer.getCompteurs().rayons() / taille.pixels()),
                     mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
-                    nombre((double) auto.getRayonsDesEssais() / taille.pixels())));
+                    nombre((double) auto.getRayonsDesEssais() / taille.pixels()), nombre(secondes), mieux == null ? "" : nombre(sienne)));
         }
         return lignes;
+    }
+
+    /** Temps des processeurs de ce processus, dans tous ses fils. */
+    static double secondes() {
+        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime() / 1e9;
     }
 
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
         Auto auto = new Auto(Dessin.lancer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
                 taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
-        auto.lancer.TracerPixels(auto.surveiller(image), auto.choisi.reflets, taille.fils);
+        auto.lancer.TracerPixels(auto.surveiller(image, auto.choisi), auto.choisi.reflets, taille.fils);
         return auto;
     }
 
-    /** Phrases de la page. */
-    static String phrase(List<Map<String, String>> lignes) {
-        Map<String, String> b = bilan(lignes);
-        b.replaceAll((nom, valeur) -> valeur.replace('.', ','));
-        return "là où un réglage tient, l'erreur voulue est tenue " + b.get("tenues") + " ; où elle est dépassée de moitié, le contrôle le "
-                + "dit " + b.get("graves") + ", et il dit « tenue » à tort " + b.get("a_tort") + ". Le dessin coûte, au prix du moins cher "
-                + "qui tient, " + b.get("prix") + " fois en médiane, " + b.get("prix60") + " au plus dans 60 cas sur cent, "
-                + b.get("prix90") + " dans 90 ; les essais restent sous leur borne " + b.get("essais");
+    /** Tableau de la page : une ligne par taille. */
+    static String tableau(List<Map<String, String>> lignes) {
+        StringBuilder tableau = new StringBuilder("\n\n| image | demandes tenables tenues | dites « tenue » | à tort "
+                + "| dites « dépassée » | dites « incertaine » | prix, médiane | prix, neuf fois sur dix | temps, médiane |\n"
+                + "|---|---|---|---|---|---|---|---|---|\n");
+        for (String taille : lignes.stream().map(l -> l.get("taille")).distinct().toArray(String[]::new)) {
+            Map<String, String> b = bilan(lignes.stream().filter(l -> l.get("taille").equals(taille)).collect(Collectors.toList()));
+            tableau.append("| ").append(taille.replace("x", " × "));
+            for (String nom : new String[] {"tenues", "dites_tenues", "a_tort", "dites_depassees", "dites_incertaines"}) {
+                tableau.append(" | ").append(b.get(nom));
+            }
+            for (String nom : new String[] {"total", "total90", "secondes"}) {
+                tableau.append(" | ").append(b.get(nom).replace('.', ','));
+            }
+            tableau.append(" |\n");
+        }
+        return tableau.append('\n').toString();
     }
 
     /** Valeurs par noms. */
@@ -163,19 +193,23 @@ public final class MesureAuto {
         Map<String, String> bilan = new TreeMap<>();
         List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());
         bilan.put("tenues", compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")));
-        List<Map<String, String>> graves = lignes.stream().filter(l -> x(l, "erreur") > 1.5 * x(l, "erreur_voulue"))
-                .collect(Collectors.toList());
-        bilan.put("graves", compte(graves, l -> l.get("verdict").startsWith("erreur voulue dépassée")));
-        bilan.put("a_tort", compte(lignes, l -> l.get("verdict").equals("erreur voulue tenue")
-                && x(l, "erreur") > x(l, "erreur_voulue")));
+        bilan.put("dites_tenues", dites(lignes, "tenue"));
+        bilan.put("dites_depassees", dites(lignes, "dépassée"));
+        bilan.put("dites_incertaines", dites(lignes, "incertaine"));
+        bilan.put("a_tort", compte(lignes, l -> l.get("verdict").equals("tenue") && x(l, "erreur") > x(l, "erreur_voulue")));
         bilan.put("essais", compte(lignes, l -> x(l, "rayons_des_essais") <= Math.max(ESSAIS / pixels(l),
-                PART_DES_ESSAIS * x(l, "rayons"))));
-        // moins cher que l'oracle, c'est qu'il ne tient pas, ou que la recherche n'est pas si dense
-        double[] prix = tenables.stream().mapToDouble(l -> Math.max(1, x(l, "rayons") / x(l, "rayons_oracle"))).sorted().toArray();
-        bilan.put("prix", nombre(quantile(prix, 0.5)));
-        bilan.put("prix60", nombre(quantile(prix, 0.6)));
-        bilan.put("prix90", nombre(quantile(prix, 0.9)));
+                Math.max(ESSAIS_PAR_PIXEL, PART_DES_ESSAIS * x(l, "rayons")))));
+        double[] prix = tenables.stream().mapToDouble(l -> (x(l, "rayons") + x(l, "rayons_des_essais")) / x(l, "rayons_oracle"))
+                .sorted().toArray();
+        bilan.put("total", nombre(quantile(prix, 0.5)));
+        bilan.put("total90", nombre(quantile(prix, 0.9)));
+        bilan.put("secondes", nombre(quantile(tenables.stream().mapToDouble(l -> x(l, "secondes") / x(l, "secondes_oracle"))
+                .sorted().toArray(), 0.5)));
         return bilan;
+    }
+
+    private static String dites(List<Map<String, String>> lignes, String verdict) {
+        return compte(lignes, l -> l.get("verdict").equals(verdict));
     }
 
     private static double pixels(Map<String, String> ligne) {

@@ -82,10 +82,21 @@ final class Oracle {
         }
     }
 
+    /** Temps des processeurs d'un dessin de plus, à ce réglage. */
+    double secondes(Essai essai) {
+        double debut = MesureAuto.secondes();
+        ImageLineaire.de(lancer(essai), essai.reflets, taille.fils);
+        return MesureAuto.secondes() - debut;
+    }
+
+    private Lancer lancer(Essai essai) {
+        return Dessin.lancer(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil), essai.seuilDesReflets)),
+                taille.largeur, taille.hauteur, false);
+    }
+
     private Essai dessiner(Essai essai) {
         return dessines.computeIfAbsent(essai.toString(), nom -> {
-            Lancer lancer = Dessin.lancer(scene.avec(scene.getModele().avec(Antialias.partage(essai.n, essai.seuil),
-                    essai.seuilDesReflets)), taille.largeur, taille.hauteur, false);
+            Lancer lancer = lancer(essai);
             essai.erreur = erreur.applyAsDouble(ImageLineaire.de(lancer, essai.reflets, taille.fils));
             essai.prix = (double) lancer.getCompteurs().rayons() / taille.pixels();
             return essai;

@@ -45,7 +45,7 @@ final class Rapport {
             valeurs.putAll(methodes.pages());
         }
         Path auto = dossier.resolve("auto.csv");
-        valeurs.put("auto", Files.exists(auto) ? MesureAuto.phrase(FichierCsv.lire(auto)) : "pas encore mesuré");
+        valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) : "pas encore mesuré");
         if (Files.exists(dossier.resolve("corriger.csv"))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
             valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");

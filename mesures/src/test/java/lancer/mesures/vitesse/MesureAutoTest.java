@@ -36,21 +36,22 @@ class MesureAutoTest {
         assertEquals("2 fois sur 2", bilan.get("tenues"), "" + lues);
         assertEquals("0 fois sur 2", bilan.get("a_tort"), "" + lues);
         assertEquals("2 fois sur 2", bilan.get("essais"), "" + lues);
-        assertTrue(Double.parseDouble(bilan.get("prix90")) < 2, "" + lues);
+        assertTrue(Double.parseDouble(lues.get(0).get("rayons")) < 2 * Double.parseDouble(lues.get(0).get("rayons_oracle")), "" + lues);
     }
 
     @Test
     void ceQuiEstTenuEtSonPrixSontComptes() throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(MesureAuto.COLONNES);
-        lignes.add("a,10x10,2,r,1,erreur voulue tenue,10,o,10,100");
-        lignes.add("b,10x10,2,r,2.5,erreur voulue tenue,30,o,20,7000");
-        lignes.add("c,10x10,2,r,4,erreur voulue dépassée sans doute,30,o,20,5");
-        lignes.add("d,10x10,2,r,4,erreur voulue tenue,30,,,5");
+        lignes.add("a,10x10,2,r,1,tenue,10,o,10,5,3,2");
+        lignes.add("b,10x10,2,r,2.5,tenue,30,o,20,7000,3,1");
+        lignes.add("c,10x10,2,r,4,dépassée,30,o,20,5,4,1");
+        lignes.add("d,10x10,2,r,4,tenue,30,,,5,1,");
         Map<String, String> bilan = MesureAuto.bilan(FichierCsv.lire(Files.write(dossier.resolve("a.csv"), lignes,
                 StandardCharsets.UTF_8)));
-        assertEquals("{a_tort=2 fois sur 4, essais=3 fois sur 4, graves=1 fois sur 2, prix=1.500, prix60=1.500, "
-                + "prix90=1.500, tenues=1 fois sur 3}", bilan.toString());
+        assertEquals("{a_tort=2 fois sur 4, dites_depassees=1 fois sur 4, dites_incertaines=0 fois sur 4, "
+                + "dites_tenues=3 fois sur 4, essais=3 fois sur 4, secondes=3.000, tenues=1 fois sur 3, "
+                + "total=1.750, total90=351.500}", bilan.toString());
     }
 
     /** Plus d'erreur permise ne coûte jamais plus cher, et rien n'est jamais plus cher que le premier qui tient. */
