@@ -23,6 +23,7 @@ import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.texte.Nombre;
 
 /** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres : l'image suit ce qu'on y change. */
 @SuppressWarnings("serial")
@@ -56,8 +57,6 @@ final class PanneauReglages extends JScrollPane {
             Supplier<Variante> variante = () -> atelier.reglages.getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            // Java y met les flèches, qui sont pour l'inspecteur
-            boite.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
             boite.addActionListener(e -> {
                 dernier = null;
                 atelier.dessiner(atelier.reglages.avec(variante.get(), boite.isSelected()), false);
@@ -143,7 +142,7 @@ final class PanneauReglages extends JScrollPane {
             glissiere.setName(parametre.cle + " " + "rvb".charAt(k));
             glissiere.addChangeListener(e -> {
                 String[] nombres = valeur(variante, parametre).trim().split("[ \t]+");
-                nombres[composante] = String.valueOf(glissiere.getValue() / (double) CENT);
+                nombres[composante] = Nombre.ecrire(glissiere.getValue() / (double) CENT);
                 regler(variante, parametre, String.join(" ", nombres), glissiere.getValueIsAdjusting());
             });
             ajustements.add(() -> {

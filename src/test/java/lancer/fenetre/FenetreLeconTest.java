@@ -190,6 +190,7 @@ class FenetreLeconTest extends EssaiFenetre {
     void laDifferenceSeFaitAvecLImageDAvantSIlYEnAUne() throws Exception {
         ImageMemoire avant = ouvrir();
         banc.frapper(KeyEvent.VK_SUBTRACT);
+        attendre("deux réflexions", () -> banc.resume.getText().contains("2 réflexions"));
         ImageMemoire apres = banc.imageAchevee();
         faire(((JMenu) article(1, "Vue")).getItem(Options.VUES.indexOf("difference") + 1)::doClick);
         attendre("la vue", () -> banc.resume.getText().contains("vue difference"));

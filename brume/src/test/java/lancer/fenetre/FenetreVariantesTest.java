@@ -10,9 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Color;
 import java.awt.Graphics;
-import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
@@ -20,11 +18,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
-import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import javax.swing.JColorChooser;
 import javax.swing.JSlider;
-import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.dessin.ReglagesDessin;
 import lancer.essai.Essai;
@@ -199,19 +194,6 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     @Test
-    void laBoiteDUneVarianteLaisseLesFlechesALInspecteur() throws Exception {
-        ouvrir();
-        cliquer(150, 100);
-        JTree recit = composant("recit", JTree.class);
-        glissiere("Brume.fin");
-        JCheckBox boite = composant("Brume", JCheckBox.class);
-        faire(boite::requestFocusInWindow);
-        attendre("le clavier est à la boîte", boite::hasFocus);
-        banc.frapper(SwingUtilities.getWindowAncestor(boite), KeyEvent.VK_RIGHT);
-        attendre("le pixel voisin", () -> EssaiInspecteur.lu(recit).startsWith("pixel 151, 100\n"));
-    }
-
-    @Test
     void uneGlissiereDitSaValeurAUnLecteurDEcranEtNonSonCran() throws Exception {
         ouvrir();
         JSlider densite = glissiere("Brume.densite");
@@ -221,18 +203,15 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     @Test
-    void laCouleurSeChoisitDansUnePaletteEtLImageSuit() throws Exception {
+    void laCouleurSeRegleParComposanteDeZeroAUnCommeDansLesScenes() throws Exception {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();
         glissiere("Brume.fin");
-        JButton bouton = composant("Brume.couleur", JButton.class);
-        faire(bouton::requestFocusInWindow);
-        attendre("le clavier est au bouton", bouton::hasFocus);
-        banc.frapper(SwingUtilities.getWindowAncestor(bouton), KeyEvent.VK_SPACE);
-        JColorChooser palette = composant(null, JColorChooser.class);
-        Window dialogue = SwingUtilities.getWindowAncestor(palette);
-        faire(() -> palette.setColor(new Color(255, 51, 0)));
-        banc.frapper(dialogue, KeyEvent.VK_ENTER);
+        placer(composant("couleur r", JSlider.class), 100);
+        placer(composant("couleur v", JSlider.class), 20);
+        placer(composant("couleur b", JSlider.class), 0);
+        attendre("elle s'écrit", () -> banc.atelier.reglages.getSection(banc.atelier.reglages.getVariante("Brume"))
+                .ecrire(" ").endsWith("couleur=1 0.2 0"));
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
     }
 

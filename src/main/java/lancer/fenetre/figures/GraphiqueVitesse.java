@@ -222,11 +222,11 @@ public final class GraphiqueVitesse extends JPanel {
         g.fillRect(GAUCHE, (int) y(ARRONDI), droite - GAUCHE, bas - (int) y(ARRONDI));
         g.setFont(g.getFont().deriveFont(Font.PLAIN, g.getFont().getSize2D() * 0.9f));
         for (double t : graduations(xMin, xMax)) {
-            trait(g, x(t), HAUT, x(t), bas, gris());
+            trait(g, x(t), HAUT, x(t), bas, trame());
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         }
         for (double t : graduations(Y_MIN, yMax)) {
-            trait(g, GAUCHE, y(t), droite, y(t), gris());
+            trait(g, GAUCHE, y(t), droite, y(t), trame());
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         }
         g.setColor(gris());
@@ -240,10 +240,10 @@ public final class GraphiqueVitesse extends JPanel {
         g.setStroke(new BasicStroke(1.5f));
         for (int k = 1; k < front.size(); k++) {
             Candidat avant = front.get(k - 1);
-            trait(g, x(secondes(avant)), y(avant.erreur), x(secondes(front.get(k))), y(front.get(k).erreur), encre());
+            trait(g, x(secondes(avant)), y(avant.erreur), x(secondes(front.get(k))), y(front.get(k).erreur), accent());
         }
         for (Candidat p : points) {
-            Color couleur = front.contains(p) ? encre() : gris();
+            Color couleur = front.contains(p) ? accent() : gris();
             double x = x(secondes(p));
             double pied = auPlus(p) ? y(Y_MIN) - RAYON : y(p.auMoins);
             trait(g, x, pied, x, y(p.auPlus), couleur);
@@ -277,13 +277,23 @@ public final class GraphiqueVitesse extends JPanel {
         ecrire(g, debut + enMots(p).replaceFirst(",.*", ""), x, y(p.erreur) + dy, x > getWidth() / 2.0 ? 1 : 0);
     }
 
-    /** Une encre lisible sur le fond de l'apparence, et un gris qui s'y efface. */
+    /** Une encre lisible sur le fond de l'apparence, un gris, et un autre qui s'efface. */
     private static Color encre() {
         return UIManager.getColor("Tree.textForeground");
     }
 
+    private static Color accent() {
+        Color accent = UIManager.getColor("Component.accentColor");
+        return accent == null ? encre() : accent;
+    }
+
     private static Color gris() {
         return UIManager.getColor("Label.disabledForeground");
+    }
+
+    private static Color trame() {
+        Color gris = gris();
+        return new Color(gris.getRed(), gris.getGreen(), gris.getBlue(), 60);
     }
 
     private Ellipse2D disque(double temps, double erreur, int rayon) {
