@@ -176,10 +176,8 @@ public final class Auto {
 
     /** Verdict : l'erreur voulue est tenue, dépassée ou incertaine à un écart type près, et ce qui aiderait. */
     public String getVerdict() {
-        // un choix qui ne promettait rien et une mesure qui dépasse s'accordent
-        boolean depassee = mesuree().plus(choisi.auPlus > voulue ? 0 : -1) > voulue;
         return mesuree().plus(1) <= voulue ? "erreur voulue tenue"
-                : "erreur voulue " + (depassee ? "dépassée : " : "incertaine : ")
+                : "erreur voulue " + (mesuree().plus(-1) > voulue ? "dépassée : " : "incertaine : ")
                 + (choisi.echantillonnage == null
                 ? "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
                 : choisi.auPlus > voulue ? "il faudrait une grille plus fine, n=64 et seuil=0 au plus"
