@@ -26,20 +26,16 @@ public final class Auto {
     private static final double RAYONS_MIN = 200_000;
     private static final double RAYONS_PAR_PIXEL = 4;
     private static final double PART_DU_DESSIN = 0.45;
-
     /** Part de ces rayons qui peut être dépensée à la fin de chaque étape. */
     private static final double PILOTE = 0.25;
     private static final double LIMITES = 0.35;
     private static final double REFERENCES = 0.55;
     private static final double CHOIX = 0.85;
-
     /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, et d'une scène à l'autre. */
     private static final double DISPERSION = 0.35;
     private static final double DIVERSITE = 2;
-
     /** Écarts types en dessous de l'erreur attendue : si elle dépasse encore l'erreur voulue, l'essai est inutile. */
     private static final double SANS_ESSAI = 0.3;
-
     /** Échantillonnage que rien ne décrit. */
     private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
@@ -49,10 +45,8 @@ public final class Auto {
     private final Limite[] limites;
     private final PixelsDEssai pixels;
     private final Map<ReglagePropose, Echantillonnage> proposes = new LinkedHashMap<>();
-
     /** Les candidats essayés, du moins cher au plus juste à peu près. */
     public final List<Candidat> essayes = new ArrayList<>();
-
     /** Le candidat choisi, et le lancer qui dessine la scène avec lui, à sa profondeur. */
     public final Candidat choisi;
     public final Lancer lancer;
@@ -118,8 +112,8 @@ public final class Auto {
                     continue;
                 }
             }
-            double visee = voulue > 0 ? voulue : ici.plus(0);
-            Candidat essaye = essayer(propose, proposes.get(propose), ici, Limite.pour(visee, limites));
+            Candidat essaye = essayer(propose, proposes.get(propose), ici,
+                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites));
             ici = essaye.estimation;
             essayes.add(essaye);
             suivi.accept(this);
@@ -182,12 +176,8 @@ public final class Auto {
 
     /** Verdict : l'erreur voulue est tenue, dépassée ou incertaine à un écart type près, et ce qui aiderait. */
     public String getVerdict() {
-        if (mesuree().plus(1) <= voulue) {
-            return "erreur voulue tenue";
-        }
-        // deux mesures qui s'accordent à la dépasser valent un écart type
-        boolean depassee = mesuree().plus(choisi.auPlus > voulue ? 0 : -1) > voulue;
-        return "erreur voulue " + (depassee ? "dépassée : " : "incertaine : ")
+        return mesuree().plus(1) <= voulue ? "erreur voulue tenue"
+                : "erreur voulue " + (mesuree().plus(-1) > voulue ? "dépassée : " : "incertaine : ")
                 + (choisi.echantillonnage == null
                 ? "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
                 : choisi.auPlus > voulue ? "il faudrait une grille plus fine, n=64 et seuil=0 au plus"

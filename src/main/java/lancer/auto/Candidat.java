@@ -8,18 +8,15 @@ public final class Candidat {
 
     /** Écarts types entre l'erreur attendue et ses bornes : elle est entre elles neuf fois sur dix (loi normale). */
     static final double PRUDENCE = 1.64;
-
     /** Réflexions, seuil des reflets, section de variante qui donne l'échantillonnage, ou null pour la scène. */
     public final int reflets;
     public final double seuil;
     public final Section section;
-
     /** L'erreur attendue, en niveaux, ses bornes, neuf fois sur dix, et les rayons attendus par pixel. */
     public final double erreur;
     public final double auMoins;
     public final double auPlus;
     public final double prix;
-
     /** Durée moyenne d'un rayon de l'essai dans un fil, en nanosecondes. Aucun choix n'en dépend ; NaN sans essai. */
     public final double nsParRayon;
 

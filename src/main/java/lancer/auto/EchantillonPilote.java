@@ -18,12 +18,10 @@ final class EchantillonPilote {
     private static final double PETIT = 1;
 
     final int largeur;
-
     /** Pixels, carreau après carreau ; la couleur de leur centre, sans limite ; son prix, tous rayons comptés. */
     final int[] pixels;
     final double[][] niveaux;
     final double prix;
-
     /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène les connaît. */
     final BitSet petits = new BitSet();
 

@@ -17,14 +17,12 @@ final class Essais {
     /** Profondeur et seuil d'un rayon dit sans limite. Sous ce produit des Ks, un reflet ne se voit plus. */
     static final int PROFONDEUR = 1000;
     static final double SANS_LIMITE = 1e-9;
-
     /** Nombre des premiers essais, et part des rayons restants que leur prix permet d'engager. */
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 
     final Lancer prepare;
     private final int fils;
-
     /** Rayons de toutes sortes lancés jusqu'ici, durée des essais dans tous les fils, et limite de ces rayons. */
     final AtomicLong rayons = new AtomicLong();
     final AtomicLong dureeNs = new AtomicLong();

@@ -7,14 +7,12 @@ import java.util.Arrays;
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
-
     /** Nombre de pixels où les essayer, et part du carré de l'erreur visée que les reflets peuvent prendre. */
     private static final int PIXELS = 500;
     private static final double PART = 0.15;
 
     final int reflets;
     final double seuil;
-
     /** Le carré de l'erreur, en niveaux², et rayons de toutes sortes pour un rayon de l'écran, lui compris. */
     private double carre;
     double rayons = 1;

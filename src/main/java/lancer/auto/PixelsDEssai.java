@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
@@ -26,14 +25,9 @@ final class PixelsDEssai {
     /** Nombre de pixels à tirer : ceci, ou tant de fois la racine quatrième de ceux de l'image. */
     private static final int TIRES = 170;
     private static final double PAR_RACINE = 13;
-
     /** Part des petits objets parmi eux, au plus ; nombre de pixels dessinés en dessous duquel rien n'est mesuré. */
     private static final double PETITS = 0.25;
     private static final int TIRES_MIN = 12;
-
-    /** Contraste ajouté à celui de tout pixel : une part du contraste moyen, et un minimum, en niveaux. */
-    private static final double PART_COMMUNE = 0.3;
-    private static final double CONTRASTE_MIN = 0.03;
 
     private final Essais essais;
     private final EchantillonPilote pilote;
@@ -65,9 +59,10 @@ final class PixelsDEssai {
         image = (double) pilote.largeur * essais.prepare.getCamera().getHauteur();
         double part = petits.length / image;
         double[] poids = Arrays.stream(pilote.pixels).mapToDouble(p -> pilote.petits.get(p) ? 0 : 1).toArray();
-        Arrays.setAll(poids, k -> poids[k] * (CONTRASTE_MIN + pilote.contraste(k)));
-        double moyen = Arrays.stream(poids).average().orElse(0);
-        Arrays.setAll(poids, k -> poids[k] > 0 ? poids[k] + PART_COMMUNE * moyen : 0);
+        // tout pixel peut être tiré : au contraste s'ajoutent 0,03 niveau et une part du contraste moyen
+        Arrays.setAll(poids, k -> poids[k] * (0.03 + pilote.contraste(k)));
+        double commun = 0.3 * Arrays.stream(poids).average().orElse(0);
+        Arrays.setAll(poids, k -> poids[k] > 0 ? poids[k] + commun : 0);
         int nombre = (int) Math.max(TIRES, PAR_RACINE * Math.sqrt(Math.sqrt(image)));
         tirer(petits, Arrays.stream(petits).mapToDouble(p -> 1).toArray(), debut, (int) (PETITS * nombre), part);
         tirer(pilote.pixels, poids, debut, nombre - pixels.size(), 1 - part);

@@ -50,7 +50,7 @@ class MesureAutoTest {
         Map<String, String> bilan = MesureAuto.bilan(FichierCsv.lire(Files.write(dossier.resolve("a.csv"), lignes,
                 StandardCharsets.UTF_8)));
         assertEquals("{a_tort=2 fois sur 4, dites_depassees=1 fois sur 4, dites_incertaines=0 fois sur 4, "
-                + "dites_tenues=3 fois sur 4, essais=3 fois sur 4, secondes=3.000, tenues=1 fois sur 3, "
+                + "dites_tenues=3 fois sur 4, essais=3 fois sur 4, secondes=2.500, tenues=1 fois sur 3, "
                 + "total=1.750, total90=351.500}", bilan.toString());
     }
 
