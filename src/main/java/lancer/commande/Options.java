@@ -47,7 +47,8 @@ public final class Options {
     private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
 
     /** Noms des vues en fausses couleurs. */
-    public static final List<String> VUES = Collections.unmodifiableList(Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
+    public static final List<String> VUES = Collections.unmodifiableList(
+            Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
     /** Une vue s'écrit dans un PNG. */
     private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};

@@ -102,7 +102,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return autre;
     }
 
-    /** Fait dessiner cette vue en fausses couleurs. @param avant l'image à laquelle « difference » se compare, ou null */
+    /** Fait dessiner cette vue. @param avant ce à quoi « difference » se compare, ou {@code null} */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
         reference = avant;

@@ -136,8 +136,10 @@ public final class Fenetre {
         menu.addSeparator();
         menu.add(Menus.siScene(atelier, menuVues()));
         Menus.siScene(atelier, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
-        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2), () -> onglets.montrer(1).transferFocus());
-        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3), () -> onglets.montrer(2).transferFocus());
+        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2),
+                () -> onglets.montrer(1).transferFocus());
+        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3),
+                () -> onglets.montrer(2).transferFocus());
         menu.addSeparator();
         JCheckBoxMenuItem sombre = new JCheckBoxMenuItem("Apparence sombre", Apparence.estSombre());
         Menus.article(menu, sombre, null, () -> Apparence.changer(sombre.isSelected()));

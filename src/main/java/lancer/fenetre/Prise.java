@@ -26,6 +26,7 @@ import lancer.PointContact;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Pannes;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
@@ -138,14 +139,20 @@ final class Prise extends MouseAdapter {
             }
         }
         Scene scene = atelier.montre.getScene().avec(atelier.montre.getScene().getModele());
-        PointContact contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
+        PointContact contact;
+        try {
+            contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
+        } catch (RuntimeException e) {
+            panneau.bandeau.dire(Sujet.AVIS, Pannes.message(e));
+            return false;
+        }
         Objet3D objet = contact == null ? null : contact.objet;
         SceneLue montree = atelier.montre.getLue();
         estLampe = false;
         rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
         if (!estPris()) {
             panneau.bandeau.dire(Sujet.AVIS, objet == null ? "rien à prendre ici : aucun objet ne s'y voit"
-                    : montree.origines.de(objet) + " ne se prend pas : la souris ne prend que les sphères et les lampes");
+                    : montree.origines.de(objet) + " ne se prend pas : la souris ne prend que sphères et lampes");
         }
         return estPris();
     }

@@ -55,8 +55,9 @@ public final class FaussesCouleurs {
     }
 
     /**
-     * Dessine la vue de ce nom : {@code normales}, {@code distance}, {@code lampes}, {@code rayons} ou {@code difference}.
+     * Dessine une vue.
      *
+     * @param nom un de ceux d'{@link lancer.commande.Options#VUES}
      * @param image où ; ses nombres, si elle en garde, sont ceux que disent ses teintes
      * @param reference à quoi {@code difference} se compare ; {@code null} pour 64 rayons par pixel
      * @return ce qui l'a dessinée, et ses comptes
@@ -162,7 +163,8 @@ public final class FaussesCouleurs {
         int raffines = choisi == null ? auCentre(voulus, comptee)
                 : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
-            toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0), pave.j0 + k / (pave.i1 - pave.i0));
+            toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0),
+                    pave.j0 + k / (pave.i1 - pave.i0));
         }
         return raffines;
     }

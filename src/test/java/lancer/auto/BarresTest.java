@@ -49,7 +49,7 @@ class BarresTest {
         // deux rayons de cent nanosecondes par pixel, un million de pixels : deux dixièmes de seconde
         graphique.montrer(Arrays.asList(vite, juste), null, 1e6);
         for (int k = 0; k < 2; k++) {
-            graphique.dispatchEvent(new KeyEvent(graphique, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_RIGHT,
+            graphique.getKeyListeners()[0].keyPressed(new KeyEvent(graphique, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_RIGHT,
                     KeyEvent.CHAR_UNDEFINED));
             assertTrue(dit[0].contains(k == 0 ? " — 0,2 s, 2,0 rayons par pixel, erreur " : " — 2 s, 20,0 rayons par pixel, erreur "),
                     dit[0]);
