@@ -69,12 +69,12 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@$(call capture,800x688,blinn,fenetre-reglages) "Paramètres des variantes…" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
-	@$(call capture,1280x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
-	@$(call capture,1360x688,antialias,vitesse-ou-precision) "Vitesse ou précision…" vitesse.etat "Un clic" scenes/scene1.ini
+	@$(call capture,1244x688,blinn,fenetre-reglages) "Réglages" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
+	@$(call capture,1244x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
+	@$(call capture,1244x688,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "Un clic" scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
-	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
+	-Djava.util.prefs.userRoot=target -cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
 # Une scène de N boules, pour voir : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar

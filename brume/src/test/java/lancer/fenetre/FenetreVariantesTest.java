@@ -173,7 +173,8 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.attendreImage("sans la brume", sans);
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
-        attendre("celle d'avant, au même endroit", () -> BancFenetre.trouver(avec, L) != null);
+        attendre("celle d'avant, et ses réglages", () -> Arrays.equals(avec, banc.panneau.getVisible().codes)
+                && banc.panneau.ligne.matches("avant : .*\\[Brume].*"));
         attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons en .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
@@ -230,7 +231,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         banc.imageAchevee();
         banc.frapper();
         banc.robot.keyPress(KeyEvent.VK_SPACE);
-        attendre("l'image d'avant est celle d'avant le geste", () -> BancFenetre.trouver(avant, L) != null);
+        attendre("l'image d'avant est celle d'avant le geste", () -> Arrays.equals(avant, banc.panneau.getVisible().codes));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
     }
 }
