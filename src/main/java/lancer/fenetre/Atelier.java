@@ -131,7 +131,7 @@ final class Atelier {
     /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
     void ouvrir(String scene) {
         retenir();
-        lancer(premier.pour(scene, taille.get().width, taille.get().height));
+        lancer(premier.pour(scene, taille.get().width, taille.get().height), false);
     }
 
     void relire() {
@@ -154,14 +154,14 @@ final class Atelier {
         if (suite && enCours && !courant.dessin.isBrouillonFait()) {
             enAttente = true;
         } else {
-            redessiner();
+            redessiner(suite);
         }
     }
 
     /** Remplace l'image par cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
     void voir(String voulue) {
         vue = voulue;
-        redessiner();
+        redessiner(false);
     }
 
     /** Remplace un objet ou une lampe de la scène montrée, en mémoire seulement. @param suite si ce geste continue */
@@ -188,7 +188,7 @@ final class Atelier {
     void ajuster() {
         Dimension voulue = taille.get();
         if (adopte != null && (voulue.width != courant.dessin.largeur || voulue.height != courant.dessin.hauteur)) {
-            redessiner();
+            redessiner(false);
         }
     }
 
@@ -207,10 +207,10 @@ final class Atelier {
         dessins.shutdown();
     }
 
-    private void redessiner() {
+    private void redessiner(boolean geste) {
         // une scène qui se lit, et ne se voit pas encore, passe avant
         boolean autre = enCours && courant.aLire && courant != adopte;
-        lancer((autre ? courant.dessin : source).avec(taille.get().width, taille.get().height));
+        lancer((autre ? courant.dessin : source).avec(taille.get().width, taille.get().height), geste);
     }
 
     /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas, et une vue n'en est pas une. */
@@ -224,7 +224,8 @@ final class Atelier {
         return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
     }
 
-    private void lancer(Dessin dessin) {
+    /** @param geste vrai s'il peut continuer : l'image ne vient qu'un moment après le brouillon */
+    private void lancer(Dessin dessin, boolean geste) {
         enAttente = false;
         if (dessins.isShutdown()) {
             return;
@@ -235,6 +236,12 @@ final class Atelier {
         dessin.setVue(vue, estDeLaTaille(avant, dessin) ? avant : null);
         Tracage tracage = new Tracage(programme, dessin, reglages,
                 panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
+        if (geste) {
+            dessin.setEntracte(() -> {
+                EventQueue.invokeLater(this::observer);
+                tracage.attendreLaSuite();
+            });
+        }
         dessins.execute(tracage);
         suivre(tracage);
     }
@@ -282,7 +289,7 @@ final class Atelier {
             finir();
         }
         if (enAttente && (fini || dessin.isBrouillonFait())) {
-            redessiner();
+            redessiner(true);
         }
     }
 
@@ -352,7 +359,7 @@ final class Atelier {
         if (adopte != null && getImageComplete() == null) {
             // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
             retenir();
-            redessiner();
+            redessiner(false);
         }
     }
 }

@@ -20,6 +20,9 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Temps après lequel un brouillon jamais vu n'arrête plus l'image, et un dessin à venir dit ce qu'il attend. */
     private static final long PATIENCE_MS = 2000;
 
+    /** Temps laissé à un geste pour continuer. */
+    private static final long GESTE_MS = 150;
+
     final Dessin dessin;
     final boolean aLire;
     private final Consumer<Dessin> programme;
@@ -71,6 +74,15 @@ final class Tracage extends SwingWorker<Void, Void> {
     void attendreDEtreVu() {
         try {
             vue.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            throw new CancellationException("arrêté");
+        }
+    }
+
+    /** Attend un moment, le brouillon fait : le geste qui continue n'aura pas d'image à interrompre. */
+    void attendreLaSuite() {
+        try {
+            Thread.sleep(GESTE_MS);
         } catch (InterruptedException e) {
             throw new CancellationException("arrêté");
         }
