@@ -3,6 +3,7 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Frame;
 import java.awt.Rectangle;
+import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.Box;
 import javax.swing.JButton;
@@ -11,7 +12,9 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
+import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 
 /** Le panneau à droite de l'image : un onglet pour chaque question. Le contenu d'un onglet est fait à sa demande. */
 @SuppressWarnings("serial")
@@ -21,38 +24,48 @@ final class Onglets extends JSplitPane {
     private static final int BARRE = 6;
 
     private final JFrame cadre;
-    private final JTabbedPane onglets = new JTabbedPane() {
-        @Override
-        public void updateUI() {
-            super.updateUI();
-            SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-        }
-    };
+    private final Map<String, Supplier<JComponent>> contenus;
+    /** Les onglets, faits quand l'un d'eux est demandé, et l'apparence qu'ils ont. */
+    private JTabbedPane onglets;
+    private LookAndFeel apparence;
     /** Largeur du panneau la dernière fois qu'il était ouvert, et ce que le cadre y a gagné. */
     private int largeur = LARGEUR;
     private int gagne;
 
-    /** @param image ce qui est toujours à gauche */
-    Onglets(JFrame cadre, JComponent image) {
+    /** @param image ce qui est toujours à gauche @param contenus ce que montre chaque onglet, dans l'ordre */
+    Onglets(JFrame cadre, JComponent image, Map<String, Supplier<JComponent>> contenus) {
         super(HORIZONTAL_SPLIT, image, null);
         this.cadre = cadre;
+        this.contenus = contenus;
         setBorder(null);
         setResizeWeight(1);
         setFocusable(false);
         setDividerSize(0);
-        onglets.setName("panneau");
-        onglets.setFocusable(false);
+    }
+
+    private JTabbedPane faire() {
+        JTabbedPane faits = new JTabbedPane() {
+            @Override
+            public void updateUI() {
+                super.updateUI();
+                SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
+            }
+        };
+        faits.setName("panneau");
+        faits.setFocusable(false);
         JButton fermer = new JButton("×");
         fermer.setToolTipText("fermer le panneau (Échap)");
         fermer.setFocusable(false);
         fermer.addActionListener(e -> fermer());
-        // FlatLaf le pose au bout des onglets
         fermer.putClientProperty("JButton.buttonType", "toolBarButton");
         Box bout = Box.createHorizontalBox();
         bout.add(Box.createHorizontalGlue());
         bout.add(fermer);
-        onglets.putClientProperty("JTabbedPane.trailingComponent", bout);
-        onglets.addChangeListener(e -> remplir());
+        // FlatLaf le pose au bout des onglets
+        faits.putClientProperty("JTabbedPane.trailingComponent", bout);
+        contenus.keySet().forEach(nom -> faits.addTab(nom, new JPanel(new BorderLayout())));
+        faits.addChangeListener(e -> remplir());
+        return faits;
     }
 
     /** Les flèches et Ctrl sont pour l'image, non pour passer d'un onglet à l'autre ou déplacer la séparation. */
@@ -62,16 +75,10 @@ final class Onglets extends JSplitPane {
         SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
     }
 
-    void ajouter(String nom, Supplier<JComponent> contenu) {
-        JPanel onglet = new JPanel(new BorderLayout());
-        onglet.putClientProperty(Supplier.class, contenu);
-        onglets.addTab(nom, onglet);
-    }
-
     private void remplir() {
         JComponent onglet = (JComponent) onglets.getSelectedComponent();
         if (estOuvert() && onglet.getComponentCount() == 0) {
-            onglet.add((JComponent) ((Supplier<?>) onglet.getClientProperty(Supplier.class)).get());
+            onglet.add(contenus.get(onglets.getTitleAt(onglets.getSelectedIndex())).get());
             onglet.validate();
         }
     }
@@ -82,8 +89,14 @@ final class Onglets extends JSplitPane {
 
     /** Montre cet onglet ; le cadre s'élargit vers la droite autant que l'écran le permet, l'image ne bouge pas. */
     JComponent montrer(int rang) {
+        onglets = onglets == null ? faire() : onglets;
         onglets.setSelectedIndex(rang);
         if (!estOuvert()) {
+            if (apparence != UIManager.getLookAndFeel()) {
+                // changée pendant que le panneau était fermé
+                apparence = UIManager.getLookAndFeel();
+                SwingUtilities.updateComponentTreeUI(onglets);
+            }
             Rectangle ecran = Dialogues.ecran();
             boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
             gagne = !libre ? 0 : Math.max(0, Math.min(largeur + BARRE,
