@@ -38,8 +38,9 @@ public final class Vitesse {
     static final String BESOINS = "besoins.csv";
     private static final String PROCESSUS = "processus.csv";
 
-    /** Ce programme, tel qu'on le lance, et ce qui annonce le chemin d'un autre. */
+    /** Ce programme, tel qu'on le lance, seul et avec l'anticrénelage, et ce qui annonce le chemin d'un autre. */
     private static final String[] LANCER = {"-jar", "target/lancer.jar"};
+    private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
     private static final String JAR = "--jar=";
 
     private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--processus", "--noyaux",
@@ -114,11 +115,9 @@ public final class Vitesse {
         // ce qui ne demande pas une machine tranquille d'abord
         if (comptes) {
             Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
-            List<Catalogue.Groupe> reglages = new Catalogue(rapide).reglages();
-            lesComptes.ecrire(reglages);
+            lesComptes.ecrire(new Catalogue(rapide).reglages());
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
-            reglages.forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
             if (povray != null) {
                 lesComptes.comparer();
                 neufs.add(Comptes.PROGRAMMES);
@@ -161,18 +160,12 @@ public final class Vitesse {
         }
     }
 
-    /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
+    /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        try {
-            Mesureur mesureur = new Mesureur(rapide, options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER);
-            for (Taille taille : tailles) {
-                mesureur.mesurer(taille, groupes);
-            }
-        } catch (Manches.Troublee e) {
-            if (!rapide) {
-                throw e;
-            }
-            sortie.println("Sans tous les temps : " + e.getMessage());
+        Mesureur mesureur = new Mesureur(rapide, rapide || options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER,
+                ANTIALIAS);
+        for (Taille taille : tailles) {
+            mesureur.mesurer(taille, groupes);
         }
     }
 
