@@ -97,8 +97,8 @@ public final class Figures {
                     .collect(Collectors.toList())));
         }
         return new Planche("Des boules plus petites qu'un pixel", "Des boules noires sur le ciel, au hasard auprès des pixels. La forme "
-                + "close : la racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés là ; pour "
-                + "coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
+                + "close : la racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés "
+                + "là ; pour coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
     }
 
     /** E : d'un reflet à l'autre. */

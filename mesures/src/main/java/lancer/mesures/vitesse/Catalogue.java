@@ -147,7 +147,7 @@ final class Catalogue {
         for (int n : miroirs ? new int[] {2, 3} : scene.equals("scene1") ? new int[] {2, 3, 4, 8} : new int[] {2, 3, 4}) {
             m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(COINS, n, 0));
         }
-        for (int n : miroirs ? new int[] {3, 4} : new int[] {3, 4, 8}) {
+        for (int n : scene.equals("scene1") ? new int[] {3, 4, 8} : new int[] {3, 4}) {
             m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(COINS, n, 0.05));
         }
         double[][] partages = {{3, 0.3}, {4, 0.2}, {4, 0.1}, {8, 0.1}, {8, 0.06}, {16, 0.06}, {16, 0.03}};

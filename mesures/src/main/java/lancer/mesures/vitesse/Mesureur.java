@@ -105,7 +105,7 @@ final class Mesureur {
 
     /** Les mêmes, de programmes entiers : leurs titres n'en disent rien à moins de cinq. */
     private int manchesEntieres(double mancheNs) {
-        return court || agitee ? 2 : mancheNs < 3 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
+        return court || agitee ? 2 : mancheNs < 1.5 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
     }
 
     // ---- des machines virtuelles qui durent

@@ -98,7 +98,7 @@ final class Tableaux {
     /** Ce que demande chaque scène, et ce que fait le programme. */
     private String besoins() {
         return table(Arrays.asList("scène", "rayons par pixel", "qui changent l'écran", "ombres pour rien", "lampes", "utiles",
-                "reflets qui changent l'écran", "sphères", "essayées par rayon", "structures", "première image", "mémoire, au plus"),
+                "reflets qui changent l'écran", "sphères", "essayées par rayon", "structures", "première image", "alloué", "mémoire"),
                 besoins.stream().map(b -> {
                     double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
                     Releves temps = releves.scene(b.get("scene")).methode(Catalogue.UN_RAYON);
@@ -109,7 +109,8 @@ final class Tableaux {
                             + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
                             Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
                             b.get("structures").toLowerCase(Locale.ROOT), Double.isNaN(temps.secondes()) ? ""
-                            : Style.nombre(temps.secondes()) + " s", Double.isNaN(memoire) ? "" : Style.arrondi(memoire) + " Mo");
+                            : Style.nombre(temps.secondes()) + " s", b.get("alloues_mo") + " Mo",
+                            Double.isNaN(memoire) ? "" : Style.arrondi(memoire) + " Mo");
                 }).collect(Collectors.toList()));
     }
 

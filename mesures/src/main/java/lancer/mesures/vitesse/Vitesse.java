@@ -15,10 +15,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Pannes;
+import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
@@ -132,7 +135,7 @@ public final class Vitesse {
             chronometrer(povray, CSV, new Catalogue(rapide).groupes(), TAILLE);
             neufs.add(CSV);
         }
-        if (temps || options.contains("--processus")) {
+        if (options.contains("--processus")) {
             Catalogue catalogue = new Catalogue(rapide);
             chronometrer(null, PROCESSUS, catalogue.processus(autres), catalogue.tailles());
             neufs.add(PROCESSUS);
@@ -171,12 +174,19 @@ public final class Vitesse {
 
     private void compterLesBesoins() throws IOException {
         Taille taille = rapide ? new Taille(200, 150) : TAILLE;
-        List<String> lignes = new ArrayList<>();
-        lignes.add(String.join(",", Besoin.COLONNES));
+        List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo"));
         for (Path scene : Scenes.livrees()) {
-            lignes.add(new Besoin(scene, taille).ligne());
+            lignes.add(new Besoin(scene, taille).ligne() + "," + alloues(scene, taille));
             sortie.println("besoins de " + scene.getFileName());
         }
         Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
+    }
+
+    /** Mégaoctets qu'alloue le programme pour sa première image, là où Java sait ne rien rendre ; vide ailleurs. */
+    private String alloues(Path scene, Taille taille) throws IOException {
+        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(atelier.resolve("pris"), Processus.JAVA,
+                "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
+                atelier.resolve("besoin.png"), "--taille", taille, scene).dit);
+        return m.matches() ? m.group(1) : "";
     }
 }
