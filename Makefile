@@ -91,7 +91,7 @@ MESURER = $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(JAR:%=--jar=%) $(MESURE
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar $(BASE) | mesures/target/embree
+mesures: mesures/target/mesures.jar $(BASE) antialias/target/antialias.jar | mesures/target/embree
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURER)
 
 # Des programmes entiers, de la commande au PNG : temps, temps des processeurs, mémoire, du programme et des boucles du cours ; et d'autres

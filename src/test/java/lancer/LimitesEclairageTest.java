@@ -12,6 +12,7 @@ import java.util.Collections;
 import java.util.Random;
 import lancer.contrat.Recherche;
 import lancer.contrat.Specularite;
+import lancer.essai.Rangee;
 import lancer.essai.RechercheNaive;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
@@ -47,6 +48,7 @@ class LimitesEclairageTest {
         assertTrue(pixelsFaux(sansExclure) > 100, pixelsFaux(sansExclure) + " pixels faux");
         // les nôtres sont comparés au ciel, en forme close, par TheorieTest.unMiroirSeulMontreLeCielDansLaDirectionReflechie
         assertEquals(0, pixelsFaux(null));
+        Rangee.montre("sansExclureLeDepartUnMiroirSeReflechitLuiMeme", pixelsFaux(sansExclure), pixelsFaux(null), 0);
     }
 
     /**
@@ -58,6 +60,7 @@ class LimitesEclairageTest {
         Random hasard = new Random(26);
         int plusGrands = 0;
         double pire = 0;
+        double notre = 0;
         for (int k = 0; k < 10_000; k++) {
             Vecteur d = direction(hasard);
             // la même direction, normalisée après un autre calcul
@@ -66,11 +69,13 @@ class LimitesEclairageTest {
             plusGrands += cosinus > 1 ? 1 : 0;
             pire = Math.max(pire, Math.pow(Math.max(0, cosinus), 1e17));
             for (double ns : new double[] {1, 1e5, 1e9, 1e15, 1e17}) {
+                notre = Math.max(notre, Specularite.puissance(cosinus, ns));
                 assertTrue(Specularite.puissance(cosinus, ns) <= 1, "graine 26, tirage " + k);
             }
         }
         assertTrue(plusGrands > 500, plusGrands + " produits sur dix mille dépassent 1");
         assertTrue(pire > 1e6, "Math.pow rend jusqu'à " + pire);
+        Rangee.montre("unCosinusPlusGrandQueUnDevientEnormeALaPuissanceNs", pire, notre, 1);
     }
 
     /** Et par l'éclairement entier, la lampe exactement dans la direction du reflet : jamais plus que Kd + Ks. */
@@ -107,6 +112,7 @@ class LimitesEclairageTest {
         assertEquals(0, (int) (255 * cosinus + 0.5), "et (int) NaN est 0");
         Scene scene = scene(Collections.singletonList(boule(0, 0, 5, 1, 0.5, 0.5, 0)), new Lampe(contact, new Couleur(1)));
         assertEquals(new Couleur(), scene.getCouleurVue(DEVANT, null, 0), "cette lampe n'apporte rien ici");
+        Rangee.montre("uneLampeSurLeContactNAPasDeDirection", cosinus, scene.getCouleurVue(DEVANT, null, 0).r, 0);
     }
 
     /** (R·L)^0 = 1 partout : sans la condition N·L > 0, une sphère de poli nul brillerait dans le dos aussi. */
@@ -116,6 +122,8 @@ class LimitesEclairageTest {
         double RL = -1;
         assertEquals(0.5, 0.5 * Math.pow(Math.max(0, RL), 0));
         assertEquals(0, dos.getCouleurVue(DEVANT, null, 0).r);
+        Rangee.montre("unPoliNulEclaireraitLeDosSiLOnNeRegardaitQueLeReflet", 0.5 * Math.pow(Math.max(0, RL), 0),
+                dos.getCouleurVue(DEVANT, null, 0).r, 0);
     }
 
     /** Limiter chaque couleur à [0, 1] dès qu'elle est calculée : une lampe forte ne se distingue plus dans un miroir sombre. */
@@ -145,6 +153,8 @@ class LimitesEclairageTest {
         assertFalse(clarte >= scene.getModele().getSeuil(), "la clarté arrêterait au premier miroir");
         // 21 contacts, chacun de rouge 0,8·(0,5 + 1)
         assertEquals(21 * 0.8 * 1.5, scene.getCouleurVue(DEVANT, null, 20).r, 1e-11);
+        Rangee.montre("laClarteDUnMiroirRougeNEstPasSonRouge", scene.getCouleurVue(DEVANT, null, 0).r,
+                scene.getCouleurVue(DEVANT, null, 20).r, 21 * 0.8 * 1.5);
     }
 
     /** Une normale de longueur 1 + ε met 2ε de plus à chaque reflet : R = V − 2(V·N)N n'est plus de longueur 1, et cela s'ajoute. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import lancer.essai.Exact;
 import lancer.essai.Formule;
+import lancer.essai.Rangee;
 import lancer.precision.Intersection;
 import org.junit.jupiter.api.Test;
 
@@ -69,6 +70,8 @@ class LimitesIntersectionTest {
         // à 1/√u = 1e8 rayons, u·|PC|² vaut r² : toucher ou non se joue à pile ou face
         assertTrue(deLoin(Formule.MANUEL, 1e8).malClasses > 300 / 5);
         assertTrue(deLoin(Formule.MANUEL, 1e12).malClasses > 300 / 5);
+        Rangee.montre("leDiscriminantDuManuelPerdUneSphereLointaine", deLoin(Formule.MANUEL, 1e8).malClasses,
+                deLoin(Formule.PROGRAMME, 1e8).malClasses, 0);
         for (double distance : new double[] {1e2, 1e4, 1e6, 1e8, 1e10, 1e12}) {
             Bilan notre = deLoin(Formule.PROGRAMME, distance);
             assertEquals(0, notre.malClasses, "à " + distance);
@@ -125,6 +128,8 @@ class LimitesIntersectionTest {
         Point proche = new Point(0, 0, 5e-7);
         assertEquals(INFINI, a_epsilon.distance(new Point(), devant, proche, 1e-7), "une bille juste devant l'écran");
         assertEquals(4e-7, Formule.PROGRAMME.distance(new Point(), devant, proche, 1e-7), 1e-21);
+        Rangee.montre("unEpsilonFixeEffaceCeQuiEstPetitOuProche", a_epsilon.distance(new Point(), devant, proche, 1e-7),
+                Formule.PROGRAMME.distance(new Point(), devant, proche, 1e-7), 4e-7);
         Point petite = new Point(0, 0, 1e-3);
         assertEquals(INFINI, a_discriminant.distance(new Point(), devant, petite, 1e-6), "une sphère d'un micron");
         assertEquals(1e-3 - 1e-6, Formule.PROGRAMME.distance(new Point(), devant, petite, 1e-6), 1e-18);
@@ -142,6 +147,8 @@ class LimitesIntersectionTest {
         };
         assertEquals(INFINI, premiereRacine.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3));
         assertEquals(3, Formule.PROGRAMME.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3), 4 * U);
+        Rangee.montre("laPremiereRacineSeuleRendUneSphereInvisibleDuDedans", premiereRacine.distance(new Point(), new Vecteur(0, 0, 1),
+                new Point(), 3), Formule.PROGRAMME.distance(new Point(), new Vecteur(0, 0, 1), new Point(), 3), 3);
     }
 
     /**
@@ -164,6 +171,8 @@ class LimitesIntersectionTest {
         assertTrue(Double.isNaN(t));
         assertTrue(!(t < 4) && !(t >= 4), "perdant d'un côté, gagnant de l'autre");
         assertEquals(INFINI, Formule.PROGRAMME.distance(new Point(), sansDirection, new Point(0, 0, 5), 1));
+        Rangee.montre("nanPasseParLeTestDuManuel", t, Formule.PROGRAMME.distance(new Point(), sansDirection, new Point(0, 0, 5), 1),
+                INFINI);
         assertThrows(ArithmeticException.class, () -> new Rayon(new Point(), nul), "et un tel rayon ne se construit pas");
     }
 
@@ -178,6 +187,7 @@ class LimitesIntersectionTest {
         // Math.min et Math.max rendent NaN, et t > 0 est faux : ici le bon résultat, pour une mauvaise raison
         assertEquals(INFINI, Formule.RACINES.distance(P, tangente, new Point(), 1));
         assertEquals(INFINI, Formule.PROGRAMME.distance(P, tangente, new Point(), 1));
+        Rangee.montre("laRacineStableDuManuelDiviseZeroParZero", c / q, Formule.PROGRAMME.distance(P, tangente, new Point(), 1), INFINI);
         // du centre, b = 0 : copySign choisit, et les deux racines sont bonnes
         assertEquals(1, Formule.RACINES.distance(new Point(), tangente, new Point(), 1), 4 * U);
         assertEquals(1, Formule.PROGRAMME.distance(new Point(), tangente, new Point(), 1), 4 * U);

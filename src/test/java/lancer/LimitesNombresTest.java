@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 
 /** Où les petites fonctions de tous les jours échouent : normaliser, arrondir, limiter, convertir. */
@@ -31,6 +32,9 @@ class LimitesNombresTest {
             Vecteur naif = diviseParSaNorme(v);
             assertFalse(Math.abs(naif.norme() - 1) < 0.1, longueur + " : " + naif);
             assertEquals(1, v.normalized().norme(), 4 * U, "longueur " + longueur);
+            if (longueur == 1e-200) {
+                Rangee.montre("unVecteurCourtOuLongNeSeNormalisePasParSonCarre", naif.norme(), v.normalized().norme(), 1);
+            }
             assertEquals(0.6, v.normalized().y, 2 * U);
         }
     }
@@ -77,6 +81,8 @@ class LimitesNombresTest {
         int pairs = 0xFF000000 | (int) (0.4 * 255 + 0.5) << 16 | (int) (1.5 * 255 + 0.5) << 8;
         assertEquals(0xFF677F00, pairs, "rouge : 103 au lieu de 102");
         assertEquals(0xFF66FF00, new Couleur(0.4, 1.5, 0).getCode());
+        Rangee.montre("uneComposanteNonLimiteeDebordeDansLaVoisine", pairs >> 16 & 0xFF, new Couleur(0.4, 1.5, 0).getCode() >> 16 & 0xFF,
+                0.4 * 255);
         assertEquals(Integer.MAX_VALUE, (int) (Double.POSITIVE_INFINITY * 255 + 0.5));
         assertEquals(0xFFFF0000, new Couleur(Double.POSITIVE_INFINITY, 0, 0).getCode());
         assertEquals(0xFF00FF00, new Couleur(-0.1, 2, -1e300).getCode());

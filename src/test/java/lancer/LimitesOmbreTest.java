@@ -15,6 +15,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.essai.Formule;
 import lancer.essai.Ombre;
+import lancer.essai.Rangee;
 import lancer.essai.RechercheNaive;
 import lancer.essai.RechercheSimple;
 import lancer.essai.Ressources;
@@ -55,6 +56,7 @@ class LimitesOmbreTest {
         assertEquals(0, noirs(scene));
         scene.getModele().setRecherche(sansExclure(scene, 0));
         assertTrue(noirs(scene) > 200, noirs(scene) + " points noirs");
+        Rangee.montre("sansExclureLaSurfaceDeDepartElleSOmbreElleMeme", noirs(scene), 0, 0);
     }
 
     /** Un epsilon de 1e-6 couvre les arrondis d'une scène de quelques unités, ni ceux d'un grand sol, ni rien d'une petite scène. */
@@ -66,6 +68,7 @@ class LimitesOmbreTest {
         Scene grande = vueDeLaLampe(boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1));
         assertEquals(0, noirs(grande));
         grande.getModele().setRecherche(sansExclure(grande, 1e-6));
+        Rangee.montre("unEpsilonFixeNeGueritQueLesScenesDeSaTaille", noirs(grande), 0, 0);
         assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
         // une bille posée à 2e-7 du contact devrait le cacher
         Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
@@ -91,6 +94,7 @@ class LimitesOmbreTest {
         PointContact contact = scene.getClosestIntersection(quitte, a);
         assertSame(b, contact.objet);
         assertEquals(1e-5, contact.distance, 1e-15);
+        Rangee.montre("exclureLeDepartParLaDistanceExclutAussiLeVoisin", Constantes.INFINI, contact.distance, 1e-5);
     }
 
     private static double decale(double x, double vers, int unites) {
@@ -131,6 +135,8 @@ class LimitesOmbreTest {
         Sphere grande = boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1);
         assertTrue(cachesAvecDecalage(grande, 256) > 50, cachesAvecDecalage(grande, 256) + " points noirs");
         assertEquals(0, noirs(vueDeLaLampe(grande)), "le nôtre");
+        Rangee.montre("unDecalageRelatifAuContactEstTropCourtPourUnGrandSolEtTropLongEntreDeuxCoquilles", cachesAvecDecalage(grande, 256),
+                0, 0);
         Sphere dedans = boule(0, 0, 5, 1.5 - 5e-14, 1, 0, 1);
         Scene coquilles = vueDeLaLampe(dedans, boule(0, 0, 5, 1.5, 1, 0, 1));
         int traversees = 0;
@@ -151,6 +157,7 @@ class LimitesOmbreTest {
         assertEquals(0, noirs(scene));
         scene.getModele().setRecherche(new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_DISTANCE, 0));
         assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
+        Rangee.montre("oublierLaDistanceDeLaLampeFaitOmbrerCeQuiEstDerriereElle", noirs(scene), 0, 0);
     }
 
     /**
@@ -193,6 +200,7 @@ class LimitesOmbreTest {
                 justes++;
             }
         }
+        Rangee.montre("lePremierObjetVuDUneLampeLointaineDemandeUneIntersectionJuste", manquees, 0, 0);
         assertTrue(manquees > justes / 10, manquees + " contacts sur " + justes + " passent pour cachés");
     }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import lancer.essai.Exact;
 import lancer.essai.Formule;
+import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -45,6 +46,7 @@ class LimitesSurfaceTest {
     void dUnSolImmenseLesDoublesNeGardentQueQuelquesChiffres() {
         Random hasard = new Random(31);
         double pireEnDoubles = 0;
+        double pire = 0;
         for (int k = 0; k < 2_000; k++) {
             double r = Math.pow(10, 4 + 5 * hasard.nextDouble());
             Point C = new Point(hasard.nextGaussian(), -r - 1, hasard.nextGaussian());
@@ -54,9 +56,11 @@ class LimitesSurfaceTest {
             Rayon rayon = new Rayon(P, vers);
             pireEnDoubles = Math.max(pireEnDoubles, Math.abs(enDoubles(P, rayon.getV(), C, r) / exact.distance - 1));
             double notre = exact.ecart(new Sphere(C, r).getIntersectionDistance(rayon));
+            pire = Math.max(pire, Math.abs(new Sphere(C, r).getIntersectionDistance(rayon) / exact.distance - 1));
             assertTrue(notre <= 1, "graine 31, tirage " + k + ", r = " + r + " : " + notre + " tolérances");
         }
         assertTrue(pireEnDoubles > 1e-9, "erreur relative en doubles : " + pireEnDoubles);
+        Rangee.montre("dUnSolImmenseLesDoublesNeGardentQueQuelquesChiffres", pireEnDoubles, pire, 0);
     }
 
     /** Le pied de la perpendiculaire est à moins d'un rayon : le départ n'avance pas, et c'est le manuel. */
@@ -64,6 +68,7 @@ class LimitesSurfaceTest {
     void repartirDePresNeGagneRienAuDessusDUnSol() {
         Random hasard = new Random(36);
         double pire = 0;
+        double pireNotre = 0;
         for (int k = 0; k < 2_000; k++) {
             double r = Math.pow(10, 4 + 5 * hasard.nextDouble());
             Point C = new Point(hasard.nextGaussian(), -r - 1, hasard.nextGaussian());
@@ -72,8 +77,10 @@ class LimitesSurfaceTest {
             double exacte = new Exact(P, P.add(rayon.getV()), C, r).distance;
             double reprise = Formule.REPRISE.distance(P, rayon.getV(), C, r);
             pire = Math.max(pire, Math.abs(reprise / exacte - 1));
+            pireNotre = Math.max(pireNotre, Math.abs(new Sphere(C, r).getIntersectionDistance(rayon) / exacte - 1));
             assertEquals(exacte, new Sphere(C, r).getIntersectionDistance(rayon), 1e-13 * exacte, "graine 36, tirage " + k);
         }
+        Rangee.montre("repartirDePresNeGagneRienAuDessusDUnSol", pire, pireNotre, 0);
         assertTrue(pire > 1e-9, "erreur relative : " + pire);
     }
 
@@ -140,6 +147,7 @@ class LimitesSurfaceTest {
                 assertTrue(notre <= 1, "graine 33, taille " + taille + ", tirage " + k + " : " + notre + " tolérances");
             }
             assertTrue(faussesEnDoubles > 250, "taille " + taille + " : " + faussesEnDoubles);
+            Rangee.montre("auxLongueursDontLeCarreNEstPasUnNombreToutEstFaux", faussesEnDoubles, 0, 0);
         }
     }
 

@@ -17,6 +17,7 @@ import lancer.Sphere;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
+import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -63,6 +64,9 @@ class LimitesAntialiasTest {
             biaisNotre += notre / tirages;
         }
         assertEquals(0.5 / n, biaisNaif, 0.01 / n);
+        if (n == 1) {
+            Rangee.montre("desSousPixelsNonCentresOntUnBiaisDUnDemiSousPixel", biaisNaif, Math.rint(100 * biaisNotre) / 100, 0);
+        }
         assertEquals(0, biaisNotre, 0.01 / n);
     }
 
@@ -93,6 +97,47 @@ class LimitesAntialiasTest {
         Vue eclat = (xe, ye) -> new Couleur(xe < 0.67 && ye < 0.33 ? 10 : 0);
         assertEquals(2.0 / 9, moyenne(eclat, 0, 0, 3, 0.5, true).r, 1e-15);
         assertEquals(20.0 / 9, laNotre(eclat, 3).r, 1e-15);
+        Rangee.montre("limiterAvantDeMoyennerEteintLesBordsEblouissants", moyenne(eclat, 0, 0, 3, 0.5, true).r, laNotre(eclat, 3).r,
+                20.0 / 9);
+    }
+
+    /** La somme de la tache d'une lampe, plus petite qu'un pixel, par une méthode, en fois celle d'un échantillonnage fin : écart type. */
+    private static double tacheManquee(Echantillonnage methode) {
+        Random hasard = new Random(41);
+        double carres = 0;
+        int tirages = 40;
+        for (int k = 0; k < tirages; k++) {
+            Sphere boule = new Sphere(new Point(0.4 * hasard.nextDouble(), 0.4 * hasard.nextDouble(), 6), 1);
+            boule.setKs(new Couleur(1));
+            boule.setNs(200);
+            Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(new Point(-3, 4, -5),
+                    new Couleur(1))));
+            carres += Math.pow(tache(scene, methode) / tache(scene, new Coins(16, 0)) - 1, 2) / tirages;
+        }
+        return Math.sqrt(carres);
+    }
+
+    /** Ce que la lampe ajoute à l'image, sans aucun reflet du ciel. */
+    private static double tache(Scene scene, Echantillonnage methode) {
+        double[] somme = new double[1];
+        for (Scene s : new Scene[] {scene, new Scene(scene.getObjets(), Collections.emptyList())}) {
+            somme[0] = -somme[0];
+            new Lancer(s.avec(s.getModele().avec(methode, 0)), new Camera(12, 12))
+                    .TracerPixels((couleur, i, j) -> somme[0] += couleur.v, 0, 1);
+        }
+        return -somme[0];
+    }
+
+    /** Une tache plus petite qu'un pixel : un rayon la voit trop grande, ou pas du tout ; les coins n'y ont rien vu non plus. */
+    @Test
+    void uneTachePlusPetiteQuUnPixelEstManqueeParToutCeQuiNEstPasLaGrille() {
+        double unRayon = tacheManquee(new Coins(1, 0));
+        double coins = tacheManquee(new Coins(8, 0.05));
+        double partage = tacheManquee(new Partage(8, 0.06));
+        double grille = tacheManquee(new Coins(8, 0));
+        assertTrue(unRayon > 0.7 && coins > 0.3 && partage > 0.3, unRayon + ", coins " + coins + ", partage " + partage);
+        assertTrue(grille < 0.1, "la grille : " + grille);
+        Rangee.montre("uneTachePlusPetiteQuUnPixelEstManqueeParToutCeQuiNEstPasLaGrille", unRayon, grille, 0);
     }
 
     private static Couleur[] image(Scene modele, Echantillonnage echantillonnage, int cote) {

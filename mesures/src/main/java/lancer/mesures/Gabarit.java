@@ -2,6 +2,7 @@ package lancer.mesures;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -43,11 +44,7 @@ public final class Gabarit {
      * @param pas côté des carrés où semer, en pixels ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
-        this(scene, largeur, hauteur, semer(largeur, hauteur, pas));
-    }
-
-    /** @param semes où la mesurer, par rang de pixel */
-    public Gabarit(Scene scene, int largeur, int hauteur, boolean... semes) {
+        boolean[] semes = semer(largeur, hauteur, pas);
         pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
         a = image(scene, largeur, hauteur, semes, 1).getComposantes();
         b = image(scene, largeur, hauteur, semes, 2).getComposantes();
@@ -71,7 +68,8 @@ public final class Gabarit {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
                     if (semes[j * largeur + i]) {
-                        toile.drawPixel(couleur(vue, i, j, new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i)), i, j);
+                        SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
+                        toile.drawPixel(moyenne(vue, i, j, COTE, hasard::nextDouble), i, j);
                     }
                 }
             }
@@ -81,18 +79,17 @@ public final class Gabarit {
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
     }
 
-    private static Couleur couleur(Vue vue, int i, int j, SplittableRandom hasard) {
+    /**
+     * Un rayon dans chaque sous-pixel d'un pixel, et leur moyenne.
+     *
+     * @param ou où, dans un sous-pixel, de 0 à 1 : demandé pour x, puis pour y
+     */
+    public static Couleur moyenne(Vue vue, int i, int j, int cote, DoubleSupplier ou) {
         Couleur somme = new Couleur();
-        for (int k = 0; k < COTE * COTE; k++) {
-            somme = somme.add(vue.couleur(i + (k % COTE + hasard.nextDouble()) / COTE,
-                    j + (k / COTE + hasard.nextDouble()) / COTE));
+        for (int k = 0; k < cote * cote; k++) {
+            somme = somme.add(vue.couleur(i + (k % cote + ou.getAsDouble()) / cote, j + (k / cote + ou.getAsDouble()) / cote));
         }
-        return somme.div(COTE * COTE);
-    }
-
-    /** Les rangs des pixels semés, dans l'ordre de {@link #carres}. */
-    public int[] getPixels() {
-        return pixels;
+        return somme.div(cote * cote);
     }
 
     /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
@@ -113,13 +110,6 @@ public final class Gabarit {
         double[] x = image.getComposantes();
         return (double) Arrays.stream(pixels).filter(p -> IntStream.range(3 * p, 3 * p + 3)
                 .anyMatch(k -> Math.abs(niveau(x[k]) - (niveau(a[k]) + niveau(b[k])) / 2) > VISIBLE)).count() / pixels.length;
-    }
-
-    /** La vérité des pixels semés, connue de {@value #RAYONS} rayons chacun : pour la montrer. */
-    public ImageLineaire moyenne(int largeur, int hauteur) {
-        ImageLineaire moyenne = new ImageLineaire(largeur, hauteur);
-        Arrays.setAll(moyenne.getComposantes(), k -> (a[k] + b[k]) / 2);
-        return moyenne;
     }
 
     private static double niveau(double composante) {

@@ -46,7 +46,7 @@ public final class Intervalle {
             moins += tant;
             laisses++;
         }
-        return new Intervalle(Math.sqrt(tries[(n - 1) / 2] * tries[n / 2]), tries[laisses], tries[n - 1 - laisses]);
+        return new Intervalle(mediane(tries), tries[laisses], tries[n - 1 - laisses]);
     }
 
     /** Intervalle de la moyenne ; d'un seul, on ne sait rien d'autre que lui. */
@@ -71,9 +71,10 @@ public final class Intervalle {
         return Math.sqrt(Math.max(0, carre));
     }
 
-    /** Multiplié, et divisé, par ce facteur au plus. */
-    public Intervalle elargi(double facteur) {
-        return new Intervalle(valeur, min / facteur, max * facteur);
+    /** La médiane ; NaN de rien. */
+    public static double mediane(double... valeurs) {
+        double[] tries = Arrays.stream(valeurs).sorted().toArray();
+        return tries.length == 0 ? Double.NaN : Math.sqrt(tries[(tries.length - 1) / 2] * tries[tries.length / 2]);
     }
 
     public Intervalle fois(double facteur) {

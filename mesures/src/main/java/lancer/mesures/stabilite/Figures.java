@@ -4,7 +4,6 @@ import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.mesures.trace.FormeDePoint;
@@ -23,12 +22,10 @@ public final class Figures {
     private static final double AUCUN = 0.05;
 
     private final Bilan bilan;
-    private final Map<String, String> nombres;
     private final String note;
 
     Figures(Bilan bilan) {
         this.bilan = bilan;
-        nombres = bilan.nombres();
         note = "Pire de " + Style.nombre(bilan.max(Mesures.SOL, r -> r.essais)) + " rayons tirés au sort par abscisse, jugés sans arrondi "
                 + "(60 chiffres) ; ceux qu'un arrondi de leur direction fait changer d'avis sont laissés. Un trait s'arrête là où plus "
                 + "d'un rayon sur dix est mal classé. u = 2⁻⁵³, κ u t = u (1 + r/h) t : l'effet d'un arrondi de la direction. make mesures";
@@ -44,32 +41,24 @@ public final class Figures {
         figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
     }
 
-    private String nombre(String nom) {
-        return nombres.get("stabilite." + nom);
-    }
-
     /** A : de loin. */
     private Planche loin() {
-        Volet erreur = new Volet("Manuel : une erreur comme |P − C| à la puissance " + nombre("pente") + ". Programme, ici : "
-                + nombre("unites") + " unités au plus", "Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
+        Volet erreur = new Volet("Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
                 .repere(Bilan.PROMESSE, "K = 8, la borne promise");
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
-        Volet genre = new Volet("À " + nombre("bout") + " r, le manuel se trompe " + nombre("bout.manuel") + " fois sur cent",
-                "Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
+        Volet genre = new Volet("Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
         courbes(genre, Mesures.LOIN, r -> Math.max(AUCUN, 100 * r.part()), false);
-        return new Planche("De loin : le manuel se perd dès " + nombre("perdu") + " r ; le programme, "
-                + nombre("loin.programme"), note).volet(erreur).volet(genre);
+        return new Planche("De loin", note).volet(erreur).volet(genre);
     }
 
     /** B : au ras. */
     private Planche ras() {
-        return new Planche("Au ras : le programme se trompe au plus de " + nombre("ras.unites") + " fois l'effet d'un arrondi", note)
+        return new Planche("Au ras", note)
                 .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
     }
 
     private Volet rasant(String figure, double distance) {
-        Volet volet = new Volet("L'erreur du manuel est " + nombre(figure + ".rapport") + " fois celle du programme",
-                "À " + Style.nombre(distance) + " r du centre", "1 − l/r, vers la tangente", ERREUR).versZero();
+        Volet volet = new Volet("À " + Style.nombre(distance) + " r du centre", "1 − l/r, vers la tangente", ERREUR).versZero();
         courbes(volet, figure, r -> r.erreurRelative, true);
         return volet.serie(guide("8 u (1 + r/h), la borne promise", Style.GRIS, figure, Bilan.PROMESSE))
                 .serie(guide("u (1 + r/h), l'effet d'un arrondi", Style.FRONT, figure, 1));
@@ -84,19 +73,16 @@ public final class Figures {
 
     /** C : le sol, et ce qui est posé dessus. */
     private Planche sol() {
-        Volet sol = new Volet("Sur un sol de " + nombre("sol") + ", il reste " + nombre("sol.manuel") + " chiffres au manuel, "
-                + nombre("sol.programme") + " au programme", "Un œil à hauteur 1", "rayon du sol", ERREUR);
+        Volet sol = new Volet("Un œil à hauteur 1", "rayon du sol", ERREUR);
         courbes(sol, Mesures.SOL, r -> r.erreurRelative, true);
-        Volet pose = new Volet("À 10⁻¹⁶ r, le manuel se trompe de côté " + nombre("pose.manuel") + ", le programme "
-                + nombre("pose.programme"), "Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
+        Volet pose = new Volet("Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
         courbes(pose, Mesures.POSE, r -> r.erreurRelative, true);
-        return new Planche("Près d'une surface : le programme garde " + nombre("sol.programme") + " chiffres justes, la perpendiculaire "
-                + nombre("sol.perpendiculaire"), note).volet(sol).volet(pose);
+        return new Planche("Près d'une surface", note).volet(sol).volet(pose);
     }
 
     /** D : des boules plus petites qu'un pixel. */
     private Planche petites() {
-        Volet volet = new Volet("", "", "rayon des boules, en pixels", "erreur, en niveaux");
+        Volet volet = new Volet("", "rayon des boules, en pixels", "erreur, en niveaux");
         Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
             {"coins", "coins, 4 × 4", Style.ORANGE, FormeDePoint.TRIANGLE},
             {PetitesBoules.SANS, "partage, si rien ne lui dit où sont les boules", Style.CIEL, FormeDePoint.POINTE},
@@ -110,16 +96,14 @@ public final class Figures {
                     siennes.stream().filter(r -> r.erreurRelative > 0).map(r -> Marque.en(r.x, r.erreurRelative))
                     .collect(Collectors.toList())));
         }
-        return new Planche("Des boules de " + nombre("petites.x") + " pixel : partage se trompe de " + nombre("petites.partage_aveugle")
-                + " niveaux si rien ne lui dit où elles sont, de " + nombre("petites.partage") + " sinon, pour " + nombre("petites.prix")
-                + " fois moins de rayons que la grille", "Des boules noires sur le ciel, au hasard auprès des pixels. La forme close : la "
-                + "racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés là ; pour "
-                + "coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
+        return new Planche("Des boules plus petites qu'un pixel", "Des boules noires sur le ciel, au hasard auprès des pixels. La forme "
+                + "close : la racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés "
+                + "là ; pour coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
     }
 
     /** E : d'un reflet à l'autre. */
     private Planche reflets() {
-        Volet volet = new Volet("", "", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
+        Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
                 "la boule elle-même est perdue");
         Object[][] series = {{"float", "float", Style.ORANGE, FormeDePoint.TRIANGLE},
             {"double", "double", Style.VERMILLON, FormeDePoint.ROND},
@@ -129,8 +113,7 @@ public final class Figures {
             volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, bilan.de(Reflets.FIGURE, (String) s[0]).stream()
                     .map(r -> Marque.en(r.x, r.erreurRelative)).collect(Collectors.toList())));
         }
-        return new Planche("Chaque reflet entre petites boules prend " + nombre("reflets.perte") + " chiffre : le dernier d'un double part "
-                + "au " + nombre("reflets.double") + "e, d'un float au " + nombre("reflets.float") + "e", "Erreur médiane de "
+        return new Planche("De reflet en reflet, entre petites boules", "Erreur médiane de "
                 + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais) + " chaînes de boules de rayon 1, à des distances de 5 "
                 + "à 40, jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à "
                 + "un arrondi près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);

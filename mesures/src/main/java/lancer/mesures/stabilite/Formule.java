@@ -52,7 +52,7 @@ public enum Formule {
             n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
 
     /** La nôtre encore, dans une recherche : un doute n'est tranché que si cette sphère peut être la plus proche. */
-    RECHERCHE("le programme, dans une recherche", Style.VERMILLON, FormeDePoint.CARRE, (avant, n, k) -> {
+    RECHERCHE("le programme, dans une recherche", Style.ORANGE, FormeDePoint.CARRE, (avant, n, k) -> {
         double d = Intersection.distanceOuDoute(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8],
                 n[k + 9]);
         return d >= 0 ? d : Intersection.auMoins(d) > avant ? Constantes.INFINI : Intersection.trancher(n[k], n[k + 1], n[k + 2],

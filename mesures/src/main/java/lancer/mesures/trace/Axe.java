@@ -33,7 +33,8 @@ final class Axe extends LogAxis {
     @Override
     public List<NumberTick> refreshTicks(Graphics2D g2, AxisState state, Rectangle2D dataArea, RectangleEdge edge) {
         boolean horizontal = RectangleEdge.isTopOrBottom(edge);
-        TextAnchor ancre = horizontal ? TextAnchor.TOP_CENTER : TextAnchor.CENTER_RIGHT;
+        TextAnchor ancre = !horizontal ? TextAnchor.CENTER_RIGHT : edge == RectangleEdge.TOP ? TextAnchor.BOTTOM_CENTER
+                : TextAnchor.TOP_CENTER;
         FontMetrics mesures = g2.getFontMetrics(getTickLabelFont());
         List<NumberTick> graduations = new ArrayList<>();
         for (int finesse = 0; ; finesse++) {

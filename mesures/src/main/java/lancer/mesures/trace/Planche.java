@@ -29,9 +29,6 @@ import org.jfree.chart.ui.VerticalAlignment;
  */
 public final class Planche {
 
-    /** Vignettes d'une rangée. */
-    private static final int VIGNETTES = 3;
-
     private String titre;
     private final String note;
     private final List<Volet> volets = new ArrayList<>();
@@ -39,6 +36,7 @@ public final class Planche {
     /** Des images en rangées, chacune sous son nom et ce qu'il y a à en dire, d'une ligne chacun. */
     private final List<BufferedImage> vignettes = new ArrayList<>();
     private final List<String[]> noms = new ArrayList<>();
+    private int vignettesParRangee = 3;
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
     private int hauteur = Style.HAUTEUR;
@@ -68,6 +66,12 @@ public final class Planche {
     /** Tant de volets par rangée. */
     public Planche colonnes(int colonnes) {
         this.colonnes = colonnes;
+        return this;
+    }
+
+    /** Tant de vignettes par rangée. */
+    public Planche vignettes(int parRangee) {
+        vignettesParRangee = parRangee;
         return this;
     }
 
@@ -105,12 +109,10 @@ public final class Planche {
         bas -= Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, false);
         Style.texte(g, note, Style.NOTE, Style.GRIS, Style.MARGE, bas, utile, true);
         bas -= legender(g, bas, utile) + 10;
-        montrer(g, haut, utile / VIGNETTES, bas - haut - 10);
+        montrer(g, haut, utile / vignettesParRangee, bas - haut - 10);
         int parRangee = Math.min(colonnes, volets.size());
-        double parts = IntStream.range(0, volets.size()).filter(k -> k % parRangee == 0).mapToDouble(k -> volets.get(k).part).sum();
-        double reste = bas - haut;
+        double h = volets.isEmpty() ? 0 : (bas - haut) / ((volets.size() + parRangee - 1) / parRangee);
         for (int k = 0; k < volets.size(); k += parRangee) {
-            double h = reste * volets.get(k).part / parts;
             rangee(g, volets.subList(k, Math.min(volets.size(), k + parRangee)), haut, h - 10);
             haut += h;
         }
@@ -120,7 +122,7 @@ public final class Planche {
 
     /** Les vignettes, agrandies sans les lisser. */
     private void montrer(Graphics2D g, double haut, double largeur, double place) {
-        double hauteur = place / ((vignettes.size() + VIGNETTES - 1) / VIGNETTES);
+        double hauteur = place / ((vignettes.size() + vignettesParRangee - 1) / vignettesParRangee);
         double ligne = g.getFontMetrics(Style.TEXTE).getHeight();
         g.setStroke(Style.TRAIT_FIN);
         for (int k = 0; k < vignettes.size(); k++) {
@@ -128,8 +130,8 @@ public final class Planche {
             double echelle = Math.min((largeur - 12) / image.getWidth(), (hauteur - 2 * ligne - 18) / image.getHeight());
             int l = (int) (echelle * image.getWidth());
             int h = (int) (echelle * image.getHeight());
-            int x = (int) (Style.MARGE + k % VIGNETTES * largeur + (largeur - l) / 2);
-            double y = haut + k / VIGNETTES * hauteur;
+            int x = (int) (Style.MARGE + k % vignettesParRangee * largeur + (largeur - l) / 2);
+            double y = haut + k / vignettesParRangee * hauteur;
             Style.texte(g, noms.get(k)[0], Style.TEXTE, Style.ENCRE, x, y, largeur, true);
             Style.texte(g, noms.get(k)[1], Style.TEXTE, Style.GRIS, x, y + ligne, largeur, true);
             g.drawImage(image, x, (int) (y + 2 * ligne + 4), l, h, null);

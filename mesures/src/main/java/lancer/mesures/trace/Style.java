@@ -100,6 +100,11 @@ public final class Style {
         return chiffres(valeur, 2);
     }
 
+    /** Erreur d'une image : « 0,29 niveau ». */
+    public static String niveaux(double erreur) {
+        return arrondi(erreur) + (erreur < 2 ? " niveau" : " niveaux");
+    }
+
     /** « 10⁵ », « 2,5 × 10⁻⁷ ». */
     public static String puissance(double valeur) {
         int exposant = (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9);

@@ -13,11 +13,10 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
+import org.jfree.chart.axis.AxisLocation;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.ValueAxis;
-import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
@@ -41,35 +40,58 @@ public final class Volet {
     private static final double GAUCHE = 120;
 
     private final String constat;
-    private final String sujet;
     private final String nomX;
     private final String nomY;
     private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
     private final Map<Double, String> niveaux = new LinkedHashMap<>();
-    private double zone;
     private boolean versZero;
+    private boolean mieux;
 
-    /** Part qu'il prend de la hauteur d'une planche, ses voisins d'au-dessus et d'au-dessous en prenant autant. */
-    double part = 1;
+    /** Abscisse qui vaut 1 sur l'échelle du haut, 0 s'il n'y en a pas, et le nom de cette échelle. */
+    private double un;
+    private String nomHaut;
+
+    /** Ce que les axes doivent montrer de plus : d'autres volets ont les mêmes. */
+    private Range autresX;
+    private Range autresY;
     private Axe axeX;
     private Axe axeY;
 
     /**
-     * @param constat ce que l'on y voit, en une phrase
-     * @param sujet de quoi il s'agit, vide si le titre de la planche le dit
+     * @param constat ce que l'on y voit, vide si le titre de la planche le dit
      */
-    public Volet(String constat, String sujet, String nomX, String nomY) {
+    public Volet(String constat, String nomX, String nomY) {
         this.constat = constat;
-        this.sujet = sujet;
         this.nomX = nomX;
         this.nomY = nomY;
     }
 
-    /** Donne tant de fois la hauteur de ceux d'une autre rangée. */
-    public Volet part(double fois) {
-        part = fois;
+    /** Une seconde échelle, au-dessus, où cette abscisse vaut 1 ; une barre peut sortir du cadre, un point non. */
+    public Volet enHaut(double abscisse, String nom) {
+        un = abscisse;
+        nomHaut = nom;
         return this;
+    }
+
+    /** Une flèche, dans le coin du bas à gauche : c'est là qu'il faut aller. */
+    public Volet mieux() {
+        mieux = true;
+        return this;
+    }
+
+    /** Ces volets auront les mêmes axes, où tient ce que montre chacun. */
+    public static void memesAxes(List<Volet> volets) {
+        Range x = null;
+        Range y = null;
+        for (Volet v : volets) {
+            x = Range.combine(x, DatasetUtils.iterateDomainBounds(v.donnees(v.series), v.un == 0));
+            y = Range.combine(y, DatasetUtils.iterateRangeBounds(v.donnees(v.series), true));
+        }
+        for (Volet v : volets) {
+            v.autresX = x;
+            v.autresY = y;
+        }
     }
 
     /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
@@ -86,30 +108,15 @@ public final class Volet {
         return this;
     }
 
-    /** La ligne des marques que rien ne bat, derrière tout le reste. */
-    public Volet front(List<Marque> marques) {
-        return serie(new Serie("le front : rien ne le bat", Style.FRONT, FormeDePoint.AUCUNE, true, marques));
-    }
-
     /** Une droite horizontale en pointillé, et ce qu'elle veut dire. */
     public Volet repere(double y, String nom) {
         niveaux.put(y, nom);
         return this;
     }
 
-    /** Ordonnée au-dessous de laquelle tout est ombré, et ce que cela veut dire. */
-    public Volet zone(double haut, String nom) {
-        zone = haut;
-        return repere(haut, nom);
-    }
-
     /** Noms de la légende, une fois pour toute la planche. */
     LegendItemCollection legende() {
-        LegendItemCollection signes = plot().getLegendItems();
-        if (series.stream().anyMatch(s -> s.marques.stream().anyMatch(m -> m.cerclee))) {
-            signes.add(new LegendItem("défaut", null, null, null, FormeDePoint.ANNEAU, Style.TRAIT, Style.NOIR));
-        }
-        return signes;
+        return plot().getLegendItems();
     }
 
     /** La hauteur de ce qui s'écrit au-dessus, dans cette largeur. */
@@ -118,8 +125,7 @@ public final class Volet {
     }
 
     private double ecrire(Graphics2D g, double x, double y, double largeur, boolean vraiment) {
-        double haut = Style.texte(g, constat, Style.CONSTAT, Style.ENCRE, x, y, largeur - 2 * RETRAIT, vraiment);
-        return haut + Style.texte(g, sujet, Style.TEXTE, Style.GRIS, x, y + haut, largeur - 2 * RETRAIT, vraiment);
+        return Style.texte(g, constat, Style.CONSTAT, Style.ENCRE, x, y, largeur - 2 * RETRAIT, vraiment);
     }
 
     /**
@@ -154,29 +160,36 @@ public final class Volet {
         plot.setRangeGridlinePaint(Style.GRILLE);
         plot.setDomainGridlineStroke(Style.TRAIT_FIN);
         plot.setRangeGridlineStroke(Style.TRAIT_FIN);
-        if (zone > 0) {
-            IntervalMarker bande = new IntervalMarker(axeY.getLowerBound(), zone, Style.BANDE);
-            bande.setAlpha(1);
-            plot.addRangeMarker(bande, Layer.BACKGROUND);
+        if (un > 0) {
+            Axe haut = new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un);
+            habiller(haut);
+            plot.setDomainAxis(1, haut);
+            plot.setDomainAxisLocation(1, AxisLocation.TOP_OR_LEFT);
         }
         niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
         return plot;
     }
 
     private void axes(XYIntervalSeriesCollection montrees) {
-        axeX = axe(nomX, DatasetUtils.iterateDomainBounds(montrees, true));
+        axeX = axe(nomX, Range.combine(autresX, DatasetUtils.iterateDomainBounds(montrees, un == 0)));
         axeX.setInverted(versZero);
-        Range y = DatasetUtils.iterateRangeBounds(montrees, true);
-        axeY = axe(nomY, zone > 0 ? Range.expandToInclude(Range.expandToInclude(y, zone), zone / 2) : y);
-        for (ValueAxis axe : new ValueAxis[] {axeX, axeY}) {
-            axe.setLabelFont(Style.TEXTE);
-            axe.setLabelPaint(Style.ENCRE);
-            axe.setTickLabelFont(Style.TEXTE);
-            axe.setTickLabelPaint(Style.ENCRE);
-            axe.setAxisLinePaint(Style.GRIS);
-            axe.setTickMarkPaint(Style.GRIS);
-            axe.setMinorTickMarksVisible(false);
+        Range y = Range.combine(autresY, DatasetUtils.iterateRangeBounds(montrees, true));
+        for (double niveau : niveaux.keySet()) {
+            y = Range.expandToInclude(y, niveau);
         }
+        axeY = axe(nomY, y);
+        habiller(axeX);
+        habiller(axeY);
+    }
+
+    private static void habiller(ValueAxis axe) {
+        axe.setLabelFont(Style.TEXTE);
+        axe.setLabelPaint(Style.ENCRE);
+        axe.setTickLabelFont(Style.TEXTE);
+        axe.setTickLabelPaint(Style.ENCRE);
+        axe.setAxisLinePaint(Style.GRIS);
+        axe.setTickMarkPaint(Style.GRIS);
+        axe.setMinorTickMarksVisible(false);
     }
 
     /** Axe qui dépasse ce qui s'y montre : une marque au bord doit y tenir. */
@@ -258,12 +271,15 @@ public final class Volet {
                 avant = ici;
             }
         }
+        if (mieux) {
+            fleche(g, noms, cadre.getMinX() + 30, cadre.getMaxY() - 30);
+        }
         niveaux.forEach((niveau, nom) -> {
             double y = py(niveau, cadre);
             noms.reserver(cadre.getMinX(), y, cadre.getMaxX(), y);
             // à droite s'il y a de la place, sinon un peu moins
             DoubleStream.iterate(cadre.getMaxX(), x -> x - 20).limit((long) cadre.getWidth() / 20).anyMatch(
-                    x -> noms.ecrire(nom, x, y + (zone == niveau ? 18 : -18), -12, Style.ETIQUETTE, Style.GRIS, false));
+                    x -> noms.ecrire(nom, x, y - 18, -12, Style.ETIQUETTE, Style.GRIS, false));
         });
         for (int s = 0; s < series.size(); s++) {
             Marque bout = series.get(s).marques.get(series.get(s).marques.size() - 1);
@@ -282,6 +298,16 @@ public final class Volet {
                 }
             }
         }
+    }
+
+    private static void fleche(Graphics2D g, Etiquettes noms, double x, double y) {
+        g.setColor(Style.ENCRE);
+        g.setStroke(Style.TRAIT);
+        g.draw(new Line2D.Double(x, y, x + 60, y - 60));
+        g.draw(new Line2D.Double(x, y, x + 24, y));
+        g.draw(new Line2D.Double(x, y, x, y - 24));
+        noms.reserver(x, y, x + 60, y - 60);
+        noms.ecrire("mieux", x + 60, y - 60, 0, Style.ETIQUETTE_DEFAUT, Style.ENCRE, false);
     }
 
     private double px(double x, Rectangle2D cadre) {

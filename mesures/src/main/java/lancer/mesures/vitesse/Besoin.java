@@ -1,13 +1,9 @@
 package lancer.mesures.vitesse;
 
-import java.lang.reflect.Array;
-import java.lang.reflect.Field;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -28,7 +24,7 @@ import lancer.mesures.scenes.Scenes;
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles", "structures", "octets");
+            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles", "structures");
 
     private final Taille taille;
     private final String nom;
@@ -52,37 +48,11 @@ final class Besoin {
         recherche = lancer.getScene().getModele().getRecherche();
     }
 
-    /** Les octets des tableaux de nombres que gardent cet objet et, s'il est de la recherche, ses champs. */
-    private static long octets(Object o, Set<Object> vus) {
-        long somme = 0;
-        if (o == null || !vus.add(o)) {
-            return somme;
-        }
-        if (o instanceof Object[]) {
-            for (Object element : (Object[]) o) {
-                somme += octets(element, vus);
-            }
-        } else if (o.getClass().isArray()) {
-            somme = Array.getLength(o) * (o instanceof double[] || o instanceof long[] ? 8L : o instanceof byte[] ? 1 : 4);
-        } else if (o.getClass().getName().startsWith("lancer.rapide.")) {
-            try {
-                for (Field champ : o.getClass().getDeclaredFields()) {
-                    champ.setAccessible(true);
-                    somme += champ.getType().isPrimitive() ? 0 : octets(champ.get(o), vus);
-                }
-            } catch (IllegalAccessException e) {
-                throw new IllegalStateException(e);
-            }
-        }
-        return somme;
-    }
-
     String ligne() {
         long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), utiles, ombresInutiles, recherche == null ? "boucles" : recherche,
-                octets(recherche, new HashSet<>()));
+                compteurs.rayons(), utiles, ombresInutiles, recherche == null ? "boucles" : recherche);
     }
 
     private Lancer preparer(Scene copie, double seuil) {

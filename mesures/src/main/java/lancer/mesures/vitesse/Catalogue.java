@@ -11,7 +11,6 @@ import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
-import lancer.antialias.Antialias;
 import lancer.blinn.Blinn;
 import lancer.brume.Brume;
 import lancer.contrat.Modele;
@@ -35,11 +34,10 @@ final class Catalogue {
     static final String GRILLE = "grille";
     static final String COINS = "coins";
     static final String PARTAGE = "partage";
-    static final String PROFONDEUR = "profondeur";
-    static final String SEUIL = "seuil";
-    static final String ENSEMBLE = "ensemble";
+    static final String REFLETS = "reflets";
+    static final String ENSEMBLE = "partage, tous les reflets";
     static final String POVRAY = "POV-Ray";
-    static final String AUTO = "auto";
+    static final String AUTO = "--auto";
     static final String EMBREE = "Embree";
     static final String TELLE_QUELLE = "telle quelle";
     static final String PROGRAMME = "programme";
@@ -49,8 +47,8 @@ final class Catalogue {
 
     static final String COINS_DEFAUT = "n=3 seuil=0.05";
 
-    /** Nombre de sphères jusqu'auquel les boucles du cours se mesurent ; une seule fois à celui-ci. */
-    static final int BOUCLES_MAX = 10000;
+    /** Nombre de sphères jusqu'auquel les boucles du cours se mesurent : au-delà, elles prennent des minutes. */
+    private static final int BOUCLES_MAX = 1000;
 
     private final boolean court;
 
@@ -65,7 +63,7 @@ final class Catalogue {
         final String scene;
         final List<Methode> methodes;
 
-        /** Nombre de fois que chacune, et la référence, se mesurent dans des machines virtuelles neuves : chacune donne un rapport. */
+        /** Nombre de fois que chacune, et la référence, se mesurent dans des machines virtuelles neuves ; 1 de programmes entiers. */
         final int lancements;
 
         Groupe(String famille, String scene, List<Methode> methodes, int lancements) {
@@ -73,6 +71,11 @@ final class Catalogue {
             this.scene = scene;
             this.methodes = methodes;
             this.lancements = lancements;
+        }
+
+        /** Vrai si une manche est un programme entier, de la commande au PNG ; faux si des machines virtuelles durent. */
+        boolean estDeProgrammes() {
+            return !famille.equals(DEMANDES) && !famille.equals(INTERSECTIONS);
         }
     }
 
@@ -88,9 +91,9 @@ final class Catalogue {
     /** Tout ce qui se chronomètre, dans l'ordre ; le catalogue court n'a que la scène du cours, et de petites foules. */
     List<Groupe> groupes() {
         List<Groupe> groupes = reglages();
-        // les temps de celles dont aucun réglage ne se compare
+        // la première image de celles dont aucun réglage ne se compare
         for (String scene : court ? new String[0] : new String[] {"brume", "diffus", "ombres"}) {
-            groupes.add(new Groupe(BESOINS, scene, new ArrayList<>(Collections.singletonList(new Methode(TELLE_QUELLE, ""))), 1));
+            groupes.add(new Groupe(BESOINS, scene, new ArrayList<>(Collections.singletonList(new Methode(UN_RAYON, ""))), 1));
         }
         groupes.add(new Groupe(DEMANDES, "scene1", demandes(), court ? 2 : 5));
         for (int n : court ? new int[] {1, 100} : new int[] {1, 10, 100, 1000, 10000, 100000, 1000000}) {
@@ -133,40 +136,33 @@ final class Catalogue {
                 .orElseThrow(() -> new IllegalArgumentException("pas de " + cle + " : " + famille + " " + scene));
     }
 
-    /**
-     * Tous sur la scène du cours ; ailleurs, sauf les plus chers. De {@code miroirs}, l'anticrénelage ne sert qu'à qui suit tous les
-     * reflets.
-     */
+    /** Ceux que montre la courbe d'une scène. De {@code miroirs}, l'anticrénelage ne sert qu'à qui suit tous les reflets. */
     private static List<Methode> methodes(String scene) {
         boolean miroirs = scene.equals("miroirs");
-        boolean cours = scene.equals("scene1");
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(UN_RAYON, ""));
-        for (int n : miroirs ? new int[] {2, 8} : cours ? new int[] {2, 3, 4, 8} : new int[] {2, 3, 4}) {
-            m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(Antialias.coins(n, 0)));
+        for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2}) {
+            m.add(new Methode(REFLETS, String.valueOf(p)).limitee(p, Constantes.SEUIL));
         }
-        for (int n : miroirs ? new int[] {3} : cours ? new int[] {3, 4, 8} : new int[] {3, 4}) {
-            m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(Antialias.coins(n, 0.05)));
+        for (int n : miroirs ? new int[] {2, 3} : scene.equals("scene1") ? new int[] {2, 3, 4, 8} : new int[] {2, 3, 4}) {
+            m.add(new Methode(GRILLE, n + " × " + n).echantillonnee(COINS, n, 0));
         }
-        double[][] partages = {{4, 0.1}, {3, 0.3}, {4, 0.2}, {8, 0.1}, {8, 0.06}, {16, 0.06}, {16, 0.03}, {16, 0.015}};
-        for (double[] p : Arrays.copyOf(partages, miroirs ? 1 : cours ? 8 : 7)) {
-            m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(Antialias.partage((int) p[0], p[1])));
+        for (int n : scene.equals("scene1") ? new int[] {3, 4, 8} : new int[] {3, 4}) {
+            m.add(new Methode(COINS, "n=" + n + " seuil=0.05").echantillonnee(COINS, n, 0.05));
         }
-        for (int p : miroirs ? new int[] {0, 2, 10, 20, Gabarit.PROFONDEUR} : new int[] {0, 1, 2, Gabarit.PROFONDEUR}) {
-            m.add(new Methode(PROFONDEUR, "p=" + p).limitee(p, Constantes.SEUIL));
-        }
-        for (int s : miroirs ? new int[] {16, 128} : new int[] {16}) {
-            m.add(new Methode(SEUIL, "1/" + s).limitee(Gabarit.PROFONDEUR, 1.0 / s));
+        double[][] partages = {{3, 0.3}, {4, 0.2}, {4, 0.1}, {8, 0.1}, {8, 0.06}, {16, 0.06}, {16, 0.03}};
+        for (double[] p : miroirs ? new double[0][] : partages) {
+            m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(PARTAGE, (int) p[0], p[1]));
         }
         // là seulement il faut demander les deux à la fois
-        double[][] ensembles = {{4, 0.2, 16}, {4, 0.1, 16}, {4, 0.1, 128}, {8, 0.06, 128}, {8, 0.06, 512}};
+        double[][] ensembles = {{3, 0.3, 16}, {4, 0.2, 16}, {4, 0.2, 128}, {4, 0.1, 128}, {8, 0.06, 128}, {8, 0.06, 512}};
         for (double[] e : miroirs ? ensembles : new double[0][]) {
-            m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " reflets=" + Gabarit.PROFONDEUR
-                    + " jusqu'à 1/" + (int) e[2])
-                    .echantillonnee(Antialias.partage((int) e[0], e[1])).limitee(Gabarit.PROFONDEUR, 1 / e[2]));
+            m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " jusqu'à 1/" + (int) e[2])
+                    .echantillonnee(PARTAGE, (int) e[0], e[1]).limitee(Gabarit.PROFONDEUR, 1 / e[2]));
         }
-        m.add(new Methode(POVRAY, "3 × 3 où des voisins diffèrent").parPovRay("+A0.3", "+R3", "+AM1"));
-        m.add(new Methode(POVRAY, "grille adaptative").parPovRay("+A0.03", "+R4", "+AM2"));
+        m.add(new Methode(BOUCLES, "").enBoucles());
+        m.add(new Methode(POVRAY, "grille adaptative").parPovRay("+A0.1", "+R3", "+AM2"));
+        m.add(new Methode(AUTO, "erreur=1").automatique());
         return m;
     }
 
@@ -177,9 +173,9 @@ final class Catalogue {
                 new Methode("reflets", "aucun").limitee(0, Constantes.SEUIL),
                 new Methode("brume", "").sur(s -> variee(s, v -> v.setAtmosphere(new Brume()))),
                 new Methode("Blinn", "").sur(s -> variee(s, v -> v.setSpecularite(new Blinn()))),
-                new Methode(COINS, COINS_DEFAUT).echantillonnee(Antialias.coins(3, 0.05))));
+                new Methode(COINS, COINS_DEFAUT).echantillonnee(COINS, 3, 0.05)));
         if (!court) {
-            m.add(new Methode(PARTAGE, "n=4 seuil=0.1").echantillonnee(Antialias.partage(4, 0.1)));
+            m.add(new Methode(PARTAGE, "n=4 seuil=0.1").echantillonnee(PARTAGE, 4, 0.1));
             m.add(new Methode(BOUCLES, "").enBoucles());
         }
         return m;

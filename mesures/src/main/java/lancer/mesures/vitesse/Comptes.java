@@ -10,17 +10,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.auto.Auto;
 import lancer.contrat.Compteurs;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
@@ -32,15 +30,11 @@ import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
 /**
- * Les rayons et l'erreur de chaque réglage, et la même découpe vue par quelques-uns : rien n'est chronométré, et ce que fait d'autre la
- * machine n'y change rien.
+ * Les rayons et l'erreur de chaque réglage : rien n'est chronométré, et ce que fait d'autre la machine n'y change rien.
  */
 final class Comptes {
 
     static final String CSV = "erreurs.csv";
-
-    /** Suite du nom de fichier, après la scène. */
-    static final String DECOUPES = "-decoupe.png";
 
     static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
             "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles");
@@ -53,8 +47,6 @@ final class Comptes {
 
     /** Les rayons d'une vérité, au plus : une minute de processeur. */
     private static final double VERITE = 3e8;
-
-    private static final Taille DECOUPE = new Taille(48, 36);
 
     private final Taille taille;
     private final PovRay povray;
@@ -69,7 +61,7 @@ final class Comptes {
         this.sortie = sortie;
     }
 
-    /** Écrit {@link #CSV} et, de chaque scène, ses découpes. */
+    /** Écrit {@link #CSV}. */
     void ecrire(List<Catalogue.Groupe> groupes) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(String.join(",", COLONNES));
@@ -77,18 +69,11 @@ final class Comptes {
             sortie.println("erreurs et rayons de " + groupe.scene);
             Path fichier = Scenes.fichier(groupe.scene, dossier);
             Gabarit gabarit = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, pas(fichier));
-            Map<Releve, ImageLineaire> images = new LinkedHashMap<>();
-            List<Methode> methodes = new ArrayList<>(groupe.methodes);
-            methodes.add(new Methode(Catalogue.AUTO, "1 niveau"));
-            for (Methode methode : methodes) {
+            for (Methode methode : groupe.methodes) {
                 if (povray != null || !methode.povray) {
-                    ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-                    Releve releve = new Releve(compter(groupe.scene, fichier, methode, gabarit, image));
-                    images.put(releve, image);
-                    lignes.add(releve.ligne(COLONNES));
+                    lignes.add(new Releve(compter(groupe.scene, fichier, methode, gabarit)).ligne(COLONNES));
                 }
             }
-            decouper(groupe.scene, fichier, images, gabarit);
         }
         Files.write(dossier.resolve(CSV), lignes, StandardCharsets.UTF_8);
     }
@@ -100,8 +85,8 @@ final class Comptes {
         return (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
     }
 
-    private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit, ImageLineaire image)
-            throws IOException {
+    private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit) throws IOException {
+        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         Map<String, String> champs = Releve.champs("famille", Catalogue.METHODES, "scene", nom, "methode", methode.nom, "parametres",
                 methode.parametres, "largeur", taille.largeur, "hauteur", taille.hauteur);
         Scene scene = Scenes.lire(fichier);
@@ -109,12 +94,13 @@ final class Comptes {
             SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
             Raster rouge = jugee.dessiner(methode.options);
             champs.put("rayons", String.valueOf(povray.rayons()));
-            double[] dessinee = jugee.image(rouge, methode.options).getComposantes();
-            System.arraycopy(dessinee, 0, image.getComposantes(), 0, dessinee.length);
+            image = jugee.image(rouge, methode.options);
         } else {
-            Compteurs c = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image).lancer.getCompteurs()
-                    : methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
-            champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()));
+            Auto auto = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image) : null;
+            Compteurs c = auto == null ? methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils)
+                    : auto.lancer.getCompteurs();
+            champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()
+                    + (auto == null ? 0 : auto.getRayonsDesEssais())));
         }
         Intervalle erreur = Intervalle.deLaRacine(gabarit.carres(image));
         champs.putAll(Releve.champs("erreur", Releve.reel(erreur.valeur), "erreur_min", Releve.reel(erreur.min),
@@ -156,54 +142,11 @@ final class Comptes {
         planche.ecrire(dossier.resolve(PROGRAMMES));
     }
 
-    private static BufferedImage image(ImageLineaire lineaire, Taille taille) {
+    static BufferedImage image(ImageLineaire lineaire, Taille taille) {
         BufferedImage image = new BufferedImage(taille.largeur, taille.hauteur, BufferedImage.TYPE_INT_RGB);
         for (int k = 0; k < taille.pixels(); k++) {
             image.setRGB(k % taille.largeur, k / taille.largeur, lineaire.getCouleur(k).getCode());
         }
         return image;
-    }
-
-    // ---- la découpe
-
-    /** Un rayon, les méthodes au prix de quatre rayons à peu près, et la vérité, là où un rayon se trompe le plus. */
-    private void decouper(String scene, Path fichier, Map<Releve, ImageLineaire> images, Gabarit gabarit) throws IOException {
-        List<Releve> tous = new ArrayList<>(images.keySet());
-        double un = tous.get(0).rayons();
-        int[] coin = coin(gabarit.getPixels(), gabarit.carres(images.get(tous.get(0))));
-        boolean[] decoupes = new boolean[taille.pixels()];
-        for (int k = 0; k < DECOUPE.pixels(); k++) {
-            decoupes[(coin[1] + k / DECOUPE.largeur) * taille.largeur + coin[0] + k % DECOUPE.largeur] = true;
-        }
-        ImageLineaire verite = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, decoupes)
-                .moyenne(taille.largeur, taille.hauteur);
-        Planche planche = new Planche(Noms.scene(scene) + " : " + DECOUPE.largeur + " × " + DECOUPE.hauteur
-                + " pixels, là où un rayon se trompe le plus",
-                "Chaque pixel est un carré. Prix : rayons de toutes sortes, un rayon par pixel valant 1. Erreur de l'image entière, "
-                + "en niveaux ; visiblement faux : les pixels dont une composante s'écarte de la vérité de plus de " + Gabarit.VISIBLE
-                + " niveaux. " + taille.largeur + " × " + taille.hauteur + ". make mesures").taille(1640, 1150);
-        Stream<Releve> montres = Stream.concat(Stream.of(tous.get(0)), Stream.of(Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE,
-                Catalogue.ENSEMBLE).flatMap(nom -> tous.stream().filter(r -> r.methode.equals(nom))
-                .sorted(Comparator.comparingDouble(r -> Math.abs(Math.log(r.rayons() / un / 4))))
-                .limit(nom.equals(Catalogue.PARTAGE) ? 2 : 1)));
-        montres.limit(5).sorted(Comparator.comparingDouble(Releve::rayons)).forEach(r -> planche.vignette(decoupe(images.get(r), coin),
-                Noms.etiquette(r) + " : " + Noms.prix(r.rayons() / un), Noms.niveaux(r.erreur().valeur) + " ; " + Noms.visibles(r)));
-        planche.vignette(decoupe(verite, coin), "la vérité", Gabarit.RAYONS + " rayons par pixel, sans limite de reflets")
-                .ecrire(dossier.resolve(scene + DECOUPES));
-    }
-
-    /** Le coin de la découpe dont la somme des carrés des erreurs est la plus grande, de quart en quart de découpe. */
-    private int[] coin(int[] pixels, double... carres) {
-        double[] parPixel = new double[taille.pixels()];
-        IntStream.range(0, pixels.length).forEach(p -> parPixel[pixels[p]] = carres[p]);
-        return IntStream.rangeClosed(0, 4 * (taille.hauteur - DECOUPE.hauteur) / DECOUPE.hauteur).boxed().flatMap(j ->
-                IntStream.rangeClosed(0, 4 * (taille.largeur - DECOUPE.largeur) / DECOUPE.largeur)
-                        .mapToObj(i -> new int[] {i * DECOUPE.largeur / 4, j * DECOUPE.hauteur / 4}))
-                .max(Comparator.comparingDouble(coin -> IntStream.range(0, DECOUPE.pixels()).mapToDouble(k -> parPixel[(coin[1]
-                        + k / DECOUPE.largeur) * taille.largeur + coin[0] + k % DECOUPE.largeur]).sum())).get();
-    }
-
-    private BufferedImage decoupe(ImageLineaire image, int[] coin) {
-        return image(image, taille).getSubimage(coin[0], coin[1], DECOUPE.largeur, DECOUPE.hauteur);
     }
 }

@@ -2,7 +2,6 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -74,10 +73,9 @@ final class Manches {
             return Intervalle.desRapports(valeurs(rapports, grandeur));
         }
 
-        /** Ce que prend la référence : du temps réel, la meilleure manche ; d'une autre grandeur, la médiane. */
+        /** Ce que prend la référence : la médiane. */
         double reference(int grandeur) {
-            double[] valeurs = valeurs(references, grandeur);
-            return grandeur == REEL ? Arrays.stream(valeurs).min().getAsDouble() : Intervalle.desRapports(valeurs).valeur;
+            return Intervalle.desRapports(valeurs(references, grandeur)).valeur;
         }
 
         /** Un seul rapport, leur moyenne : des manches d'une même machine virtuelle se ressemblent plus que d'une machine à l'autre. */
@@ -127,8 +125,7 @@ final class Manches {
             calme = etalon.getAsBoolean();
             essais++;
             toutes++;
-            // d'une seule manche, sans intervalle, rien ne se dira : elle peut être troublée
-            if (garde && calme || agitee || voulues == 1) {
+            if (garde && calme || agitee) {
                 references.add(r);
                 rapports.add(IntStream.range(0, Math.min(r.length, m.length)).mapToDouble(g -> m[g] / r[g]).toArray());
             } else {

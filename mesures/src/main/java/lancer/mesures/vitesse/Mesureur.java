@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import lancer.Constantes;
+import lancer.Scene;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
@@ -29,7 +29,7 @@ final class Mesureur {
     /** Programme que construit le Makefile, là où Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Durée : d'ici à cinq fois plus, une manche est longue ; celles de POV-Ray le sont toutes. */
+    /** Durée au-delà de quelques fois laquelle une manche est longue. */
     private static final double LONGUE_NS = 1e9;
 
     /** Nombre de manches au-delà duquel elles n'apprendraient rien que la machine suivante ne démente. */
@@ -52,7 +52,9 @@ final class Mesureur {
     private final PovRay povray;
     private final Circonstances circonstances = new Circonstances();
 
+    /** Ce qui suit {@code java} dans la commande du programme, et dans celle du programme qui a l'anticrénelage. */
     private final String[] lancer;
+    private final String[] antialias;
 
     /** Taille des images mesurées. */
     private Taille taille;
@@ -61,13 +63,16 @@ final class Mesureur {
      * @param povray {@code null} s'il n'est pas installé
      * @param csv où noter ; ses temporaires sont à côté
      * @param lancer ce qui suit {@code java} dans la commande du programme
+     * @param antialias de même, du programme qui a l'anticrénelage
      */
-    Mesureur(boolean court, boolean agitee, PovRay povray, Path csv, PrintStream sortie, String... lancer) throws IOException {
+    Mesureur(boolean court, boolean agitee, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias)
+            throws IOException {
         this.court = court;
         this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
         this.lancer = lancer;
+        this.antialias = antialias;
         echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
@@ -83,10 +88,9 @@ final class Mesureur {
         for (Catalogue.Groupe groupe : groupes) {
             long secondes = (System.nanoTime() - debut) / 1_000_000_000;
             sortie.println(groupe.famille + ", " + groupe.scene + ", " + taille + ", à " + secondes + " s");
-            groupe.methodes.removeIf(m -> m.povray && (povray == null || !groupe.famille.equals(Catalogue.SPHERES))
-                    || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
+            groupe.methodes.removeIf(m -> m.povray && povray == null || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
             Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
-            if (groupe.famille.equals(Catalogue.SPHERES)) {
+            if (groupe.estDeProgrammes()) {
                 enProcessus(groupe, fichier);
             } else {
                 enDessins(groupe, fichier);
@@ -94,21 +98,14 @@ final class Mesureur {
         }
     }
 
-    /**
-     * Nombre de manches, autant qu'il en tient en quelques secondes : une seule est à la merci d'un accident, leur médiane non. De longues,
-     * il y en a moins, mais chacune est déjà une moyenne. C'est décidé avant la première.
-     */
-    private int voulues(Catalogue.Groupe groupe, double mancheNs) {
-        double tiennent = LONGUE_NS * (court ? 0.2 : groupe.lancements > 1 ? 2 : 2.5) / mancheNs;
-        int moins = groupe.lancements > 1 || mancheNs > 5 * LONGUE_NS ? 3 : mancheNs > LONGUE_NS ? 4 : 5;
-        return agitee ? 2 : (int) Math.max(moins, Math.min(MANCHES_MAX, tiennent));
+    /** Nombre de manches d'une paire de machines virtuelles, autant qu'il en tient en deux secondes. C'est décidé avant la première. */
+    private int voulues(double mancheNs) {
+        return agitee ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, LONGUE_NS * (court ? 0.2 : 2) / mancheNs));
     }
 
-    /** Les mêmes, de programmes entiers. */
-    private int voulues(Methode methode, int spheres) {
-        double travail = (double) spheres * taille.pixels();
-        boolean longue = travail >= (methode.boucles ? 4.8e8 : methode.povray ? 4.8e10 : 4.8e11);
-        return methode.boucles && spheres >= Catalogue.BOUCLES_MAX ? 1 : court || agitee ? 2 : longue ? 3 : spheres > 10_000 ? 5 : 9;
+    /** Les mêmes, de programmes entiers : leurs titres n'en disent rien à moins de cinq. */
+    private int manchesEntieres(double mancheNs) {
+        return court || agitee ? 2 : mancheNs < 1.5 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
     }
 
     // ---- des machines virtuelles qui durent
@@ -136,13 +133,8 @@ final class Mesureur {
     private Manches.Temps chronometrer(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes,
             Map<String, String> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(groupe, reperes.dureeNs + machine.dureeNs));
-            // d'une intersection, il n'y en a qu'un, vide
-            String[] comptes = machine.demander("finir").split(" ");
-            String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
-            for (int k = 0; k < comptes.length; k++) {
-                champs.put(noms[k], comptes[k]);
-            }
+            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(reperes.dureeNs + machine.dureeNs));
+            champs.putAll(Ouvrier.champs(machine.demander("finir")));
             return temps;
         }
     }
@@ -179,22 +171,15 @@ final class Mesureur {
     // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        int spheres = Scenes.lire(fichier).getObjets().size();
+        Scene scene = Scenes.lire(fichier);
         for (Methode methode : groupe.methodes) {
             Map<String, String> champs = new HashMap<>();
+            // le programme, face à lui-même sur une seule boule ; tout le reste, face à lui sur la même scène
             boolean leNotre = methode.nom.equals(Catalogue.PROGRAMME);
-            // le programme, face à lui-même sur une seule boule ; les autres, face à lui sur leur scène
             Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier, lancer);
-            Programme programme = new Programme("image.png", fichier,
-                    methode.jar == null ? lancer : new String[] {"-jar", methode.jar.toString()}, methode.options);
-            Manches.Echantillon echantillon = leNotre ? programme : () -> {
-                double[] pris = programme.prendre();
-                if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
-                    throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
-                            + methode.parametres);
-                }
-                return pris;
-            };
+            Programme programme = new Programme("image.png", avec(methode, fichier), methode.jar != null
+                    ? new String[] {"-jar", methode.jar.toString()} : methode.antialias ? antialias : lancer, methode.options);
+            Manches.Echantillon echantillon = programme;
             if (methode.povray) {
                 SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
                         taille.hauteur);
@@ -206,22 +191,30 @@ final class Mesureur {
                 echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                         dossier.resolve("embree.ppm")).reussi().pris;
             }
-            Manches.Temps temps = manches.mesurer(repere, echantillon, voulues(methode, spheres));
+            // une fois chacun pour rien : le disque est chaud, et l'on sait combien de manches tiennent
+            double mancheNs = repere.prendre()[Manches.REEL] + echantillon.prendre()[Manches.REEL];
+            Manches.Temps temps = manches.mesurer(repere, echantillon, manchesEntieres(mancheNs));
             champs.put("lancements", String.valueOf(temps.rapports.size()));
             if (methode.nom.equals(Catalogue.EMBREE)) {
                 Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
-            } else if (leNotre) {
-                champs.putAll(programme.statistiques());
-                // le moins qui en dise quelque chose quand chacun essaie un million de sphères par rayon
-                int pixels = Math.max(64, Math.min(2000, 100_000_000 / spheres));
-                Ouvrier.pixels(fichier, taille, pixels, programme.png);
-                champs.put("pixels_verifies", String.valueOf(pixels));
-            } else if (!methode.povray) {
+            } else if (methode.boucles || methode.jar != null) {
+                if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
+                    throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
+                            + methode.parametres);
+                }
                 champs.put("pixels_verifies", String.valueOf(taille.pixels()));
+            } else if (!methode.povray) {
+                champs.putAll(Ouvrier.controler(methode, scene, taille, programme.png));
             }
-            noter(groupe, methode, spheres, champs, temps);
+            noter(groupe, methode, scene.getObjets().size(), champs, temps);
         }
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
+    }
+
+    /** La scène, et la section de cette méthode. */
+    private Path avec(Methode methode, Path fichier) throws IOException {
+        return methode.section.isEmpty() ? fichier : Files.write(dossier.resolve("antialias.ini"), (new String(Files.readAllBytes(fichier),
+                StandardCharsets.UTF_8) + "\n" + methode.section).getBytes(StandardCharsets.UTF_8));
     }
 
     /** De la commande au PNG écrit : un échantillon est un programme. */
@@ -241,16 +234,6 @@ final class Mesureur {
         @Override
         public double[] prendre() throws IOException {
             return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi().pris;
-        }
-
-        /** Comptes d'un dessin, par nos noms de colonnes : le programme les dit si on le lui demande, et y met du temps. */
-        Map<String, String> statistiques() throws IOException {
-            commande.add("--statistiques");
-            String dit = new Lancement(dossier.resolve("pris"), commande.toArray()).reussi().dit;
-            return Arrays.stream(dit.split("\n")).map(l -> l.split(": ")).filter(l -> l.length == 2)
-                    // « rayons.ombre » se note dans ombre, « tests.spheres » dans tests
-                    .collect(Collectors.toMap(l -> l[0].replaceAll("^(rayons|pixels)\\.|\\.(spheres|visites)$", ""), l -> l[1],
-                            (a, b) -> b));
         }
     }
 

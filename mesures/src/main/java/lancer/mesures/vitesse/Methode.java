@@ -2,6 +2,8 @@ package lancer.mesures.vitesse;
 
 import java.nio.file.Path;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
@@ -23,6 +25,12 @@ final class Methode {
     /** Options de la commande, du programme ou de POV-Ray. */
     String[] options = {};
 
+    /** Section {@code [Antialias]} à ajouter à la scène, vide s'il n'en faut pas. */
+    String section = "";
+
+    /** Vrai pour le programme qui a l'anticrénelage. */
+    boolean antialias;
+
     /** Vrai pour les boucles du cours. */
     boolean boucles;
 
@@ -41,15 +49,25 @@ final class Methode {
         this.parametres = parametres;
     }
 
-    Methode echantillonnee(Echantillonnage autre) {
-        echantillonnage = autre;
+    /** @param laquelle {@code coins} ou {@code partage} */
+    Methode echantillonnee(String laquelle, int n, double contraste) {
+        echantillonnage = laquelle.equals(Catalogue.PARTAGE) ? Antialias.partage(n, contraste) : Antialias.coins(n, contraste);
+        section = "[Antialias]\nmethode=" + laquelle + "\nn=" + n + "\nseuil=" + contraste + "\n";
+        antialias = true;
         return this;
     }
 
     Methode limitee(int autreProfondeur, double autreSeuil) {
         profondeur = autreProfondeur;
         seuil = autreSeuil;
+        options = ("--reflets " + profondeur + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil)).split(" ");
         return this;
+    }
+
+    /** Ce qu'il faut écrire pour l'avoir : dans la scène, puis dans la commande. */
+    String ecrit() {
+        return Stream.of(section.trim().replace('\n', ' '), String.join(" ", options)).filter(s -> !s.isEmpty())
+                .map(s -> "`" + s + "`").collect(Collectors.joining(", "));
     }
 
     /** Une fois la scène changée ainsi. */
@@ -62,6 +80,13 @@ final class Methode {
     Methode enBoucles() {
         boucles = true;
         options = new String[] {"--simple"};
+        return this;
+    }
+
+    /** Le programme choisit. */
+    Methode automatique() {
+        antialias = true;
+        options = new String[] {nom, parametres};
         return this;
     }
 

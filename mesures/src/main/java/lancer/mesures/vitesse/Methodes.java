@@ -1,8 +1,11 @@
 package lancer.mesures.vitesse;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
-import java.util.Map;
-import java.util.TreeMap;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Exactitude;
@@ -38,27 +41,14 @@ final class Methodes {
         return r.rapport().fois(1e6 * r.nombre("reference_ms") / Noyau.DISTANCES);
     }
 
-    /** Le temps d'une méthode, celui du manuel valant 1 : un rapport seulement si l'intervalle dit lequel est le plus long. */
-    private String cout(Regime regime, Formule methode) {
-        Intervalle i = le(regime, methode).rapport();
-        return i.nettementSous(Intervalle.exact(1)) || Intervalle.exact(1).nettementSous(i) ? "× " + Style.arrondi(i.valeur)
-                : "autant, à l'intervalle près";
-    }
-
     Planche planche() {
-        Planche planche = new Planche("Le temps, comparé au manuel : perpendiculaire " + cout(Regime.ORDINAIRE, Formule.PERPENDICULAIRE)
-                + " ; programme " + cout(Regime.ORDINAIRE, Formule.PROGRAMME) + ", au-dessus d'un sol "
-                + cout(Regime.SOL, Formule.PROGRAMME) + ", dans une recherche " + cout(Regime.SOL, Formule.RECHERCHE),
-                "Temps d'une intersection, dans une recherche de la plus petite de huit, tour à tour avec le manuel ; barres : 19 fois sur "
-                + "20 ; erreur : la pire de " + Style.nombre(Regime.RAYONS) + " rayons, jugés sans arrondi ; 1 est l'effet d'un "
-                + "arrondi de la direction, κ u t = u (1 + r/h) t. En creux : plus d'un rayon sur dix est mal classé, et l'erreur ne dit "
-                + "que celle des autres. " + temps.get().get(0).circonstances() + ". make noyaux")
-                .colonnes(2).taille(Style.LARGEUR, 1500);
+        Planche planche = new Planche("Le temps d'une intersection, et son erreur", "Pire erreur de " + Style.nombre(Regime.RAYONS)
+                + " rayons, jugés sans arrondi ; 1 est l'effet d'un arrondi de la direction, κ u t = u (1 + r/h) t. En creux : plus d'un "
+                + "rayon sur dix est mal classé, et l'erreur ne dit que celle des autres. make noyaux").colonnes(2)
+                .taille(Style.LARGEUR, 1500);
+        List<Volet> volets = new ArrayList<>();
         for (Regime regime : Regime.values()) {
-            double programme = bilan.en(regime, Formule.PROGRAMME).erreurEnUnites;
-            Volet volet = new Volet(regime.nom, "Le programme : " + Style.nombre(ns(regime, Formule.PROGRAMME).valeur) + " ns, "
-                    + Style.arrondi(programme) + (programme < 2 ? " unité" : " unités"),
-                    "temps d'une intersection, en ns", "pire erreur de t, en unités de κ u t")
+            Volet volet = new Volet(regime.nom, "temps d'une intersection, en ns", "pire erreur de t, en unités de κ u t")
                     .repere(Bilan.PROMESSE, "8, la borne promise");
             for (Formule methode : Formule.values()) {
                 Exactitude r = bilan.en(regime, methode);
@@ -67,20 +57,18 @@ final class Methodes {
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
                         Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
             }
-            planche.volet(volet);
+            volets.add(volet);
         }
+        Volet.memesAxes(volets);
+        volets.forEach(planche::volet);
         return planche;
     }
 
-    /** Les nombres que cite la page. */
-    Map<String, String> pages() {
-        Map<String, String> valeurs = new TreeMap<>();
-        for (Formule methode : Formule.values()) {
-            for (Regime regime : Regime.values()) {
-                valeurs.put("methodes." + methode.cle() + "." + regime.cle(), cout(regime, methode));
-            }
-        }
-        valeurs.put("methodes.rayons", Style.nombre(bilan.en(Regime.ORDINAIRE, Formule.PROGRAMME).essais));
-        return valeurs;
+    /** Le temps de chaque méthode à celui du manuel, dans chaque régime. */
+    String tableau() {
+        return Tableaux.table(Stream.concat(Stream.of("temps, à celui du manuel"), Arrays.stream(Regime.values())
+                .map(r -> r.nom.replaceFirst(" ?[:,].*| de rayon.*", ""))).collect(Collectors.toList()), Arrays.stream(Formule.values())
+                .filter(f -> f != Formule.MANUEL).map(f -> Stream.concat(Stream.of(f.nom), Arrays.stream(Regime.values())
+                .map(r -> Tableaux.rapport(le(r, f).rapport()))).collect(Collectors.toList())).collect(Collectors.toList()));
     }
 }

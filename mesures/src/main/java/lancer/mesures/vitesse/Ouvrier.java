@@ -13,17 +13,15 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import lancer.Constantes;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
-import lancer.dessin.Dessin;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
@@ -70,10 +68,19 @@ final class Ouvrier {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         repondre(() -> dessin.faire(image, taille.fils), () -> {
             int verifies = verifier(dessin, scene, image, taille);
-            Compteurs c = dessin.lancer.getCompteurs();
-            return c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines
-                    + " " + verifies;
+            return comptes(dessin.lancer.getCompteurs()) + " " + verifies;
         }, entree, sortie);
+    }
+
+    private static String comptes(Compteurs c) {
+        return c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines;
+    }
+
+    /** Ces comptes, puis combien de pixels sont vérifiés, chacun par le nom de sa colonne. */
+    static Map<String, String> champs(String comptes) {
+        String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
+        String[] valeurs = comptes.split(" ");
+        return IntStream.range(0, comptes.isEmpty() ? 0 : noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> valeurs[k]));
     }
 
     /** @param fin ce qu'il y a à dire du travail, une fois les temps pris */
@@ -147,21 +154,23 @@ final class Ouvrier {
     }
 
     /**
-     * Refait par les boucles du cours, un par un, des pixels tirés au hasard, toujours les mêmes, et les compare à une image écrite par
-     * le programme.
+     * Refait ici ce qu'un programme a dessiné, puis une partie par les boucles du cours.
      *
-     * @throws IllegalStateException si l'un d'eux n'est pas le même
+     * @return ce qui s'y compte, par noms de colonnes
+     * @throws IllegalStateException si un pixel n'est pas le même
      */
-    static void pixels(Path fichier, Taille taille, int nombre, Path png) throws IOException {
-        Lancer lancer = Dessin.lancer(Scenes.lire(fichier), taille.largeur, taille.hauteur, true);
-        BufferedImage image = ImageIO.read(png.toFile());
-        for (int k : new Random(GRAINE).ints(nombre, 0, taille.pixels()).toArray()) {
-            int i = k % taille.largeur;
-            int j = k / taille.largeur;
-            int code = lancer.getCouleurPixel(i + 0.5, j + 0.5, Constantes.MAX_REFLETS).getCode();
-            if (image.getRGB(i, j) != code) {
-                throw new IllegalStateException("image fausse : " + png + ", pixel (" + i + ", " + j + ")");
+    static Map<String, String> controler(Methode methode, Scene scene, Taille taille, Path png) throws IOException {
+        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+        boolean auto = methode.nom.equals(Catalogue.AUTO);
+        Methode.ScenePrete dessin = auto ? null : methode.new ScenePrete(scene, taille.largeur, taille.hauteur);
+        Compteurs comptes = auto ? MesureAuto.dessiner(scene, taille, 1, image).lancer.getCompteurs() : dessin.faire(image, taille.fils);
+        BufferedImage lue = ImageIO.read(png.toFile());
+        for (int k = 0; k < taille.pixels(); k++) {
+            if (lue.getRGB(k % taille.largeur, k / taille.largeur) != image.getCouleur(k).getCode()) {
+                throw new IllegalStateException("image fausse : " + methode.cle() + ", pixel (" + k % taille.largeur + ", "
+                        + k / taille.largeur + ")");
             }
         }
+        return champs(comptes(comptes) + " " + (auto ? taille.pixels() : verifier(dessin, scene, image, taille)));
     }
 }

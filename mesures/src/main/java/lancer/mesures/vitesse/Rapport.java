@@ -5,6 +5,8 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.mesures.FichierCsv;
@@ -16,12 +18,12 @@ import lancer.mesures.stabilite.Figures;
 final class Rapport {
 
     /** Pages que « make mesures » réécrit dans le projet. */
-    static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
+    static final Path[] PAGES = {Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
         Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md")};
 
     private final Path dossier;
     private final PrintStream sortie;
-    private final Constats constats;
+    private final Releves releves;
     private final Bilan bilan;
 
     /** {@code null} si leurs temps n'ont pas été pris. */
@@ -31,7 +33,7 @@ final class Rapport {
     Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
         this.sortie = sortie;
-        constats = new Constats(Releves.lire(dossier), FichierCsv.lire(dossier.resolve(Vitesse.BESOINS)));
+        releves = Releves.lire(dossier);
         bilan = new Bilan(dossier);
         Releves temps = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         methodes = temps.get().isEmpty() ? null : new Methodes(temps, bilan);
@@ -39,35 +41,37 @@ final class Rapport {
 
     /** Textes que montrent les pages, par leurs noms. */
     Map<String, String> valeurs() throws IOException {
-        Map<String, String> valeurs = new TreeMap<>(constats.pages());
-        valeurs.putAll(bilan.nombres());
+        Map<String, String> valeurs = new TreeMap<>(new Tableaux(releves, FichierCsv.lire(dossier.resolve(Vitesse.BESOINS))).pages());
         if (methodes != null) {
-            valeurs.putAll(methodes.pages());
+            valeurs.put("methodes", methodes.tableau());
         }
         Path auto = dossier.resolve("auto.csv");
         valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) : "pas encore mesuré");
         if (Files.exists(dossier.resolve("corriger.csv"))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
-            valeurs.put("corriger", c.get("secondes") + " s sur " + c.get("coeurs") + " cœurs, et " + c.get("mo") + " Mo");
+            valeurs.put("corriger", Tableaux.table(Arrays.asList("rendus", "cœurs", "secondes", "Mo"),
+                    Arrays.asList(Arrays.asList(c.get("rendus"), c.get("coeurs"), c.get("secondes"), c.get("mo")))));
         }
         return valeurs;
     }
 
     /** @param pages vrai pour réécrire aussi les nombres des pages du projet */
     void ecrire(boolean pages) throws IOException {
-        Planches planches = new Planches(constats);
-        for (String scene : constats.releves.de(Catalogue.METHODES).scenes()) {
-            planches.scene(scene).ecrire(dossier.resolve(scene + ".png"));
+        Planches planches = new Planches(releves);
+        if (planches.scenes().contains("scene1")) {
+            planches.scenes(Collections.singletonList("scene1")).ecrire(dossier.resolve("scene1.png"));
+            planches.scenes(planches.scenes()).ecrire(dossier.resolve("scenes.png"));
+            Decoupe.ecrire(releves, dossier);
         }
-        if (!constats.releves.de(Catalogue.SPHERES).get().isEmpty()) {
-            planches.spheres().ecrire(dossier.resolve("spheres.png"));
+        if (!releves.de(Catalogue.SPHERES).get().isEmpty()) {
+            Planches.spheres(releves.de(Catalogue.SPHERES)).ecrire(dossier.resolve("spheres.png"));
         }
         Figures.ecrire(dossier);
         if (methodes != null) {
             methodes.planche().ecrire(dossier.resolve("methodes.png"));
         }
         Map<String, String> valeurs = valeurs();
-        valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur));
+        valeurs.forEach((nom, valeur) -> sortie.println(nom + " : " + valeur.trim()));
         for (Path page : pages ? PAGES : new Path[0]) {
             PagesMesurees.reecrire(page, valeurs);
         }

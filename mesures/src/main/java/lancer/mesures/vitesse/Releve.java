@@ -26,9 +26,6 @@ final class Releve {
     final String parametres;
     private final Map<String, String> champs;
 
-    /** Facteur dont deux machines virtuelles qui font la même chose s'écartent : les rapports ne disent rien de plus fin. */
-    double marge = 1;
-
     /** @param champs par nom de colonne */
     Releve(Map<String, String> champs) {
         this.champs = champs;
@@ -73,7 +70,7 @@ final class Releve {
     Intervalle rapport() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
-                Double.isNaN(max) ? Double.POSITIVE_INFINITY : max).elargi(marge);
+                Double.isNaN(max) ? Double.POSITIVE_INFINITY : max);
     }
 
     /** Erreur en niveaux. */
@@ -95,9 +92,7 @@ final class Releve {
     Releve avec(Releve autre) {
         Map<String, String> tous = new HashMap<>(champs);
         tous.putAll(autre.champs);
-        Releve releve = new Releve(tous);
-        releve.marge = marge;
-        return releve;
+        return new Releve(tous);
     }
 
     /** Vrai si l'autre est de la même méthode, au même réglage, en une image de même taille. */
@@ -105,18 +100,8 @@ final class Releve {
         return Stream.of("famille", "scene", "methode", "parametres", "largeur", "hauteur").allMatch(c -> texte(c).equals(autre.texte(c)));
     }
 
-    /** Vrai si elle n'a eu qu'une machine virtuelle : l'intervalle de ses manches ignore ce qui en distingue deux. */
-    boolean estDUneMachine() {
-        return !(nombre("lancements") > 1);
-    }
-
-    /** Vrai si ce n'en est pas la mesure, mais celle de la référence dans une autre machine virtuelle. */
-    boolean estTemoin() {
-        return estDUneMachine() && (methode.equals(Catalogue.UN_RAYON) || methode.equals(Catalogue.TELLE_QUELLE));
-    }
-
-    /** Vrai si celui-ci lance moins de rayons, et se trompe moins, à coup sûr. */
+    /** Vrai si celui-ci prend moins de temps, et se trompe moins, à coup sûr. */
     boolean bat(Releve autre) {
-        return rayons() < autre.rayons() && erreur().nettementSous(autre.erreur());
+        return rapport().nettementSous(autre.rapport()) && erreur().nettementSous(autre.erreur());
     }
 }

@@ -15,10 +15,13 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Pannes;
+import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
@@ -38,8 +41,9 @@ public final class Vitesse {
     static final String BESOINS = "besoins.csv";
     private static final String PROCESSUS = "processus.csv";
 
-    /** Ce programme, tel qu'on le lance, et ce qui annonce le chemin d'un autre. */
+    /** Ce programme, tel qu'on le lance, seul et avec l'anticrénelage, et ce qui annonce le chemin d'un autre. */
     private static final String[] LANCER = {"-jar", "target/lancer.jar"};
+    private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
     private static final String JAR = "--jar=";
 
     private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--processus", "--noyaux",
@@ -114,11 +118,9 @@ public final class Vitesse {
         // ce qui ne demande pas une machine tranquille d'abord
         if (comptes) {
             Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
-            List<Catalogue.Groupe> reglages = new Catalogue(rapide).reglages();
-            lesComptes.ecrire(reglages);
+            lesComptes.ecrire(new Catalogue(rapide).reglages());
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
-            reglages.forEach(g -> neufs.add(g.scene + Comptes.DECOUPES));
             if (povray != null) {
                 lesComptes.comparer();
                 neufs.add(Comptes.PROGRAMMES);
@@ -133,7 +135,7 @@ public final class Vitesse {
             chronometrer(povray, CSV, new Catalogue(rapide).groupes(), TAILLE);
             neufs.add(CSV);
         }
-        if (temps || options.contains("--processus")) {
+        if (options.contains("--processus")) {
             Catalogue catalogue = new Catalogue(rapide);
             chronometrer(null, PROCESSUS, catalogue.processus(autres), catalogue.tailles());
             neufs.add(PROCESSUS);
@@ -161,29 +163,30 @@ public final class Vitesse {
         }
     }
 
-    /** @throws IOException si la machine est trop troublée ; la mesure rapide s'en passe, et le dit */
+    /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        try {
-            Mesureur mesureur = new Mesureur(rapide, options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER);
-            for (Taille taille : tailles) {
-                mesureur.mesurer(taille, groupes);
-            }
-        } catch (Manches.Troublee e) {
-            if (!rapide) {
-                throw e;
-            }
-            sortie.println("Sans tous les temps : " + e.getMessage());
+        Mesureur mesureur = new Mesureur(rapide, rapide || options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER,
+                ANTIALIAS);
+        for (Taille taille : tailles) {
+            mesureur.mesurer(taille, groupes);
         }
     }
 
     private void compterLesBesoins() throws IOException {
         Taille taille = rapide ? new Taille(200, 150) : TAILLE;
-        List<String> lignes = new ArrayList<>();
-        lignes.add(String.join(",", Besoin.COLONNES));
+        List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo"));
         for (Path scene : Scenes.livrees()) {
-            lignes.add(new Besoin(scene, taille).ligne());
+            lignes.add(new Besoin(scene, taille).ligne() + "," + alloues(scene, taille));
             sortie.println("besoins de " + scene.getFileName());
         }
         Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
+    }
+
+    /** Mégaoctets qu'alloue le programme pour sa première image, là où Java sait ne rien rendre ; vide ailleurs. */
+    private String alloues(Path scene, Taille taille) throws IOException {
+        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(atelier.resolve("pris"), Processus.JAVA,
+                "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
+                atelier.resolve("besoin.png"), "--taille", taille, scene).dit);
+        return m.matches() ? m.group(1) : "";
     }
 }

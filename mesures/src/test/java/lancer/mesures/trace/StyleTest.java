@@ -76,16 +76,16 @@ class StyleTest {
         g.fillRect(0, 0, 600, 400);
     }
 
-    /** Les pixels gris d'une courbe dont une zone porte ce nom. */
-    private long gris(String zone, Marque... marques) {
+    /** Les pixels gris d'une courbe dont un repère porte ce nom. */
+    private long gris(String repere, Marque... marques) {
         effacer();
-        new Volet("", "", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(marques))).zone(1, zone)
+        new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(marques))).repere(1, repere)
                 .dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
         return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == Style.GRIS.getRGB()).count();
     }
 
     @Test
-    void uneZoneASonNomMemeSiSaDroiteEstPrise() {
+    void unRepereASonNomMemeSiSaDroiteEstPrise() {
         Marque[] haut = {Marque.en(1, 30), Marque.en(99, 30)};
         Marque[] descend = {Marque.en(1, 30), Marque.en(60, 30), Marque.en(60, 0.1), Marque.en(99, 30), Marque.en(99, 0.1)};
         for (Marque[] marques : new Marque[][] {haut, descend}) {
@@ -105,14 +105,14 @@ class StyleTest {
         Serie serie = new Serie("mesures", Style.VERMILLON, FormeDePoint.LOSANGE, true,
                 Arrays.asList(new Marque(new Intervalle(1, 0.8, 1.2), Intervalle.exact(10)).nommee("un"), Marque.en(10, 1).creuse(),
                         Marque.en(100, 0.4).cerclee()));
-        Volet volet = new Volet("Le constat", "le sujet", "x, en ms", "y, en pas").serie(serie)
-                .front(serie.marques).repere(5, "un repère").zone(0.5, "rien d'autre");
+        Volet volet = new Volet("Le constat", "x, en ms", "y, en pas").serie(serie).enHaut(2, "x, au second").mieux()
+                .serie(new Serie("un fond", Style.FRONT, FormeDePoint.AUCUNE, true, serie.marques)).repere(5, "un repère");
         BufferedImage planche = new Planche("Un titre", "une note").volet(volet).volet(volet).dessiner();
         assertEquals(Style.LARGEUR, planche.getWidth());
         assertEquals(Style.HAUTEUR, planche.getHeight());
         assertEquals(800, new Planche("Un titre", "").volet(volet).taille(800, 500).dessiner().getWidth());
         int[] pixels = planche.getRGB(0, 0, planche.getWidth(), planche.getHeight(), null, 0, planche.getWidth());
-        for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.BANDE, Style.NOIR}) {
+        for (Color couleur : new Color[] {Style.VERMILLON, Style.FRONT, Style.GRIS, Style.NOIR}) {
             assertTrue(Arrays.stream(pixels).filter(p -> p == couleur.getRGB()).count() > 100, couleur.toString());
         }
     }

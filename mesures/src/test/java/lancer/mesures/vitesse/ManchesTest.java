@@ -33,7 +33,7 @@ class ManchesTest {
         assertEquals(Arrays.asList("A", "B", "A", "B", "A", "B"), ordre);
         assertEquals(3, temps.rapport(Manches.REEL).valeur, 1e-9);
         assertEquals(0, temps.rapport(Manches.REEL).max - temps.rapport(Manches.REEL).min, 1e-9);
-        assertEquals(10, temps.reference(Manches.REEL));
+        assertEquals(Math.cbrt(10 * 20 * 10), temps.reference(Manches.REEL), 1e-9);
         assertEquals(0, temps.jetees);
     }
 

@@ -38,12 +38,12 @@ class OuvrierTest {
     @Test
     void ilDessineAutantDeFoisQuOnLeDemandePuisRendSesComptes() throws IOException {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-        Ouvrier.dessiner(methode("partage/n=4 seuil=0.1"), scene(), TAILLE,
+        Ouvrier.dessiner(methode("coins/n=3 seuil=0.05"), scene(), TAILLE,
                 new BufferedReader(new StringReader("1\n3\n2\nfinir\n5\n")), new PrintStream(sortie));
         String[] lignes = sortie.toString("UTF-8").split("\n");
         assertEquals(4, lignes.length);
         assertTrue(Double.parseDouble(lignes[1].split(" ")[0]) > 0);
-        Methode.ScenePrete dessin = methode("partage/n=4 seuil=0.1").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
+        Methode.ScenePrete dessin = methode("coins/n=3 seuil=0.05").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
         dessin.faire(new ImageLineaire(TAILLE.largeur, TAILLE.hauteur), 1);
         assertEquals(dessin.lancer.getCompteurs().primaires, Long.parseLong(lignes[3].split(" ")[0]));
         assertEquals(TAILLE.pixels(), Integer.parseInt(lignes[3].split(" ")[6]), "tous vérifiés");
@@ -52,7 +52,7 @@ class OuvrierTest {
     @Test
     void unBitDeTropRendLImageFausse() throws IOException {
         for (String cle : new String[] {"un rayon/", "coins/n=3 seuil=0.05",
-            "ensemble/n=4 seuil=0.1 reflets=1000 jusqu'à 1/128"}) {
+            "partage, tous les reflets/n=4 seuil=0.1 jusqu'à 1/128"}) {
             Methode.ScenePrete dessin = methode(cle).new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
             ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
             dessin.faire(image, 2);
@@ -66,12 +66,12 @@ class OuvrierTest {
 
     @Test
     void unPngDuProgrammeEstComparePixelParPixel() throws IOException {
-        Path fichier = Scenes.fichier("foule-30", dossier);
         ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
-        methode("un rayon/").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
-        Ouvrier.pixels(fichier, TAILLE, 200, ecrire(image));
+        Methode un = methode("un rayon/");
+        un.new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
+        assertEquals(String.valueOf(TAILLE.pixels()), Ouvrier.controler(un, scene(), TAILLE, ecrire(image)).get("primaires"));
         ImageMemoire noire = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
-        assertThrows(IllegalStateException.class, () -> Ouvrier.pixels(fichier, TAILLE, 200, ecrire(noire)));
+        assertThrows(IllegalStateException.class, () -> Ouvrier.controler(un, scene(), TAILLE, ecrire(noire)));
     }
 
     private Path ecrire(ImageMemoire image) {

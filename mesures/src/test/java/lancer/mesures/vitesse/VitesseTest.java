@@ -66,9 +66,17 @@ class VitesseTest {
                         Catalogue.methode(Catalogue.METHODES, "scene1", "grille/2 × 2")), 1));
     }
 
+    private static final String[] BASE = {"-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=Brume,Antialias,Blinn"};
+    private static final String[] ANTIALIAS = {"-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=Brume,Blinn"};
+
+    /** Les variantes sont sur ce chemin des classes, non dans un jar. */
+    private Mesureur mesureur() throws IOException {
+        return new Mesureur(true, true, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie), BASE, ANTIALIAS);
+    }
+
     @Test
-    void chaqueMethodeEstChronometreeVerifieeJugeeEtNotee() throws IOException {
-        new Mesureur(true, true, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie)).mesurer(TAILLE, deux());
+    void chaqueReglageEstUnProgrammeEntierChronometreVerifieEtJuge() throws IOException {
+        mesureur().mesurer(TAILLE, deux());
         new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
         Releves releves = Releves.lire(dossier);
         Releve un = releves.le(Catalogue.UN_RAYON, "");
@@ -79,17 +87,26 @@ class VitesseTest {
         assertTrue(grille.erreur().nettementSous(un.erreur()), "quatre rayons par pixel se trompent moins qu'un");
         assertTrue(grille.nombre("visibles") < un.nombre("visibles") && un.nombre("visibles") < 1);
         assertTrue(un.nombre("reference_ms") > 0 && un.nombre("rapport") > 0 && un.nombre("manches") == 2);
-        assertTrue(Files.exists(dossier.resolve("scene1" + Comptes.DECOUPES)));
+        assertTrue(un.nombre("memoire_mo") > 0 == Files.isExecutable(Paths.get("/usr/bin/time")), "GNU time dit la mémoire");
+    }
+
+    @Test
+    void toutReglageEcritDansUneCommandeOuUneSceneDonneLImageQuiEnEstJugee() throws IOException {
+        List<Methode> methodes = new ArrayList<>();
+        for (String scene : new String[] {"scene1", "miroirs"}) {
+            new Catalogue(false).reglages().stream().filter(g -> g.scene.equals(scene)).flatMap(g -> g.methodes.stream())
+                    .filter(m -> !m.povray && methodes.stream().noneMatch(a -> a.nom.equals(m.nom))).forEach(methodes::add);
+        }
+        int combien = methodes.size();
+        mesureur().mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(Catalogue.METHODES, "miroirs", methodes, 1)));
+        assertEquals(combien, Releves.lignes(dossier.resolve(Vitesse.CSV)).size(), "un pixel d'un autre arrêterait la mesure");
     }
 
     /** Des programmes entiers, qui dessinent la scène « tp » en tout petit. */
     private Releves enProcessus(Methode methode) throws IOException {
-        Path csv = dossier.resolve(Vitesse.CSV);
-        // les variantes sont sur ce chemin des classes, non dans le jar que l'on mesure
-        new Mesureur(true, true, null, csv, new PrintStream(sortie), "-cp", System.getProperty("java.class.path"), "lancer.Main",
-                "--sans=Brume,Antialias,Blinn").mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(
-                        Catalogue.SPHERES, Scenes.TP, new ArrayList<>(Collections.singletonList(methode)), 1)));
-        return new Releves(Releves.lignes(csv));
+        mesureur().mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(Catalogue.SPHERES, Scenes.TP,
+                new ArrayList<>(Collections.singletonList(methode)), 1)));
+        return new Releves(Releves.lignes(dossier.resolve(Vitesse.CSV)));
     }
 
     @Test
@@ -110,10 +127,14 @@ class VitesseTest {
 
     @Test
     void unProgrammeEntierDontLImageEstFausseNAPasDeTemps() {
-        Methode autre = new Methode(Catalogue.AUTRE, "");
-        autre.options = new String[] {"--reflets", "0"};
-        String message = assertThrows(IllegalStateException.class, () -> enProcessus(autre)).getMessage();
-        assertTrue(message.contains("image fausse : tp, 40x30, autre programme"), message);
+        Methode boucles = new Methode(Catalogue.BOUCLES, "").enBoucles();
+        boucles.options = new String[] {"--reflets", "0"};
+        String message = assertThrows(IllegalStateException.class, () -> enProcessus(boucles)).getMessage();
+        assertTrue(message.contains("image fausse : tp, 40x30, boucles du cours"), message);
+        Methode programme = new Methode(Catalogue.PROGRAMME, "");
+        programme.options = new String[] {"--reflets", "0"};
+        String autre = assertThrows(IllegalStateException.class, () -> enProcessus(programme)).getMessage();
+        assertTrue(autre.contains("image fausse : programme/, pixel ("), autre);
     }
 
     @Test
@@ -129,9 +150,10 @@ class VitesseTest {
     @Test
     void sansAucunTempsLesErreursEtLesRayonsSeDisentEncore() throws IOException {
         new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
-        Constats constats = new Constats(Releves.lire(dossier), Collections.emptyList());
-        assertEquals("aucun temps n'a été pris", constats.circonstances());
-        assertTrue(constats.titre("scene1").contains(" pour 4 fois le prix d'un rayon : la grille 2 × 2"), constats.titre("scene1"));
+        Map<String, String> pages = new Tableaux(Releves.lire(dossier), Collections.emptyList()).pages();
+        assertTrue(pages.get("comptes").contains("| `scene1` | grille 2 × 2 | × 4 | "), pages.get("comptes"));
+        assertTrue(pages.get("choisir").contains("| un niveau au plus | rien de ce qui est mesuré |"), pages.get("choisir"));
+        assertEquals("", pages.get("machine"));
     }
 
     // ---- ce qu'on en dit
@@ -145,24 +167,17 @@ class VitesseTest {
         return FichierCsv.ligne(colonnes.stream().map(c -> parNom.getOrDefault(c, "")).toArray());
     }
 
-    private void noterUnTemps(String methode, String parametres, double rapport, int lancements) {
+    private void noter(String methode, String parametres, double rapport, double erreur) {
         temps.add(ligne(Releve.COLONNES, "famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
-                "lancements", lancements, "rapport", rapport, "rapport_min", rapport / 1.05, "rapport_max", rapport * 1.05));
-    }
-
-    private void noter(String methode, String parametres, double rayons, double erreur) {
+                "reference_ms", 400, "rapport", rapport, "rapport_min", rapport / 1.05, "rapport_max", rapport * 1.05));
         erreurs.add(ligne(Comptes.COLONNES, "famille", Catalogue.METHODES, "scene", "scene1", "methode", methode, "parametres", parametres,
-                "rayons", rayons, "erreur", erreur, "erreur_min", erreur * 0.95, "erreur_max", erreur * 1.05, "visibles", 0.01));
+                "rayons", 10 * rapport, "erreur", erreur, "erreur_min", erreur * 0.95, "erreur_max", erreur * 1.05, "visibles", 0.01));
     }
 
     private Releves notes() throws IOException {
         Files.write(dossier.resolve(Vitesse.CSV), temps, StandardCharsets.UTF_8);
         Files.write(dossier.resolve(Comptes.CSV), erreurs, StandardCharsets.UTF_8);
         return Releves.lire(dossier);
-    }
-
-    private Constats constats() throws IOException {
-        return new Constats(notes(), Collections.emptyList());
     }
 
     @Test
@@ -176,69 +191,32 @@ class VitesseTest {
     }
 
     @Test
-    void leTitreDitLeMoinsCherSousLArrondiDeLEcran() throws IOException {
-        noter(Catalogue.UN_RAYON, "", 10, 3);
-        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 20, 0.5);
-        assertEquals("Scène du cours : 0,5 niveau pour 2 fois le prix d'un rayon : partage, 4 rayons là où c'est utile (seuil 0,1)",
-                constats().titre("scene1"));
-        noter(Catalogue.PARTAGE, "n=16 seuil=0.06", 60, 0.2);
-        noter(Catalogue.PARTAGE, "n=8 seuil=0.06", 50, 0.27);
-        noter(Catalogue.POVRAY, "", 30, 0.1);
-        assertEquals("Scène du cours : sous l'arrondi de l'écran pour 5 fois le prix d'un rayon : partage, 8 rayons là où c'est utile "
-                + "(seuil 0,06)", constats().titre("scene1"));
+    void laTableQuiDecideDonneLePlusRapideDontLErreurTient() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 1, 3);
+        noter(Catalogue.PARTAGE, "n=8 seuil=0.06", 3, 0.27);
+        noter(Catalogue.PARTAGE, "n=16 seuil=0.06", 2.5, 0.2);
+        noter(Catalogue.PARTAGE, "n=4 seuil=0.2", 1.5, 0.9);
+        noter(Catalogue.GRILLE, "2 × 2", 1.2, 0.99);
+        noter(Catalogue.POVRAY, "grille adaptative", 1.1, 0.1);
+        noter(Catalogue.AUTO, "erreur=1", 1.8, 0.7);
+        List<String> lignes = Arrays.asList(new Tableaux(notes(), Collections.emptyList()).pages().get("choisir").trim().split("\n"));
+        assertEquals("| aller vite | rien de plus | 3 niveaux | 0,4 s | × 1 (de 0,952 à 1,05) |", lignes.get(2));
+        // l'intervalle de la grille dépasse un niveau ; POV-Ray n'est là que pour comparer
+        assertEquals("| un niveau au plus | `[Antialias] methode=partage n=4 seuil=0.2` | 0,9 niveau | 0,6 s | × 1,5 (de 1,43 à 1,58) |",
+                lignes.get(3));
+        assertTrue(lignes.get(4).startsWith("| moins que l'arrondi de l'écran | `[Antialias] methode=partage n=16 seuil=0.06` |"),
+                lignes.get(4));
+        assertTrue(lignes.get(6).startsWith("| ne pas choisir | `--auto erreur=1` | 0,7 niveau |"), lignes.get(6));
     }
 
     @Test
-    void leMoinsCherPourUneErreurNEstJamaisPovRay() throws IOException {
-        noter(Catalogue.UN_RAYON, "", 2, 5);
-        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 6, 1.5);
-        noter(Catalogue.PROFONDEUR, "p=2", 4, 1.6);
-        noter(Catalogue.POVRAY, "", 2, 0.1);
-        String[] paliers = constats().paliers("scene1").split(" \\| ");
-        assertEquals("un rayon à 2 reflets : × 2", paliers[1]);
-        assertEquals("rien", paliers[2]);
-    }
-
-    @Test
-    void lesFoulesDisentDOuLeProgrammeVaPlusViteQueLesBoucles() throws IOException {
-        for (int n : new int[] {10, 100, 1000}) {
-            temps.add(ligne(Releve.COLONNES, "famille", Catalogue.SPHERES, "scene", "foule-" + n, "spheres", n, "methode",
-                    Catalogue.BOUCLES, "lancements", 9, "rapport", n / 50.0, "rapport_min", n / 55.0, "rapport_max", n / 45.0));
-        }
-        assertEquals("Dès 100 sphères, le programme va plus vite que les boucles du cours : à 1 000, de 18 à 22 fois",
-                constats().titreDesSpheres());
-    }
-
-    @Test
-    void laPenteEstCelleDeLaDroiteQuiPasseAuPlusPres() throws IOException {
-        noter(Catalogue.UN_RAYON, "", 1, 8);
-        noter(Catalogue.GRILLE, "2 × 2", 4, 2);
-        noter(Catalogue.GRILLE, "4 × 4", 16, 0.5);
-        assertEquals(-1, constats().pente("scene1", Catalogue.GRILLE), 1e-9);
-    }
-
-    @Test
-    void plusieursMachinesVirtuellesNePrennentPasLaMargeDUneSeule() throws IOException {
-        noterUnTemps(Catalogue.UN_RAYON, "", 1.25, 1);
-        noterUnTemps(Catalogue.COINS, "d'une machine", 2, 1);
-        noterUnTemps(Catalogue.COINS, "de cinq", 2, 5);
-        noter(Catalogue.COINS, "d'une machine", 1, 1);
-        noter(Catalogue.COINS, "de cinq", 1, 1);
-        // la référence, ailleurs, prend au moins 1,25 / 1,05 fois plus de temps
-        assertEquals(2 * 1.05 * (1.25 / 1.05), notes().le(Catalogue.COINS, "d'une machine").rapport().max, 1e-9);
-        assertEquals(2 * 1.05, notes().le(Catalogue.COINS, "de cinq").rapport().max, 1e-9);
-    }
-
-    @Test
-    void leFrontEstCeQuiSeTrompeMoinsACoupSurQueToutCeQuiEstMoinsCher() throws IOException {
-        noter(Catalogue.UN_RAYON, "", 1, 6);
-        noter(Catalogue.GRILLE, "2 × 2", 4, 1.5);
-        noter(Catalogue.PARTAGE, "n=4 seuil=0.1", 3, 1.5);
-        noter(Catalogue.POVRAY, "", 1, 6 - 1e-4);
-        noter(Catalogue.PROFONDEUR, "p=1000", 1.01, 6 - 1e-4);
-        noter(Catalogue.PROFONDEUR, "p=0", 0.5, 40);
-        assertEquals(Arrays.asList(Catalogue.PROFONDEUR, Catalogue.UN_RAYON, Catalogue.PARTAGE),
-                notes().front().stream().map(r -> r.methode).collect(Collectors.toList()));
+    void laCourbeDUneSceneEtSesVoisinesOntLesMemesAxes() throws IOException {
+        noter(Catalogue.UN_RAYON, "", 1, 3);
+        noter(Catalogue.COINS, Catalogue.COINS_DEFAUT, 2, 0.75);
+        Planches planches = new Planches(notes());
+        planches.scenes(Arrays.asList("scene1", "scene1")).ecrire(dossier.resolve("scenes.png"));
+        assertEquals(Collections.singletonList("scene1"), planches.scenes());
+        assertTrue(Files.size(dossier.resolve("scenes.png")) > 0);
     }
 
     @Test
@@ -252,9 +230,10 @@ class VitesseTest {
         }
         Files.write(dossier.resolve(Methodes.CSV), temps, StandardCharsets.UTF_8);
         Methodes methodes = new Methodes(new Releves(Releves.lignes(dossier.resolve(Methodes.CSV))), new Bilan(RESULTATS));
-        Map<String, String> pages = methodes.pages();
-        assertEquals("autant, à l'intervalle près", pages.get("methodes.perpendiculaire.loin"));
-        assertEquals("× 1,3", pages.get("methodes.programme.loin"));
+        String[] lignes = methodes.tableau().trim().split("\n");
+        assertEquals("| temps, à celui du manuel | D'ordinaire | De loin | Au ras | Au-dessus d'un sol |", lignes[0]);
+        assertTrue(lignes[2].startsWith("| perpendiculaire : \\|f − bV\\|² | autant, à l'intervalle près (de 0,95 à 1,25) |"), lignes[2]);
+        assertTrue(lignes[4].startsWith("| le programme | × 1,3 (de 1,15 à 1,45) |"), lignes[4]);
         methodes.planche().ecrire(dossier.resolve("methodes.png"));
         assertTrue(Files.exists(dossier.resolve("methodes.png")));
     }
@@ -263,7 +242,7 @@ class VitesseTest {
     void uneIntersectionSeChronometreCommeUnDessin() throws IOException {
         Catalogue.Groupe sol = new Catalogue.Groupe(Catalogue.INTERSECTIONS, Regime.SOL.name(),
                 Arrays.asList(new Methode(Formule.MANUEL.name(), ""), new Methode(Formule.PROGRAMME.name(), "")), 1);
-        new Mesureur(true, true, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie)).mesurer(TAILLE,
+        new Mesureur(true, true, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie), BASE).mesurer(TAILLE,
                 Collections.singletonList(sol));
         Releves releves = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         assertTrue(releves.le("PROGRAMME", "").nombre("rapport") > 0 && releves.le("MANUEL", "").nombre("reference_ms") > 0);

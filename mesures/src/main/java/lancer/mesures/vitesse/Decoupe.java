@@ -1,0 +1,129 @@
+package lancer.mesures.vitesse;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import lancer.Scene;
+import lancer.contrat.Echantillonnage;
+import lancer.dessin.Dessin;
+import lancer.mesures.Gabarit;
+import lancer.mesures.ImageLineaire;
+import lancer.mesures.scenes.Scenes;
+import lancer.mesures.trace.Planche;
+import lancer.mesures.trace.Style;
+
+/** Les mêmes pixels de la scène du cours par trois réglages qui prennent le même temps, et en vérité ; et où chacun se trompe. */
+final class Decoupe {
+
+    static final String PNG = "temps-egal.png";
+
+    private static final String SCENE = "scene1";
+    private static final Taille DECOUPE = new Taille(48, 36);
+
+    /** Sous-pixels d'un côté, d'un pixel de la vérité. */
+    private static final int COTE = 32;
+
+    /** Une erreur d'un niveau est montrée par tant de niveaux de gris. */
+    private static final int GROSSIE = 8;
+
+    private final Scene scene;
+    private final Taille taille;
+    private int[] coin;
+
+    private Decoupe(Path fichier, Taille taille) {
+        scene = Scenes.lire(fichier);
+        this.taille = taille;
+    }
+
+    /** Dessine la planche de ces mesures : les réglages les plus proches, en temps, du défaut de l'anticrénelage. */
+    static void ecrire(Releves tous, Path dossier) throws IOException {
+        Releves siens = tous.de(Catalogue.METHODES).scene(SCENE);
+        Releve defaut = siens.le(Catalogue.COINS, Catalogue.COINS_DEFAUT);
+        Decoupe decoupe = new Decoupe(Scenes.fichier(SCENE, dossier), new Taille((int) defaut.nombre("largeur"),
+                (int) defaut.nombre("hauteur")));
+        ImageLineaire un = decoupe.image(new Methode("", ""));
+        List<Releve> montres = new ArrayList<>();
+        List<ImageLineaire> images = new ArrayList<>();
+        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE}) {
+            Releve r = siens.methode(methode).get().stream().min(Comparator.comparingDouble(
+                    a -> Math.abs(Math.log(a.rapport().valeur / defaut.rapport().valeur)))).get();
+            montres.add(r);
+            images.add(decoupe.image(Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres)));
+        }
+        decoupe.coin = decoupe.coin(un, images.get(2));
+        ImageLineaire verite = decoupe.verite();
+        Planche planche = new Planche("À temps égal : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
+                .taille(Style.LARGEUR, 800);
+        for (int k = 0; k < montres.size(); k++) {
+            Releve r = montres.get(k);
+            planche.vignette(decoupe.couper(images.get(k)), r.nom(), Style.arrondi(siens.secondes() * r.rapport().valeur) + " s, "
+                    + Style.niveaux(r.erreur().valeur));
+        }
+        planche.vignette(decoupe.couper(verite), "la vérité", Style.nombre(COTE * COTE) + " rayons par pixel");
+        images.forEach(image -> planche.vignette(decoupe.ecarts(image, verite), "", "son erreur × " + GROSSIE));
+        planche.ecrire(dossier.resolve(PNG));
+    }
+
+    private ImageLineaire image(Methode methode) {
+        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+        methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils);
+        return image;
+    }
+
+    /** La moyenne de chaque pixel de la découpe, sans limite de réflexions. */
+    private ImageLineaire verite() {
+        Echantillonnage fin = (pave, voulus, vue, toile) -> {
+            for (int j = Math.max(pave.j0, coin[1]); j < Math.min(pave.j1, coin[1] + DECOUPE.hauteur); j++) {
+                for (int i = Math.max(pave.i0, coin[0]); i < Math.min(pave.i1, coin[0] + DECOUPE.largeur); i++) {
+                    toile.drawPixel(Gabarit.moyenne(vue, i, j, COTE, () -> 0.5), i, j);
+                }
+            }
+            return 0;
+        };
+        return ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(fin, 0)), taille.largeur, taille.hauteur, false),
+                Gabarit.PROFONDEUR, taille.fils);
+    }
+
+    /** Coin de la découpe éclairée où deux images diffèrent le plus, de quart en quart de découpe. */
+    private int[] coin(ImageLineaire a, ImageLineaire b) {
+        return IntStream.rangeClosed(0, 4 * (taille.hauteur - DECOUPE.hauteur) / DECOUPE.hauteur).boxed().flatMap(j ->
+                IntStream.rangeClosed(0, 4 * (taille.largeur - DECOUPE.largeur) / DECOUPE.largeur)
+                        .mapToObj(i -> new int[] {i * DECOUPE.largeur / 4, j * DECOUPE.hauteur / 4}))
+                .max(Comparator.comparingDouble(c -> interet(a, b, c))).get();
+    }
+
+    /** Le carré des différences, au plus une par composante, là où il y a de la lumière. */
+    private double interet(ImageLineaire a, ImageLineaire b, int... c) {
+        double carres = 0;
+        double lumiere = 0;
+        for (int k = 0; k < 3 * DECOUPE.pixels(); k++) {
+            int rang = 3 * ((c[1] + k / 3 / DECOUPE.largeur) * taille.largeur + c[0] + k / 3 % DECOUPE.largeur) + k % 3;
+            double x = Math.min(1, b.getComposantes()[rang]);
+            lumiere += x;
+            carres += Math.pow(Math.min(1, a.getComposantes()[rang]) - x, 2);
+        }
+        return carres * lumiere;
+    }
+
+    private BufferedImage couper(ImageLineaire image) {
+        return Comptes.image(image, taille).getSubimage(coin[0], coin[1], DECOUPE.largeur, DECOUPE.hauteur);
+    }
+
+    /** Un gris par pixel : la plus grande erreur de ses composantes, grossie. */
+    private BufferedImage ecarts(ImageLineaire image, ImageLineaire verite) {
+        BufferedImage gris = new BufferedImage(DECOUPE.largeur, DECOUPE.hauteur, BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < DECOUPE.pixels(); k++) {
+            int i = k % DECOUPE.largeur;
+            int j = k / DECOUPE.largeur;
+            int rang = 3 * ((coin[1] + j) * taille.largeur + coin[0] + i);
+            double ecart = IntStream.range(rang, rang + 3).mapToDouble(c -> Math.abs(Math.min(1, image.getComposantes()[c])
+                    - Math.min(1, verite.getComposantes()[c]))).max().getAsDouble();
+            gris.setRGB(i, j, 0x010101 * (int) Math.min(255, Math.round(255 * GROSSIE * ecart)));
+        }
+        return gris;
+    }
+}
