@@ -7,9 +7,9 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
-import lancer.scene.Jumelles;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
+import lancer.scene.SpheresConfondues;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
@@ -45,7 +45,7 @@ public final class Scene {
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this.objets = Collections.unmodifiableList(Jumelles.sans(objets));
+        this.objets = Collections.unmodifiableList(SpheresConfondues.sans(objets));
         this.lampes = lampes.toArray(new Lampe[0]);
         modele = new Modele();
     }

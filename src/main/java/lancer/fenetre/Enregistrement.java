@@ -23,7 +23,7 @@ final class Enregistrement {
 
     private static final DirectColorModel SANS_ALPHA = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final Bandeau bandeau;
     /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
     private final ExecutorService disque =
@@ -33,8 +33,8 @@ final class Enregistrement {
     private File echoue;
 
     /** @param bandeau où dire ce qu'il en est */
-    Enregistrement(Atelier atelier, Bandeau bandeau) {
-        this.atelier = atelier;
+    Enregistrement(Controleur controleur, Bandeau bandeau) {
+        this.controleur = controleur;
         this.bandeau = bandeau;
     }
 
@@ -67,11 +67,11 @@ final class Enregistrement {
 
     /** L'image achevée ; à défaut, dit pourquoi elle n'est pas enregistrée, ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = atelier.getImageComplete();
-        String faute = atelier.direFautes();
+        ImageMemoire image = controleur.getImageComplete();
+        String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : atelier.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : controleur.enCours ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return faute == null ? image : null;
@@ -83,7 +83,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = atelier.fichier;
+        String scene = controleur.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
                 echoue != null ? echoue : new File(dossier, nom));
@@ -91,7 +91,7 @@ final class Enregistrement {
             return;
         }
         dossier = cible.getParentFile();
-        Atelier.confier(disque, () -> ecrire(image, cible, scene), panne -> {
+        Controleur.confier(disque, () -> ecrire(image, cible, scene), panne -> {
             echoue = cible;
             bandeau.dire(Sujet.AVIS, "");
             bandeau.dire(Sujet.DISQUE, panne);

@@ -47,7 +47,7 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
 /**
- * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Atelier}. Le fil des
+ * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Controleur}. Le fil des
  * événements ne calcule, ne lit, n'écrit ni n'attend : une horloge lui fait regarder où en est le dessin.
  */
 @SuppressWarnings("serial")
@@ -58,7 +58,7 @@ public final class Fenetre {
     private static final int REPOS_MS = 200;
 
     final JFrame cadre = new Cadre();
-    final Atelier atelier;
+    final Controleur controleur;
     private final String programme;
     /** La taille de l'image que dit la ligne de commande. */
     private final Dimension demandee;
@@ -86,24 +86,24 @@ public final class Fenetre {
         demandee = new Dimension(options.largeur, options.hauteur);
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         barre = new BarreEtat();
-        atelier = new Atelier(premier, dessinateur, dessins, options.fils, panneau, this::getTaille);
-        atelier.prevenir(this::suivre);
-        retaille = new Timer(REPOS_MS, e -> atelier.ajuster());
-        enregistrement = new Enregistrement(atelier, panneau.bandeau);
-        prise = new Prise(atelier, panneau);
+        controleur = new Controleur(premier, dessinateur, dessins, options.fils, panneau, this::getTaille);
+        controleur.prevenir(this::suivre);
+        retaille = new Timer(REPOS_MS, e -> controleur.ajuster());
+        enregistrement = new Enregistrement(controleur, panneau.bandeau);
+        prise = new Prise(controleur, panneau);
         Map<String, Supplier<JComponent>> contenus = new LinkedHashMap<>();
-        contenus.put("Pixel", () -> new Inspecteur(atelier, panneau, caracteres));
-        contenus.put("Réglages", () -> new PanneauReglages(atelier));
-        contenus.put("Vitesse", () -> new PanneauVitesse(atelier));
+        contenus.put("Pixel", () -> new Inspecteur(controleur, panneau, caracteres));
+        contenus.put("Réglages", () -> new PanneauReglages(controleur));
+        contenus.put("Vitesse", () -> new PanneauVitesse(controleur));
         onglets = new Onglets(cadre, panneau, contenus);
         JMenuBar menus = new JMenuBar();
         menus.add(menuFichier());
         menus.add(menuAffichage());
-        MenuDessin dessin = new MenuDessin(atelier, variantes);
+        MenuDessin dessin = new MenuDessin(controleur, variantes);
         menus.add(dessin.menu);
         caracteres.put('+', () -> dessin.changer(true));
         caracteres.put('-', () -> dessin.changer(false));
-        menus.add(new MenuScenes(atelier).menu);
+        menus.add(new MenuScenes(controleur).menu);
         JMenu aide = menus.add(Menus.menu("Aide"));
         // A est à Affichage
         aide.setMnemonic(KeyEvent.VK_I);
@@ -117,8 +117,8 @@ public final class Fenetre {
     private JMenu menuFichier() {
         JMenu menu = Menus.menu("Fichier");
         Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
-        Menus.siScene(atelier, menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), enregistrement::enregistrer);
-        Menus.siScene(atelier, menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier);
+        Menus.siScene(controleur, menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), enregistrement::enregistrer);
+        Menus.siScene(controleur, menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier);
         menu.add(panneau.bandeau.copie);
         menu.addSeparator();
         Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
@@ -129,20 +129,20 @@ public final class Fenetre {
         JMenu menu = Menus.menu("Affichage");
         ButtonGroup tailles = new ButtonGroup();
         JMenuItem demander = Menus.choix(menu, tailles, "Taille demandée, " + demandee.width + " × " + demandee.height,
-                Menus.ctrl(KeyEvent.VK_1), atelier::ajuster);
+                Menus.ctrl(KeyEvent.VK_1), controleur::ajuster);
         demander.setSelected(true);
-        remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), atelier::ajuster);
+        remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), controleur::ajuster);
         plein = new JCheckBoxMenuItem("Plein écran");
         Menus.article(menu, plein, Menus.touche(KeyEvent.VK_F11), this::basculer);
         menu.addSeparator();
         Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
         Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
         menu.addSeparator();
-        menu.add(Menus.siScene(atelier, menuVues()));
-        Menus.siScene(atelier, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
-        Menus.siScene(atelier, menu, "Réglages", Menus.touche(KeyEvent.VK_F2),
+        menu.add(Menus.siScene(controleur, menuVues()));
+        Menus.siScene(controleur, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
+        Menus.siScene(controleur, menu, "Réglages", Menus.touche(KeyEvent.VK_F2),
                 () -> onglets.montrer(1).transferFocus());
-        Menus.siScene(atelier, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3),
+        Menus.siScene(controleur, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3),
                 () -> onglets.montrer(2).transferFocus());
         menu.addSeparator();
         JCheckBoxMenuItem sombre = new JCheckBoxMenuItem("Apparence sombre", Apparence.estSombre());
@@ -158,8 +158,8 @@ public final class Fenetre {
     private JMenu menuVues() {
         JMenu menu = Menus.menu("Vue");
         ButtonGroup vues = new ButtonGroup();
-        Menus.choix(menu, vues, "l'image", null, () -> atelier.voir(null)).setSelected(true);
-        Options.VUES.forEach(vue -> Menus.choix(menu, vues, vue, null, () -> atelier.voir(vue)));
+        Menus.choix(menu, vues, "l'image", null, () -> controleur.voir(null)).setSelected(true);
+        Options.VUES.forEach(vue -> Menus.choix(menu, vues, vue, null, () -> controleur.voir(vue)));
         return menu;
     }
 
@@ -176,10 +176,10 @@ public final class Fenetre {
         ecouter();
         titrer();
         if (premier == null) {
-            panneau.dire("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini", true);
+            panneau.dire("Ctrl+O pour ouvrir une scène, ou déposer ici un fichier .ini");
             EventQueue.invokeLater(this::choisirScene);
         } else {
-            atelier.commencer(premier);
+            controleur.commencer(premier);
         }
         cadre.setVisible(true);
     }
@@ -241,7 +241,7 @@ public final class Fenetre {
             try {
                 List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (fichiers.size() == 1) {
-                    atelier.ouvrir(((File) fichiers.get(0)).getPath());
+                    controleur.ouvrir(((File) fichiers.get(0)).getPath());
                 } else {
                     panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
                 }
@@ -271,13 +271,13 @@ public final class Fenetre {
         cadre.setBounds(entre ? cadre.getBounds() : place);
         cadre.setVisible(true);
         cadre.requestFocus();
-        atelier.ajuster();
+        controleur.ajuster();
     }
 
     private void choisirScene() {
-        File choisi = Dialogues.choisirScene(cadre, atelier.fichier);
+        File choisi = Dialogues.choisirScene(cadre, controleur.fichier);
         if (choisi != null) {
-            atelier.ouvrir(choisi.getPath());
+            controleur.ouvrir(choisi.getPath());
         }
     }
 
@@ -289,17 +289,17 @@ public final class Fenetre {
     }
 
     private void tenir(boolean tenue) {
-        ImageMemoire voulue = tenue ? atelier.avant : null;
+        ImageMemoire voulue = tenue ? controleur.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
-            panneau.dire(tenue ? "avant : " + voulue.legende : "", true);
+            panneau.dire(tenue ? "avant : " + voulue.legende : "");
             decrire();
         }
     }
 
     private void echapper() {
-        if (atelier.enCours) {
-            atelier.arreter();
+        if (controleur.enCours) {
+            controleur.arreter();
         } else if (prise.estPris()) {
             prise.lacher();
         } else if (touches != null && touches.isVisible()) {
@@ -332,7 +332,7 @@ public final class Fenetre {
     /** Ferme la fenêtre, sans finir le programme : sa scène est refusée. */
     void abandonner() {
         horloge.stop();
-        atelier.terminer();
+        controleur.terminer();
         // ce que calcule un onglet s'arrête avec lui
         onglets.fermer();
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
@@ -340,7 +340,7 @@ public final class Fenetre {
     }
 
     private void suivre() {
-        if (atelier.enCours) {
+        if (controleur.enCours) {
             horloge.start();
         } else {
             horloge.stop();
@@ -365,17 +365,17 @@ public final class Fenetre {
     }
 
     private void avancer() {
-        barre.avancer(atelier.enCours ? atelier.courant : null);
-        if (atelier.enCours || atelier.getImageComplete() == null) {
-            barre.resumer(atelier.courant.getEtat());
+        barre.avancer(controleur.enCours ? controleur.courant : null);
+        if (controleur.enCours || controleur.getImageComplete() == null) {
+            barre.resumer(controleur.courant.getEtat());
         }
         if (plein.isSelected()) {
-            panneau.dire(cadre.getTitle() + " — " + atelier.courant.getEtat(), atelier.enCours);
+            panneau.dire(controleur.enCours ? cadre.getTitle() + " — " + controleur.courant.getEtat() : "");
         }
     }
 
     private void observer() {
-        atelier.observer();
+        controleur.observer();
         avancer();
         montrerPixel();
     }
@@ -383,7 +383,7 @@ public final class Fenetre {
     /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
-                : atelier.enCours ? null : atelier.getImageComplete();
+                : controleur.enCours ? null : controleur.getImageComplete();
         String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image));
         if (image != null) {
             barre.resumer(resume);
@@ -399,7 +399,7 @@ public final class Fenetre {
     }
 
     private void titrer() {
-        String fichier = atelier.fichier;
+        String fichier = controleur.fichier;
         cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName());
     }
 }

@@ -58,7 +58,7 @@ final class Inspecteur extends JPanel {
     private static final Dimension TAILLE = new Dimension(420, 400);
     private static final int SAUT = 10;
 
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final PanneauImage panneau;
     private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
         @Override
@@ -76,7 +76,7 @@ final class Inspecteur extends JPanel {
     };
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final VueDeCote vue = new VueDeCote(this::isoler);
-    private final ExecutorService fil = Atelier.unFil("lancer-inspection");
+    private final ExecutorService fil = Controleur.unFil("lancer-inspection");
     private Inspection enCours;
     private Inspection montree;
     private Point pixel;
@@ -93,9 +93,9 @@ final class Inspecteur extends JPanel {
     private final Map<String, Boolean> ouverts = new HashMap<>();
 
     /** @param caracteres où mettre ce qu'il fait d'un caractère */
-    Inspecteur(Atelier atelier, PanneauImage panneau, Map<Character, Runnable> caracteres) {
+    Inspecteur(Controleur controleur, PanneauImage panneau, Map<Character, Runnable> caracteres) {
         super(new BorderLayout(MARGE, MARGE));
-        this.atelier = atelier;
+        this.controleur = controleur;
         this.panneau = panneau;
         setName("pixel");
         setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
@@ -128,7 +128,7 @@ final class Inspecteur extends JPanel {
         arbre.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), WHEN_FOCUSED);
         IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
         caracteres.put('d', this::deplier);
-        atelier.prevenir(this::calculer);
+        controleur.prevenir(this::calculer);
         addHierarchyListener(e -> {
             if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
                 paraitreOuNon();
@@ -211,7 +211,7 @@ final class Inspecteur extends JPanel {
 
     /** Explique le pixel de l'image montrée, par ce qui l'a dessinée ; ce qui se lit est gris en attendant. */
     private void calculer() {
-        Dessin montre = atelier.montre;
+        Dessin montre = controleur.montre;
         if (enCours != null) {
             enCours.arreter();
             enCours = null;
@@ -236,7 +236,7 @@ final class Inspecteur extends JPanel {
         enCours = nouvelle;
         verdict.setText("calcul…");
         arbre.repaint();
-        Atelier.confier(fil, () -> {
+        Controleur.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
             List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
@@ -348,7 +348,7 @@ final class Inspecteur extends JPanel {
     }
 
     private String comparer(Couleur couleur) {
-        ImageMemoire image = atelier.getImageComplete();
+        ImageMemoire image = controleur.getImageComplete();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }

@@ -29,82 +29,83 @@ final class MenuDessin {
     private final ButtonGroup nombres = new ButtonGroup();
     private final JMenu etapes = Menus.menu("Étapes du cours");
     private final ButtonGroup lesEtapes = new ButtonGroup();
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final JMenuItem arreter;
 
     /** @param variantes les noms de celles qui sont présentes */
-    MenuDessin(Atelier atelier, List<String> variantes) {
-        this.atelier = atelier;
+    MenuDessin(Controleur controleur, List<String> variantes) {
+        this.controleur = controleur;
         JMenuItem relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5),
-                atelier::relire);
-        atelier.prevenir(() -> relire.setEnabled(atelier.fichier != null));
+                controleur::relire);
+        controleur.prevenir(() -> relire.setEnabled(controleur.fichier != null));
         // la touche est liée ailleurs : Java l'afficherait « Escape »
-        arreter = Menus.article(menu, "Arrêter (Échap)", null, atelier::arreter);
+        arreter = Menus.article(menu, "Arrêter (Échap)", null, controleur::arreter);
         menu.addSeparator();
         for (int n : REFLEXIONS) {
             Menus.choix(reflexions, nombres, String.valueOf(n), null, () -> reflechir(n));
         }
-        menu.add(Menus.siScene(atelier, reflexions));
+        menu.add(Menus.siScene(controleur, reflexions));
         for (Etape etape : Etape.values()) {
             Menus.choix(etapes, lesEtapes, NOMS_DES_ETAPES[etape.ordinal()],
                     KeyStroke.getKeyStroke(KeyEvent.VK_1 + etape.ordinal(),
                             InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK),
-                    () -> atelier.dessiner(atelier.reglages.avec(etape), false));
+                    () -> controleur.dessiner(controleur.reglages.avec(etape), false));
         }
-        menu.add(Menus.siScene(atelier, etapes));
+        menu.add(Menus.siScene(controleur, etapes));
         reflexions.setMnemonic('x');
         reflexions.setToolTipText("touches + et −");
         for (String nom : variantes) {
             JCheckBoxMenuItem coche = new JCheckBoxMenuItem(nom);
-            Menus.siScene(atelier, Menus.article(menu, coche, null, () -> {
-                ReglagesDessin reglages = atelier.reglages;
+            Menus.siScene(controleur, Menus.article(menu, coche, null, () -> {
+                ReglagesDessin reglages = controleur.reglages;
                 Variante variante = reglages.getVariante(nom);
-                atelier.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
+                controleur.dessiner(reglages.avec(variante, !reglages.estBranchee(variante)), false);
             }));
-            atelier.prevenir(() -> coche.setSelected(atelier.reglages != null
-                    && atelier.reglages.estBranchee(atelier.reglages.getVariante(nom))));
+            controleur.prevenir(() -> coche.setSelected(controleur.reglages != null
+                    && controleur.reglages.estBranchee(controleur.reglages.getVariante(nom))));
         }
         menu.addSeparator();
-        Menus.siScene(atelier, menu, "Revenir aux réglages de la scène", null,
-                () -> atelier.dessiner(atelier.reglages.initiaux(), false));
-        JMenuItem defaire = Menus.article(menu, "Défaire le déplacement", Menus.ctrl(KeyEvent.VK_Z), atelier::defaire);
-        atelier.prevenir(() -> defaire.setEnabled(atelier.estDeplacee()));
-        Menus.siScene(atelier, menu, "Copier ces réglages",
+        Menus.siScene(controleur, menu, "Revenir aux réglages de la scène", null,
+                () -> controleur.dessiner(controleur.reglages.initiaux(), false));
+        JMenuItem defaire = Menus.article(menu, "Défaire le déplacement", Menus.ctrl(KeyEvent.VK_Z),
+                controleur::defaire);
+        controleur.prevenir(() -> defaire.setEnabled(controleur.estDeplacee()));
+        Menus.siScene(controleur, menu, "Copier ces réglages",
                 KeyStroke.getKeyStroke(KeyEvent.VK_C, Menus.ctrl(0).getModifiers() | InputEvent.SHIFT_DOWN_MASK),
                 this::copier);
-        atelier.prevenir(this::montrer);
+        controleur.prevenir(this::montrer);
         montrer();
     }
 
     void changer(boolean plus) {
-        if (atelier.reglages != null) {
-            int actuel = atelier.reglages.getReflets();
+        if (controleur.reglages != null) {
+            int actuel = controleur.reglages.getReflets();
             IntStream autres = Arrays.stream(REFLEXIONS).mapToInt(n -> n).filter(n -> plus ? n > actuel : n < actuel);
             (plus ? autres.min() : autres.max()).ifPresent(this::reflechir);
         }
     }
 
     private void reflechir(int n) {
-        ReglagesDessin reglages = atelier.reglages;
+        ReglagesDessin reglages = controleur.reglages;
         if (n != reglages.getReflets()) {
-            atelier.dessiner(reglages.avec(n, reglages.getSeuil()), false);
+            controleur.dessiner(reglages.avec(n, reglages.getSeuil()), false);
         }
     }
 
     /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
     private void copier() {
-        String sections = atelier.reglages.getSectionsChangees().stream()
+        String sections = controleur.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + Deplacement.sections(atelier.adopte.dessin.getLue(), atelier.source.getLue());
+                + Deplacement.sections(controleur.adopte.dessin.getLue(), controleur.source.getLue());
         menu.getToolkit().getSystemClipboard().setContents(
-                new StringSelection(sections + "; " + atelier.getCommande() + "\n"), null);
-        atelier.panneau.bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
+        controleur.panneau.bandeau.dire(Sujet.AVIS, "réglages copiés : "
                 + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     private void montrer() {
-        ReglagesDessin reglages = atelier.reglages;
-        arreter.setEnabled(atelier.enCours);
+        ReglagesDessin reglages = controleur.reglages;
+        arreter.setEnabled(controleur.enCours);
         nombres.clearSelection();
         for (int k = 0; k < REFLEXIONS.length && reglages != null; k++) {
             reflexions.getItem(k).setSelected(REFLEXIONS[k] == reglages.getReflets());

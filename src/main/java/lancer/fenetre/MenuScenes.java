@@ -20,19 +20,19 @@ final class MenuScenes {
     private static final int SCENES_MAX = 40;
 
     final JMenu menu = Menus.menu("Scènes");
-    private final Atelier atelier;
-    private final ExecutorService fil = Atelier.unFil("lancer-scenes");
+    private final Controleur controleur;
+    private final ExecutorService fil = Controleur.unFil("lancer-scenes");
     /** Le dessin qui a lu la scène montrée, {@code null} s'il n'y en a pas encore. */
     private Tracage montree;
     private List<File> voisines;
     private int rang;
 
-    MenuScenes(Atelier atelier) {
-        this.atelier = atelier;
+    MenuScenes(Controleur controleur) {
+        this.controleur = controleur;
         remplir(Collections.emptyList());
-        atelier.prevenir(() -> {
-            if (montree != atelier.adopte) {
-                lister(atelier.adopte);
+        controleur.prevenir(() -> {
+            if (montree != controleur.adopte) {
+                lister(controleur.adopte);
             }
         });
     }
@@ -40,7 +40,7 @@ final class MenuScenes {
     /** Lit le dossier de la scène qu'a lue ce dessin ; jamais avant la première image. */
     private void lister(Tracage tracage) {
         montree = tracage;
-        Atelier.confier(fil, () -> {
+        Controleur.confier(fil, () -> {
             tracage.attendreDEtreVu();
             List<File> trouvees = voisines(tracage.dessin.fichier);
             EventQueue.invokeLater(() -> {
@@ -68,7 +68,7 @@ final class MenuScenes {
         menu.removeAll();
         ButtonGroup groupe = new ButtonGroup();
         for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {
-            Menus.choix(menu, groupe, Texte.echappe(scene.getName()), null, () -> atelier.ouvrir(scene.getPath()))
+            Menus.choix(menu, groupe, Texte.echappe(scene.getName()), null, () -> controleur.ouvrir(scene.getPath()))
                     .setSelected(scenes.indexOf(scene) == rang);
         }
         menu.addSeparator();
@@ -81,7 +81,7 @@ final class MenuScenes {
     private void voisine(int pas) {
         if (rang + pas >= 0 && rang + pas < voisines.size()) {
             rang += pas;
-            atelier.ouvrir(voisines.get(rang).getPath());
+            controleur.ouvrir(voisines.get(rang).getPath());
         }
     }
 }

@@ -51,14 +51,14 @@ final class Menus {
     }
 
     /** Un article grisé tant qu'aucune scène n'est montrée. */
-    static void siScene(Atelier atelier, JMenu menu, String nom, KeyStroke touche, Runnable action) {
-        siScene(atelier, article(menu, nom, touche, action));
+    static void siScene(Controleur controleur, JMenu menu, String nom, KeyStroke touche, Runnable action) {
+        siScene(controleur, article(menu, nom, touche, action));
     }
 
     /** Grise cet article tant qu'aucune scène n'est montrée. */
-    static <T extends JMenuItem> T siScene(Atelier atelier, T article) {
+    static <T extends JMenuItem> T siScene(Controleur controleur, T article) {
         article.setEnabled(false);
-        atelier.prevenir(() -> article.setEnabled(atelier.reglages != null));
+        controleur.prevenir(() -> article.setEnabled(controleur.reglages != null));
         return article;
     }
 

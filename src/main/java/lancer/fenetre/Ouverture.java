@@ -46,7 +46,7 @@ public final class Ouverture {
             throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
-        ExecutorService dessins = Atelier.unFil("lancer-dessin");
+        ExecutorService dessins = Controleur.unFil("lancer-dessin");
         Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null,
                 PanneauImage.dans(Dialogues.ecran().getSize(), dessin.largeur, dessin.hauteur), options.fils);
         if (premier != null) {

@@ -22,7 +22,6 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
-import javax.swing.Timer;
 import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
 import lancer.image.Reduction;
@@ -39,8 +38,6 @@ final class PanneauImage extends JPanel {
     private static final int TREMBLEMENT = 4;
     /** Lignes et colonnes d'une image en cours dont un pixel réduit est la moyenne. */
     private static final int LIGNES_REGARDEES = 4;
-    private static final int FONDU_MS = 50;
-    private static final float FONDU = 0.05f;
 
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
@@ -61,11 +58,8 @@ final class PanneauImage extends JPanel {
     private Point souris;
     private Point appui = new Point();
     private Point suivi;
-    /** Ligne qui se lit sur le haut de l'image, et son opacité, de 0 à 1. */
+    /** Ligne qui se lit sur le haut de l'image. */
     String ligne = "";
-    private float opacite;
-    private final Timer fondu = new Timer(FONDU_MS, e -> estomper());
-
     boolean peinte;
 
     /** Grossissement de la loupe, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
@@ -158,23 +152,9 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
-    /** Dit ceci en une ligne sur le haut de l'image. @param reste faux si cela doit s'effacer peu à peu */
-    void dire(String texte, boolean reste) {
+    /** Dit ceci en une ligne sur le haut de l'image. @param texte vide pour ne plus rien dire */
+    void dire(String texte) {
         ligne = texte;
-        opacite = 1;
-        if (reste) {
-            fondu.stop();
-        } else {
-            fondu.start();
-        }
-        repaint();
-    }
-
-    private void estomper() {
-        opacite = Math.max(0, opacite - FONDU);
-        if (opacite == 0) {
-            dire("", true);
-        }
         repaint();
     }
 
@@ -291,9 +271,9 @@ final class PanneauImage extends JPanel {
         g2.dispose();
         if (!ligne.isEmpty()) {
             FontMetrics m = g.getFontMetrics();
-            g.setColor(new Color(0, 0, 0, opacite / 2));
+            g.setColor(new Color(0x80000000, true));
             g.fillRect(0, 0, getWidth(), m.getHeight());
-            g.setColor(new Color(1, 1, 1, opacite));
+            g.setColor(Color.WHITE);
             g.drawString(ligne, m.getHeight() / 2, m.getAscent());
         }
     }

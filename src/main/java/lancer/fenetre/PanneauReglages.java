@@ -35,7 +35,7 @@ final class PanneauReglages extends JScrollPane {
     /** Deux pas d'une glissière plus rapprochés que cela, au clavier, sont d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
 
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
     private final List<Runnable> ajustements = new ArrayList<>();
     /** Vrai pendant que le panneau se met où sont les réglages : ce n'est pas l'utilisateur. */
@@ -44,24 +44,24 @@ final class PanneauReglages extends JScrollPane {
     private long dernierNs;
 
     /** Panneau à créer quand une scène est lue. */
-    PanneauReglages(Atelier atelier) {
-        this.atelier = atelier;
+    PanneauReglages(Controleur controleur) {
+        this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        choisir("étape du cours", 0, Etape.values(), () -> atelier.reglages.getEtape(),
-                etape -> atelier.dessiner(atelier.reglages.avec(etape), false));
-        choisir("réflexions", 1, MenuDessin.REFLEXIONS, () -> atelier.reglages.getReflets(), n -> atelier.dessiner(
-                atelier.reglages.avec(n, atelier.reglages.getSeuil()), false));
+        choisir("étape du cours", 0, Etape.values(), () -> controleur.reglages.getEtape(),
+                etape -> controleur.dessiner(controleur.reglages.avec(etape), false));
+        choisir("réflexions", 1, MenuDessin.REFLEXIONS, () -> controleur.reglages.getReflets(),
+                n -> controleur.dessiner(controleur.reglages.avec(n, controleur.reglages.getSeuil()), false));
         int ligne = 2;
-        for (Variante presente : atelier.reglages.getVariantes()) {
+        for (Variante presente : controleur.reglages.getVariantes()) {
             // chaque lecture en fait une neuve
-            Supplier<Variante> variante = () -> atelier.reglages.getVariante(presente.getSection());
+            Supplier<Variante> variante = () -> controleur.reglages.getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
             boite.addActionListener(e -> {
                 dernier = null;
-                atelier.dessiner(atelier.reglages.avec(variante.get(), boite.isSelected()), false);
+                controleur.dessiner(controleur.reglages.avec(variante.get(), boite.isSelected()), false);
             });
-            ajustements.add(() -> boite.setSelected(atelier.reglages.estBranchee(variante.get())));
+            ajustements.add(() -> boite.setSelected(controleur.reglages.estBranchee(variante.get())));
             poser(boite, 0, ligne++, 3);
             for (Parametre parametre : presente.getParametres()) {
                 ajouter(variante, parametre, ligne++);
@@ -73,7 +73,7 @@ final class PanneauReglages extends JScrollPane {
         setViewportView(haut);
         setBorder(null);
         montrer();
-        atelier.prevenir(this::montrer);
+        controleur.prevenir(this::montrer);
     }
 
     /** Un choix dans une liste, qui suit les réglages. */
@@ -102,7 +102,7 @@ final class PanneauReglages extends JScrollPane {
         ajustements.add(() -> {
             String actuelle = valeur(variante, parametre);
             valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
-            choix.setEnabled(atelier.reglages.estBranchee(variante.get()));
+            choix.setEnabled(controleur.reglages.estBranchee(variante.get()));
         });
         nom.setLabelFor(choix);
         poser(nom, 0, ligne, 1);
@@ -117,7 +117,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private String valeur(Supplier<Variante> variante, Parametre parametre) {
-        return atelier.reglages.getValeur(variante.get(), parametre);
+        return controleur.reglages.getValeur(variante.get(), parametre);
     }
 
     private JComboBox<String> mot(Supplier<Variante> variante, Parametre parametre) {
@@ -192,14 +192,14 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
-        ReglagesDessin reglages = atelier.reglages;
+        ReglagesDessin reglages = controleur.reglages;
         Section section = reglages.getSection(variante.get());
         if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
             long maintenant = System.nanoTime();
             boolean suite = parametre == dernier && (glisse || maintenant - dernierNs < GESTE_NS);
             dernier = parametre;
             dernierNs = maintenant;
-            atelier.dessiner(reglages.avec(variante.get(),
+            controleur.dessiner(reglages.avec(variante.get(),
                     section.avec(parametre.cle, voulue, parametre.autre)), suite);
         } else if (!miseAJour && !glisse) {
             // lâchée : le geste est fini

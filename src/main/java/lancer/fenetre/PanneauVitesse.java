@@ -27,12 +27,12 @@ final class PanneauVitesse extends JPanel {
 
     private static final int MARGE = 8;
 
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
     /** Le point où mènent la souris et les flèches, en mots. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
-    private final ExecutorService fil = Atelier.unFil("lancer-vitesse");
+    private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
     private Future<?> essais;
     /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
     private List<Object> essayee;
@@ -40,10 +40,10 @@ final class PanneauVitesse extends JPanel {
     /** Le point dessiné, s'il n'est pas encore mesuré. */
     private Candidat voulu;
 
-    PanneauVitesse(Atelier atelier) {
+    PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
         setName("vitesse");
-        this.atelier = atelier;
+        this.controleur = controleur;
         JPanel bas = new JPanel(new BorderLayout());
         bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
         point.setRows(2);
@@ -51,7 +51,7 @@ final class PanneauVitesse extends JPanel {
         bas.add(etat, BorderLayout.PAGE_END);
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
-        atelier.prevenir(this::suivre);
+        controleur.prevenir(this::suivre);
         // rien ne s'essaie pendant que l'onglet est caché
         addHierarchyListener(e -> suivre());
     }
@@ -67,7 +67,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void suivre() {
-        Dessin montre = atelier.montre;
+        Dessin montre = controleur.montre;
         if (!isShowing()) {
             abandonner();
             return;
@@ -88,15 +88,15 @@ final class PanneauVitesse extends JPanel {
             List<Object> memeScene = essayee;
             Auto fait = auto;
             auto = null;
-            essais = Atelier.confier(fil, () -> evaluer(memeScene, fait, montre), etat::setText);
+            essais = Controleur.confier(fil, () -> evaluer(memeScene, fait, montre), etat::setText);
         }
-        ImageMemoire image = atelier.getImageComplete();
+        ImageMemoire image = controleur.getImageComplete();
         if (voulu != null && auto != null && image != null && image.lineaire != null
                 && image.sens.equals(ImageMemoire.COULEUR) && estPresent(voulu)) {
-            if (atelier.direFautes() == null) {
+            if (controleur.direFautes() == null) {
                 mesurer(montre.getLancer(), image);
             } else {
-                etat.setText("Image non mesurée : " + atelier.direFautes() + ".");
+                etat.setText("Image non mesurée : " + controleur.direFautes() + ".");
             }
             voulu = null;
         }
@@ -115,7 +115,7 @@ final class PanneauVitesse extends JPanel {
 
     /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
-        ReglagesDessin presents = atelier.montre.getReglages();
+        ReglagesDessin presents = controleur.montre.getReglages();
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
                 && String.valueOf(reglage.section).equals(String.valueOf(presents.getSectionEssayee()));
     }
@@ -123,8 +123,8 @@ final class PanneauVitesse extends JPanel {
     private void essayer(Dessin montre) {
         List<Object> scene = essayee;
         etat.setText("premiers essais…");
-        essais = Atelier.confier(fil, () -> {
-            Auto fait = new Auto(montre.getLancer(), 0, null, null, atelier.fils,
+        essais = Controleur.confier(fil, () -> {
+            Auto fait = new Auto(montre.getLancer(), 0, null, null, controleur.fils,
                     montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             evaluer(scene, fait, montre);
@@ -146,9 +146,9 @@ final class PanneauVitesse extends JPanel {
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);
-                ImageMemoire image = atelier.montre.getImage();
+                ImageMemoire image = controleur.montre.getImage();
                 graphique.montrer(essayes, present, (double) image.largeur * image.hauteur
-                        / Math.min(atelier.fils, Runtime.getRuntime().availableProcessors()));
+                        / Math.min(controleur.fils, Runtime.getRuntime().availableProcessors()));
                 auto = present == null ? null : enCours;
                 suivre();
             }
@@ -156,14 +156,14 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void dessiner(Candidat reglage) {
-        ReglagesDessin reglages = atelier.reglages.avec(reglage.reflets, reglage.seuil);
+        ReglagesDessin reglages = controleur.reglages.avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
             reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }
         voulu = reglage;
         // comparé à des réglages qui ne seront plus les présents
         point.setText(" ");
-        atelier.dessiner(reglages, false);
+        controleur.dessiner(reglages, false);
     }
 
     private void mesurer(Lancer lancer, ImageMemoire image) {
@@ -172,7 +172,7 @@ final class PanneauVitesse extends JPanel {
         Candidat reglage = voulu;
         double temps = lancer.getDureeNs() / 1e9;
         etat.setText("mesure de l'image…");
-        essais = Atelier.confier(fil, () -> {
+        essais = Controleur.confier(fil, () -> {
             Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
             float[] lineaire = image.lineaire;
             for (int k = 0; k < lineaire.length / 3; k++) {

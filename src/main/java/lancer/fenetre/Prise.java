@@ -12,9 +12,9 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
-import java.util.function.DoubleBinaryOperator;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
@@ -38,12 +38,12 @@ final class Prise extends MouseAdapter {
     /** Part de la distance à l'œil que gagne un cran de la molette. */
     private static final double CRAN = 1.04;
     private static final int RAYON_ETOILE = 9;
-    private static final int BRANCHES = 8;
+    private static final int BRANCHES = 4;
     private static final Color LAMPE = new Color(0xFFE040);
     /** Deux touches, ou deux crans, plus rapprochés que cela sont d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
 
-    private final Atelier atelier;
+    private final Controleur controleur;
     private final PanneauImage panneau;
     /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 : rien n'est pris. */
     private int rang = -1;
@@ -56,8 +56,8 @@ final class Prise extends MouseAdapter {
     /** Ce qui a lu la scène dont quelque chose est pris. */
     private Tracage lue;
 
-    Prise(Atelier atelier, PanneauImage panneau) {
-        this.atelier = atelier;
+    Prise(Controleur controleur, PanneauImage panneau) {
+        this.controleur = controleur;
         this.panneau = panneau;
         panneau.addMouseListener(this);
         panneau.addMouseMotionListener(this);
@@ -80,16 +80,16 @@ final class Prise extends MouseAdapter {
                 }
             });
         }
-        atelier.prevenir(() -> {
-            if (lue != atelier.adopte) {
-                lue = atelier.adopte;
+        controleur.prevenir(() -> {
+            if (lue != controleur.adopte) {
+                lue = controleur.adopte;
                 lacher();
             }
         });
     }
 
     private SceneLue getLue() {
-        return atelier.source.getLue();
+        return controleur.source.getLue();
     }
 
     boolean estPris() {
@@ -111,12 +111,12 @@ final class Prise extends MouseAdapter {
     }
 
     private Camera getCamera() {
-        return atelier.montre.getLancer().getCamera();
+        return controleur.montre.getLancer().getCamera();
     }
 
     @Override
     public void mousePressed(MouseEvent e) {
-        if (panneau.montree == null || atelier.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
+        if (panneau.montree == null || controleur.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
             return;
         }
         lacher();
@@ -138,7 +138,7 @@ final class Prise extends MouseAdapter {
                 return true;
             }
         }
-        Scene scene = atelier.montre.getScene().avec(atelier.montre.getScene().getModele());
+        Scene scene = controleur.montre.getScene().avec(controleur.montre.getScene().getModele());
         PointContact contact;
         try {
             contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
@@ -147,7 +147,7 @@ final class Prise extends MouseAdapter {
             return false;
         }
         Objet3D objet = contact == null ? null : contact.objet;
-        SceneLue montree = atelier.montre.getLue();
+        SceneLue montree = controleur.montre.getLue();
         estLampe = false;
         rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
         if (!estPris()) {
@@ -205,7 +205,7 @@ final class Prise extends MouseAdapter {
         long maintenant = System.nanoTime();
         boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
         dernierNs = maintenant;
-        atelier.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
+        controleur.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
                 : Deplacement.en((Sphere) ancienne, ou), suite);
         panneau.repaint();
     }
@@ -217,7 +217,7 @@ final class Prise extends MouseAdapter {
     }
 
     private void peindre(Graphics2D g) {
-        if (panneau.montree == null || atelier.montre == null || !etoiles && !estPris()) {
+        if (panneau.montree == null || controleur.montre == null || !etoiles && !estPris()) {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -247,13 +247,12 @@ final class Prise extends MouseAdapter {
     }
 
     private static Shape etoile(Point2D centre) {
-        DoubleBinaryOperator x = (angle, r) -> centre.getX() + r * Math.cos(angle);
-        DoubleBinaryOperator y = (angle, r) -> centre.getY() + r * Math.sin(angle);
         Path2D etoile = new Path2D.Double();
         for (int k = 0; k < BRANCHES; k++) {
-            double angle = 2 * Math.PI * k / BRANCHES;
-            etoile.moveTo(x.applyAsDouble(angle, 2), y.applyAsDouble(angle, 2));
-            etoile.lineTo(x.applyAsDouble(angle, RAYON_ETOILE), y.applyAsDouble(angle, RAYON_ETOILE));
+            double x = Math.cos(Math.PI * k / BRANCHES) * RAYON_ETOILE;
+            double y = Math.sin(Math.PI * k / BRANCHES) * RAYON_ETOILE;
+            etoile.append(new Line2D.Double(centre.getX() - x, centre.getY() - y, centre.getX() + x,
+                    centre.getY() + y), false);
         }
         return etoile;
     }

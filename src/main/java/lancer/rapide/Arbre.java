@@ -73,25 +73,25 @@ final class Arbre implements Intersections, Occultations {
     }
 
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
-        long avant = parcours.compteurs.examens();
-        parcours.distance = Constantes.INFINI;
-        commencer(parcours);
+        long avant = etat.compteurs.examens();
+        etat.distance = Constantes.INFINI;
+        commencer(etat);
         int trouvee;
         do {
             Recherche.obeir();
-            trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, false, PAS);
+            trouvee = descendre(etat, px, py, pz, vx, vy, vz, sauf, false, PAS);
         } while (trouvee == SUSPENDUE);
-        parcours.credit += parcours.compteurs.examens() - avant;
+        etat.credit += etat.compteurs.examens() - avant;
         return trouvee;
     }
 
     @Override
-    public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public boolean cachee(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
-        parcours.credit += Parcours.PAR_RAYON;
-        return reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+        etat.credit += EtatDeRecherche.PAR_RAYON;
+        return reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
     }
 
     /**
@@ -99,49 +99,49 @@ final class Arbre implements Intersections, Occultations {
      * autant que le compte le permet ; puis tour à tour les boucles, dans l'ordre de la scène, et l'arbre : une lampe
      * dans la première sphère de la scène ne coûte pas une descente.
      */
-    boolean reprendre(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    boolean reprendre(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
-        long avant = parcours.compteurs.examens();
-        int b = parcours.bloqueur;
-        if (b >= 0 && b != sauf && parcours.touche(spheres, b, px, py, pz, vx, vy, vz, distance)) {
+        long avant = etat.compteurs.examens();
+        int b = etat.bloqueur;
+        if (b >= 0 && b != sauf && etat.touche(spheres, b, px, py, pz, vx, vy, vz, distance)) {
             return true;
         }
         Recherche.obeir();
-        parcours.distance = distance;
-        commencer(parcours);
-        int permis = (int) Math.max(0, Math.min(PAS, parcours.credit));
-        int trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, true, permis);
-        parcours.credit -= parcours.compteurs.examens() - avant;
+        etat.distance = distance;
+        commencer(etat);
+        int permis = (int) Math.max(0, Math.min(PAS, etat.credit));
+        int trouvee = descendre(etat, px, py, pz, vx, vy, vz, sauf, true, permis);
+        etat.credit -= etat.compteurs.examens() - avant;
         for (int r = 0; trouvee == SUSPENDUE;) {
             for (int fin = Math.min(r + PAS_BOUCLES, spheres.nombre); r < fin; r++) {
-                if (r != sauf && parcours.touche(spheres, r, px, py, pz, vx, vy, vz, distance)) {
-                    parcours.bloqueur = r;
+                if (r != sauf && etat.touche(spheres, r, px, py, pz, vx, vy, vz, distance)) {
+                    etat.bloqueur = r;
                     return true;
                 }
             }
             Recherche.obeir();
-            trouvee = descendre(parcours, px, py, pz, vx, vy, vz, sauf, true, PAS_ARBRE);
+            trouvee = descendre(etat, px, py, pz, vx, vy, vz, sauf, true, PAS_ARBRE);
         }
-        parcours.bloqueur = trouvee >= 0 ? trouvee : b;
+        etat.bloqueur = trouvee >= 0 ? trouvee : b;
         return trouvee >= 0;
     }
 
     /** Premier nœud à visiter, s'il y a une sphère : la racine. */
-    private void commencer(Parcours parcours) {
-        parcours.trouvee = -1;
-        parcours.pile[0] = 0;
-        parcours.entrees[0] = 0;
-        parcours.haut = spheres.nombre == 0 ? 0 : 1;
+    private void commencer(EtatDeRecherche etat) {
+        etat.trouvee = -1;
+        etat.pile[0] = 0;
+        etat.entrees[0] = 0;
+        etat.haut = spheres.nombre == 0 ? 0 : 1;
     }
 
     /**
      * Descend dans ce qui reste à visiter.
      *
-     * @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code parcours.distance}
+     * @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code etat.distance}
      * @param permis nombre d'examens, à peu près
      * @return la sphère trouvée, -1 s'il n'y en a pas, ou {@link #SUSPENDUE}
      */
-    private int descendre(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    private int descendre(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf, boolean premiereVenue, int permis) {
         Noeuds arbre = noeuds();
         // les plans d'entrée : ceux du minimum si le rayon va vers les grands, ceux du maximum sinon
@@ -164,11 +164,11 @@ final class Arbre implements Intersections, Occultations {
         double psz = 2 * pz - pez;
         double[] q = arbre.boites;
         double[] g = spheres.geometrie;
-        int[] pile = parcours.pile;
-        double[] entrees = parcours.entrees;
-        double distance = parcours.distance;
-        int trouvee = parcours.trouvee;
-        int haut = parcours.haut;
+        int[] pile = etat.pile;
+        double[] entrees = etat.entrees;
+        double distance = etat.distance;
+        int trouvee = etat.trouvee;
+        int haut = etat.haut;
         int tests = 0;
         int visites = 0;
         while (haut > 0 && tests + visites < permis) {
@@ -209,7 +209,7 @@ final class Arbre implements Intersections, Occultations {
                 int i = Spheres.PAS * k;
                 double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2], g[i + 3]);
                 if (d < 0) {
-                    d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
+                    d = etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
                 }
                 if (premiereVenue ? d < distance : d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                     distance = d;
@@ -221,11 +221,11 @@ final class Arbre implements Intersections, Occultations {
                 }
             }
         }
-        parcours.compteurs.testsSpheres += tests;
-        parcours.compteurs.noeudsVisites += visites;
-        parcours.distance = distance;
-        parcours.trouvee = trouvee;
-        parcours.haut = haut;
+        etat.compteurs.testsSpheres += tests;
+        etat.compteurs.noeudsVisites += visites;
+        etat.distance = distance;
+        etat.trouvee = trouvee;
+        etat.haut = haut;
         return haut > 0 ? SUSPENDUE : trouvee;
     }
 

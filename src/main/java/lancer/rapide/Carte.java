@@ -195,16 +195,16 @@ final class Carte implements Intersections, Occultations {
      * vient pas de l'œil, ou que le compte ne permet pas, est pour le secours.
      */
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         int c = faces[0].caseDeLOeil(px, py, pz, vx, vy, vz);
         if (c < 0) {
-            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
         }
         // les distances de la carte partent de l'œil, et V.z = focale / ‖P − Œil‖
         double avance = faces[0].focale / vz * (1 + 1e-12);
-        parcours.distance = Constantes.INFINI;
-        parcours.compteurs.noeudsVisites++;
+        etat.distance = Constantes.INFINI;
+        etat.compteurs.noeudsVisites++;
         int premiere = debut[c];
         int derniere = debut[c + 1];
         if (premiere == derniere) {
@@ -213,7 +213,7 @@ final class Carte implements Intersections, Occultations {
         double[] g = spheres.geometrie;
         double distance = Constantes.INFINI;
         int trouvee = -1;
-        long credit = parcours.credit + Parcours.PAR_RAYON;
+        long credit = etat.credit + EtatDeRecherche.PAR_RAYON;
         int fin = derniere - premiere <= credit ? derniere : premiere + (int) credit;
         int e = premiere;
         for (; e < fin && pres[e] - avance <= distance; e++) {
@@ -221,53 +221,53 @@ final class Carte implements Intersections, Occultations {
             int s = Spheres.PAS * k;
             double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < 0) {
-                d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
+                d = etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
             }
             if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                 distance = d;
                 trouvee = k;
             }
         }
-        parcours.compteurs.testsSpheres += e - premiere;
-        parcours.credit = credit - (e - premiere);
+        etat.compteurs.testsSpheres += e - premiere;
+        etat.credit = credit - (e - premiere);
         if (e >= fin && e < derniere && pres[e] - avance <= distance) {
-            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
         }
-        parcours.distance = distance;
+        etat.distance = distance;
         return trouvee;
     }
 
     /** {@inheritDoc} Pour la carte d'une lampe. */
     @Override
-    public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public boolean cachee(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
         if (px != origine.x || py != origine.y || pz != origine.z) {
-            return secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int c = caseDe(vx, vy, vz);
         if (c < 0) {
             return false;
         }
-        parcours.compteurs.noeudsVisites++;
+        etat.compteurs.noeudsVisites++;
         if (distance > coupe[c]) {
             // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
-            return coupeuse[c] != sauf || secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return coupeuse[c] != sauf || secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int premiere = debut[c];
         int derniere = debut[c + 1];
-        parcours.credit += Parcours.PAR_RAYON;
-        int fin = derniere - premiere <= parcours.credit ? derniere : premiere + (int) parcours.credit;
+        etat.credit += EtatDeRecherche.PAR_RAYON;
+        int fin = derniere - premiere <= etat.credit ? derniere : premiere + (int) etat.credit;
         int e = premiere;
         boolean cachee = false;
         for (; e < fin && !cachee && pres[e] < distance; e++) {
             int k = entrees[e];
             if (k != sauf) {
-                cachee = parcours.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
+                cachee = etat.touche(spheres, k, px, py, pz, vx, vy, vz, distance);
             }
         }
-        parcours.credit -= e - premiere;
+        etat.credit -= e - premiere;
         return cachee || e >= fin && e < derniere && pres[e] < distance
-                && secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+                && secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
     }
 
     /** La case de cette direction, -1 si aucune sphère ne peut y être. */

@@ -187,49 +187,49 @@ final class Grille implements Intersections {
     }
 
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         if (!(Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz))) <= DEPART_MAX * portee)) {
-            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
         }
-        parcours.distance = Double.MAX_VALUE;
-        parcours.trouvee = -1;
-        parcours.credit += Parcours.PAR_RAYON - grosses.length;
+        etat.distance = Double.MAX_VALUE;
+        etat.trouvee = -1;
+        etat.credit += EtatDeRecherche.PAR_RAYON - grosses.length;
         for (int grosse : grosses) {
             if (grosse != sauf) {
-                parcours.compteurs.testsSpheres++;
-                parcours.retenir(spheres, grosse, px, py, pz, vx, vy, vz);
+                etat.compteurs.testsSpheres++;
+                etat.retenir(spheres, grosse, px, py, pz, vx, vy, vz);
             }
         }
-        parcours.haut = 0;
-        int k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
-        while (k >= 0 && parcours.haut < parcours.pile.length) {
-            parcours.pile[parcours.haut++] = k;
-            parcours.retenir(spheres, k, px, py, pz, vx, vy, vz);
-            k = marcher(parcours, px, py, pz, vx, vy, vz, sauf);
+        etat.haut = 0;
+        int k = marcher(etat, px, py, pz, vx, vy, vz, sauf);
+        while (k >= 0 && etat.haut < etat.pile.length) {
+            etat.pile[etat.haut++] = k;
+            etat.retenir(spheres, k, px, py, pz, vx, vy, vz);
+            k = marcher(etat, px, py, pz, vx, vy, vz, sauf);
         }
         if (k != TERMINEE) {
-            return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+            return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
         }
-        if (parcours.trouvee < 0) {
-            parcours.distance = Constantes.INFINI;
+        if (etat.trouvee < 0) {
+            etat.distance = Constantes.INFINI;
         }
-        return parcours.trouvee;
+        return etat.trouvee;
     }
 
     /**
-     * Traverse les cases, en retenant dans le parcours la sphère la plus proche, jusqu'à la dernière case utile,
+     * Traverse les cases, en retenant dans le etat la sphère la plus proche, jusqu'à la dernière case utile,
      * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
      * cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
      *
      * @return la sphère en doute, à trancher et à noter dans la pile avant de recommencer ; {@link #TERMINEE}, ou
      *     {@link #COMPTE_VIDE}
      */
-    private int marcher(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    private int marcher(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         double[] g = spheres.geometrie;
-        double distance = parcours.distance;
-        int trouvee = parcours.trouvee;
+        double distance = etat.distance;
+        int trouvee = etat.trouvee;
         double ix = Arbre.inverse(vx);
         double iy = Arbre.inverse(vy);
         double iz = Arbre.inverse(vz);
@@ -258,7 +258,7 @@ final class Grille implements Intersections {
         double sautX = cote * Math.abs(ix);
         double sautY = cote * Math.abs(iy);
         double sautZ = cote * Math.abs(iz);
-        int permis = (int) Math.min(parcours.credit, Integer.MAX_VALUE);
+        int permis = (int) Math.min(etat.credit, Integer.MAX_VALUE);
         int tests = 0;
         int cases = 0;
         int reponse = TERMINEE;
@@ -282,8 +282,8 @@ final class Grille implements Intersections {
                 double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
                 if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                     if (d < 0) {
-                        int t = parcours.haut - 1;
-                        while (t >= 0 && parcours.pile[t] != k) {
+                        int t = etat.haut - 1;
+                        while (t >= 0 && etat.pile[t] != k) {
                             t--;
                         }
                         if (t >= 0 || Intersection.auMoins(d) > distance) {
@@ -317,11 +317,11 @@ final class Grille implements Intersections {
                 c += pasZ;
             }
         }
-        parcours.credit -= tests + cases;
-        parcours.compteurs.testsSpheres += tests;
-        parcours.compteurs.noeudsVisites += cases;
-        parcours.distance = distance;
-        parcours.trouvee = trouvee;
+        etat.credit -= tests + cases;
+        etat.compteurs.testsSpheres += tests;
+        etat.compteurs.noeudsVisites += cases;
+        etat.distance = distance;
+        etat.trouvee = trouvee;
         return reponse;
     }
 }

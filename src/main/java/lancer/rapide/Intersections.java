@@ -10,5 +10,5 @@ interface Intersections {
      * @param sauf numéro de la sphère d'où part le rayon, ou -1
      * @return le numéro d'une sphère, -1 s'il n'y en a pas
      */
-    int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz, int sauf);
+    int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz, int sauf);
 }

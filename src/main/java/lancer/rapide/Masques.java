@@ -114,14 +114,14 @@ final class Masques implements Intersections {
     }
 
     @Override
-    public int plusProche(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
         long masque;
         double[] g = spheres.geometrie;
         if (sauf < 0) {
             int t = image.caseDeLOeil(px, py, pz, vx, vy, vz);
             if (t < 0) {
-                return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+                return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
             }
             masque = parTuile[t];
         } else {
@@ -130,15 +130,15 @@ final class Masques implements Intersections {
             double y = py - g[s + 1];
             double z = pz - g[s + 2];
             if (!(x * x + y * y + z * z <= limites[sauf])) {
-                return secours.plusProche(parcours, px, py, pz, vx, vy, vz, sauf);
+                return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
             }
             int i = Math.min(COTE - 1, (int) ((vx + 1) * (COTE / 2)));
             int j = Math.min(COTE - 1, (int) ((vy + 1) * (COTE / 2)));
             int k = Math.min(COTE - 1, (int) ((vz + 1) * (COTE / 2)));
             masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
         }
-        parcours.compteurs.noeudsVisites++;
-        parcours.compteurs.testsSpheres += Long.bitCount(masque);
+        etat.compteurs.noeudsVisites++;
+        etat.compteurs.testsSpheres += Long.bitCount(masque);
         double distance = Constantes.INFINI;
         int trouvee = -1;
         for (; masque != 0; masque &= masque - 1) {
@@ -146,14 +146,14 @@ final class Masques implements Intersections {
             int s = Spheres.PAS * k;
             double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
             if (d < 0) {
-                d = parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
+                d = etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
             }
             if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
                 distance = d;
                 trouvee = k;
             }
         }
-        parcours.distance = distance;
+        etat.distance = distance;
         return trouvee;
     }
 
@@ -203,7 +203,7 @@ final class Masques implements Intersections {
         }
 
         @Override
-        public boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+        public boolean cachee(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
                 double distance, int sauf) {
             double[] g = spheres.geometrie;
             if (sauf >= 0 && px == lx && py == ly && pz == lz) {
@@ -212,22 +212,22 @@ final class Masques implements Intersections {
                 double y = py + distance * vy - g[s + 1];
                 double z = pz + distance * vz - g[s + 2];
                 if (x * x + y * y + z * z <= limitesIci[sauf]) {
-                    parcours.compteurs.noeudsVisites++;
+                    etat.compteurs.noeudsVisites++;
                     for (long masque = parSphere[sauf]; masque != 0; masque &= masque - 1) {
                         int k = Long.numberOfTrailingZeros(masque);
-                        parcours.compteurs.testsSpheres++;
+                        etat.compteurs.testsSpheres++;
                         int i = Spheres.PAS * k;
                         double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2],
                                 g[i + 3]);
                         if (d < distance && (d >= 0
-                                || parcours.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz) < distance)) {
+                                || etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz) < distance)) {
                             return true;
                         }
                     }
                     return false;
                 }
             }
-            return secours.reprendre(parcours, px, py, pz, vx, vy, vz, distance, sauf);
+            return secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
         }
     }
 }

@@ -8,6 +8,6 @@ interface Occultations {
      *
      * @param sauf numéro de la sphère éclairée, ou -1
      */
-    boolean cachee(Parcours parcours, double px, double py, double pz, double vx, double vy, double vz,
+    boolean cachee(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf);
 }

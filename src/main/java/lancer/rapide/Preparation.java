@@ -17,7 +17,7 @@ import lancer.fils.Equipe;
  * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
  * quelques pixels de peu de sphères, les boucles du cours répondent seules, et rien n'est sondé. Une préparation vaut
  * pour un dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte
- * qu'une construction : ce que les structures examinent est compté, rayon par rayon ({@link Parcours}).
+ * qu'une construction : ce que les structures examinent est compté, rayon par rayon ({@link EtatDeRecherche}).
  *
  * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
  * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8

@@ -12,7 +12,7 @@ import lancer.contrat.Recherche;
 /**
  * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
  * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a
- * son {@link Parcours}.
+ * son {@link EtatDeRecherche}.
  */
 public final class RechercheRapide implements Recherche {
 
@@ -27,7 +27,7 @@ public final class RechercheRapide implements Recherche {
     private final Intersections suivants;
     private final Lampe[] lampes;
     private final Occultations[] ombres;
-    private final Parcours parcours;
+    private final EtatDeRecherche etat;
 
     /**
      * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
@@ -46,7 +46,7 @@ public final class RechercheRapide implements Recherche {
         suivants = structures.suivants;
         lampes = structures.lampes;
         ombres = structures.ombres;
-        parcours = new Parcours(compteurs);
+        etat = new EtatDeRecherche(compteurs);
         int n = 0;
         while (n < spheres.autres.length && spheres.rangAutres[n] < PREMIERS) {
             n++;
@@ -59,18 +59,18 @@ public final class RechercheRapide implements Recherche {
         Point P = incident.getP();
         Vecteur V = incident.getV();
         if (saufLui == null) {
-            parcours.ouvrir();
-            derniere = premiers.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, -1);
+            etat.ouvrir();
+            derniere = premiers.plusProche(etat, P.x, P.y, P.z, V.x, V.y, V.z, -1);
         } else {
             // qui dessine observe l'interruption avant chaque rayon de l'écran
             Recherche.obeir();
-            derniere = suivants.plusProche(parcours, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
+            derniere = suivants.plusProche(etat, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         }
         rencontree = derniere < 0 ? null : spheres.objets[derniere];
         if (spheres.autres.length > 0) {
             avecLesAutres(incident, saufLui);
         } else {
-            incident.setContact(rencontree, parcours.distance);
+            incident.setContact(rencontree, etat.distance);
         }
     }
 
@@ -82,7 +82,7 @@ public final class RechercheRapide implements Recherche {
     public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
         return spheres.autres.length > 0
                 ? cacheeAvecLesAutres(lampe, Rayon.dOmbre(P, new Vecteur(V.x, V.y, V.z)), distance, objet)
-                : ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
+                : ombresDe(lampe).cachee(etat, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
     }
 
     /** Structure qui dit si cette lampe est cachée ; l'arbre, si elle n'est pas de la scène. */
@@ -99,12 +99,12 @@ public final class RechercheRapide implements Recherche {
     /** Retient, de la sphère rencontrée et des autres objets, celui que le rayon rencontre d'abord. */
     private void avecLesAutres(Rayon incident, Objet3D saufLui) {
         Objet3D plusProche = rencontree;
-        double distance = parcours.distance;
+        double distance = etat.distance;
         int rang = derniere < 0 ? Integer.MAX_VALUE : spheres.rang[derniere];
         for (int a = 0; a < spheres.autres.length; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != saufLui) {
-                parcours.compteurs.testsSpheres++;
+                etat.compteurs.testsSpheres++;
                 double d = Recherche.verifier(autre.getIntersectionDistance(incident), autre);
                 if (d < distance || d == distance && d != Constantes.INFINI && spheres.rangAutres[a] < rang) {
                     plusProche = autre;
@@ -120,7 +120,7 @@ public final class RechercheRapide implements Recherche {
         Point P = ombre.getP();
         Vecteur V = ombre.getV();
         return unAutreCache(0, dAbord, ombre, distance, objet)
-                || ombresDe(lampe).cachee(parcours, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
+                || ombresDe(lampe).cachee(etat, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet))
                 || unAutreCache(dAbord, spheres.autres.length, ombre, distance, objet);
     }
 
@@ -129,7 +129,7 @@ public final class RechercheRapide implements Recherche {
         for (int a = debut; a < fin; a++) {
             Objet3D autre = spheres.autres[a];
             if (autre != objet) {
-                parcours.compteurs.testsSpheres++;
+                etat.compteurs.testsSpheres++;
                 if (Recherche.verifier(autre.getIntersectionDistance(ombre), autre) < distance) {
                     return true;
                 }

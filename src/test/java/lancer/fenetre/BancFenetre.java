@@ -61,7 +61,7 @@ final class BancFenetre {
     final CountDownLatch fin = new CountDownLatch(1);
     final Robot robot;
     final MainLent main;
-    final Atelier atelier;
+    final Controleur controleur;
     final JFrame cadre;
     final PanneauImage panneau;
     final JLabel resume;
@@ -81,7 +81,7 @@ final class BancFenetre {
         // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
         Fenetre fenetre = main.ouvrir(fin::countDown);
-        atelier = fenetre.atelier;
+        controleur = fenetre.controleur;
         cadre = fenetre.cadre;
         panneau = composant("image", PanneauImage.class);
         resume = composant("resume", JLabel.class);
@@ -242,15 +242,15 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !atelier.enCours && atelier.getImageComplete() != null);
-        return surFilEvenements(atelier::getImageComplete);
+        attendre("l'image est achevée", () -> !controleur.enCours && controleur.getImageComplete() != null);
+        return surFilEvenements(controleur::getImageComplete);
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> atelier.getImageComplete() != null && Arrays.equals(atelier.getImageComplete().codes, codes));
-        attendre(quoi + ", à l'écran", () -> atelier.getImageComplete() != null
-                && trouver(codes, atelier.getImageComplete().largeur) != null);
+        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+        attendre(quoi + ", à l'écran", () -> controleur.getImageComplete() != null
+                && trouver(codes, controleur.getImageComplete().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {

@@ -20,7 +20,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.atelier.getImageComplete();
+            ImageMemoire image = banc.controleur.getImageComplete();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -54,18 +54,18 @@ class FenetreAffichageTest extends EssaiFenetre {
         BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ecran));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.atelier.reglages.getReflets() == 2);
+        attendre("les touches répondent", () -> banc.controleur.reglages.getReflets() == 2);
         banc.imageAchevee();
         banc.frapperCtrl('c');
         banc.attendreMessage("image copiée");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.atelier.enCours);
+        attendre("rien ne se dessine plus", () -> !banc.controleur.enCours);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
-        attendre("l'image revient à sa taille", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(banc.atelier.getImageComplete().codes, deuxReflets));
+        attendre("l'image revient à sa taille", () -> banc.controleur.getImageComplete() != null
+                && Arrays.equals(banc.controleur.getImageComplete().codes, deuxReflets));
     }
 
     @Test
@@ -75,7 +75,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F11);
         attendre("elle dit le fichier et où il en est", () -> banc.panneau.ligne.matches("lancer — boule.ini — dessin \\d+ % — .*"));
         banc.main.lent = false;
-        attendre("elle s'efface", () -> !banc.atelier.enCours && banc.panneau.ligne.isEmpty());
+        attendre("elle s'efface", () -> !banc.controleur.enCours && banc.panneau.ligne.isEmpty());
     }
 
     @Test
@@ -106,6 +106,6 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.atelier.getImageComplete());
+        assertSame(image, banc.controleur.getImageComplete());
     }
 }

@@ -48,8 +48,8 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
-        assertTrue(banc.atelier.enCours);
-        assertNull(banc.atelier.getImageComplete());
+        assertTrue(banc.controleur.enCours);
+        assertNull(banc.controleur.getImageComplete());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -87,7 +87,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.atelier.enCours && banc.main.getDessin().getLancer() != null);
+        attendre("le dessin suivant a commencé", () -> banc.controleur.enCours && banc.main.getDessin().getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -99,10 +99,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
         assertTrue(surFilEvenements(banc.resume::getText).startsWith("arrêté à "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.atelier.getImageComplete());
+        assertNull(banc.controleur.getImageComplete());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
@@ -155,12 +155,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }.lent());
         attendre("le dessin a commencé", () -> banc.main.getDessin().getLancer() != null);
         repondA(50);
-        assertTrue(banc.atelier.enCours, "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.controleur.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.atelier.enCours);
+        attendre("arrêté", () -> !banc.controleur.enCours);
         repondA(50);
         assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
         lecture.countDown();
@@ -281,7 +281,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> !banc.atelier.enCours);
+        attendre("la lecture est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
         lecture.countDown();
         banc.frapper(KeyEvent.VK_F5);
@@ -330,7 +330,7 @@ class FenetreDessinTest extends EssaiFenetre {
         choisir(longue);
         attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> !banc.atelier.enCours);
+        attendre("la préparation est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
         programme.suite.countDown();
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
@@ -361,8 +361,8 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Lancer dAvant = surFilEvenements(() -> banc.atelier.courant.dessin.getLancer());
-        double avancement = surFilEvenements(() -> banc.atelier.courant.getAvancement());
+        Lancer dAvant = surFilEvenements(() -> banc.controleur.courant.dessin.getLancer());
+        double avancement = surFilEvenements(() -> banc.controleur.courant.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);
         assertEquals(0, avancement);

@@ -76,8 +76,8 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         banc.attendreMessage(perdue + " : écriture impossible");
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
-        attendre("l'image suit sa scène", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(bleue, banc.atelier.getImageComplete().codes));
+        attendre("l'image suit sa scène", () -> banc.controleur.getImageComplete() != null
+                && Arrays.equals(bleue, banc.controleur.getImageComplete().codes));
         assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
     }
 
@@ -135,10 +135,10 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         BufferedImage lue = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         lue.createGraphics().drawImage(copie, 0, 0, null);
         assertArrayEquals(attendue(L, H), BancFenetre.codes(lue));
-        int[] codes = surFilEvenements(banc.atelier::getImageComplete).codes;
+        int[] codes = surFilEvenements(banc.controleur::getImageComplete).codes;
         banc.frapper(KeyEvent.VK_F5);
-        attendre("un autre dessin ne se fait pas dans l'image copiée", () -> banc.atelier.getImageComplete() != null
-                && banc.atelier.getImageComplete().codes != codes);
+        attendre("un autre dessin ne se fait pas dans l'image copiée", () -> banc.controleur.getImageComplete() != null
+                && banc.controleur.getImageComplete().codes != codes);
     }
 
     /** Frappe Ctrl+S et choisit ce fichier ; rend le nom qui était proposé. */

@@ -137,7 +137,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         });
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains(" : ce calcul dure depuis dix secondes (lancer."), banc.message());
-        attendre("le dessin s'arrête", () -> !banc.atelier.enCours);
+        attendre("le dessin s'arrête", () -> !banc.controleur.enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);
@@ -145,18 +145,18 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("");
         fin.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
+        assertArrayEquals(codes, surFilEvenements(banc.controleur::getImageComplete).codes);
     }
 
     @Test
     void ouToutEchoueLeDessinSArreteApresMilleEssais() throws Exception {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
         ouvrirAvecUnMur(true);
-        attendre("il est fini", () -> !banc.atelier.enCours);
+        attendre("il est fini", () -> !banc.controleur.enCours);
         banc.attendreMessage("1");
         assertTrue(banc.message().matches("10\\d\\d pixels n'ont pu être calculés, et aucun n'a pu l'être ; le premier : pixel .*boum.*"),
                 banc.message());
-        assertNull(surFilEvenements(banc.atelier::getImageComplete));
+        assertNull(surFilEvenements(banc.controleur::getImageComplete));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
         attendre("d'un message plus haut que l'image, le début se lit",
@@ -192,7 +192,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
-        assertFalse(surFilEvenements(() -> banc.atelier.enCours));
-        assertEquals(codes, surFilEvenements(banc.atelier::getImageComplete).codes);
+        assertFalse(surFilEvenements(() -> banc.controleur.enCours));
+        assertEquals(codes, surFilEvenements(banc.controleur::getImageComplete).codes);
     }
 }

@@ -58,10 +58,10 @@ class FenetreFichiersTest extends EssaiFenetre {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage("fichier effacé : la dernière image reste");
-        assertSame(image, banc.atelier.getImageComplete());
+        assertSame(image, banc.controleur.getImageComplete());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.atelier.getImageComplete() != null && banc.atelier.getImageComplete() != image);
+        attendre("relue", () -> banc.controleur.getImageComplete() != null && banc.controleur.getImageComplete() != image);
     }
 
     @Test

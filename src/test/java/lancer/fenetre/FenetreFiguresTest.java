@@ -37,13 +37,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.atelier.getImageComplete().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.atelier.getImageComplete();
+        assertArrayEquals(codes, banc.controleur.getImageComplete().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.controleur.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.atelier.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.atelier.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -64,7 +64,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.atelier.getImageComplete()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getImageComplete()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);

@@ -133,8 +133,8 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreRecit(couleur(rouge[110 * L + 150]));
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
-        attendre("la nouvelle image", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(banc.atelier.getImageComplete().codes, bleue));
+        attendre("la nouvelle image", () -> banc.controleur.getImageComplete() != null
+                && Arrays.equals(banc.controleur.getImageComplete().codes, bleue));
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
         long marques = Arrays.stream(recit.split("\n")).filter(ligne -> ligne.contains("   ← ")).count();
@@ -155,9 +155,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.atelier.enCours && banc.atelier.montre.getReglages().getReflets() == 2);
+        attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.getReglages().getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
-        assertTrue(surFilEvenements(() -> banc.atelier.enCours));
+        assertTrue(surFilEvenements(() -> banc.controleur.enCours));
     }
 
     @Test
@@ -168,9 +168,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         JTree recit = composant("recit", JTree.class);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
         faire(() -> banc.cadre.setSize(banc.cadre.getWidth() + 320, banc.cadre.getHeight() + 240));
-        attendre("une image plus haute", () -> banc.atelier.montre.getImage().hauteur > H + 100);
+        attendre("une image plus haute", () -> banc.controleur.montre.getImage().hauteur > H + 100);
         attendre("au même endroit, au pixel près", () -> {
-            double fois = banc.atelier.montre.getImage().largeur / (double) L;
+            double fois = banc.controleur.montre.getImage().largeur / (double) L;
             String[] dit = lu(recit).split("[ ,\\n]+");
             return Math.abs(Integer.parseInt(dit[1]) - 160.5 * fois) < 1.5 && Math.abs(Integer.parseInt(dit[2]) - 60.5 * fois) < 1.5;
         });
@@ -188,7 +188,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_ALT, KeyEvent.VK_D);
         presserLeMenu(KeyEvent.VK_X);
         presserLeMenu(KeyEvent.VK_2);
-        attendre("deux réflexions", () -> banc.atelier.reglages.getReflets() == 2);
+        attendre("deux réflexions", () -> banc.controleur.reglages.getReflets() == 2);
         attendreVerdict("Au bit près");
         Inspecteur ouvert = inspecteur();
         assertEquals(0, surFilEvenements(() -> ouvert.rebond));
@@ -213,8 +213,8 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SUBTRACT);
         int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
-        attendre("moins de réflexions", () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(deux, banc.atelier.getImageComplete().codes));
+        attendre("moins de réflexions", () -> banc.controleur.getImageComplete() != null
+                && Arrays.equals(deux, banc.controleur.getImageComplete().codes));
         attendreVerdict("Au bit près");
     }
 
@@ -237,7 +237,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreVerdict("L'image n'est pas achevée");
         JTree recit = composant("recit", JTree.class);
         attendre("la chaîne", () -> lu(recit).contains("\nsomme "));
-        assertTrue(banc.atelier.enCours);
+        assertTrue(banc.controleur.enCours);
     }
 
     @Test

@@ -33,19 +33,19 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.atelier.montre.getLancer().getCamera().projeter(p);
+        lancer.Point vue = banc.controleur.montre.getLancer().getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }
 
     /** Attend cette image, que ce qui est pris ne cerne pas dans ses codes. */
     private void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> banc.atelier.getImageComplete() != null
-                && Arrays.equals(banc.atelier.getImageComplete().codes, codes));
+        attendre(quoi, () -> banc.controleur.getImageComplete() != null
+                && Arrays.equals(banc.controleur.getImageComplete().codes, codes));
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.atelier.source.getLue().objets.get(rang);
+        return (Sphere) banc.controleur.source.getLue().objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -98,7 +98,7 @@ class FenetreLeconTest extends EssaiFenetre {
         assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8), "rien ne s'est écrit");
         banc.frapperCtrl('z');
         attendreCodes("Ctrl+Z la remet", avant);
-        assertFalse(surFilEvenements(banc.atelier::estDeplacee));
+        assertFalse(surFilEvenements(banc.controleur::estDeplacee));
     }
 
     @Test
@@ -130,8 +130,8 @@ class FenetreLeconTest extends EssaiFenetre {
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.atelier.source.getLue().lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.atelier.source.getLue().lampes.get(0).getPosition().x < -0.2);
+        tirer(surFilEvenements(() -> place(banc.controleur.source.getLue().lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.source.getLue().lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test
@@ -161,7 +161,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ouvrir();
         tirer(new Point(4, 4), 30, 30);
         banc.attendreMessage("rien à prendre ici");
-        assertFalse(surFilEvenements(banc.atelier::estDeplacee));
+        assertFalse(surFilEvenements(banc.controleur::estDeplacee));
     }
 
     @Test

@@ -33,7 +33,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.atelier.enCours);
+        attendre("la relecture s'achève", () -> !banc.controleur.enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
@@ -64,14 +64,14 @@ class FenetreReglagesTest extends EssaiFenetre {
         }
         faire(() -> etapes.getItem(0).doClick());
         banc.attendreImage("par le menu", attendue("--etape=lambert"));
-        assertTrue(banc.atelier.getCommande().contains(" --etape lambert"), banc.atelier.getCommande());
+        assertTrue(banc.controleur.getCommande().contains(" --etape lambert"), banc.controleur.getCommande());
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.atelier.reglages.getReflets() == 10 && !banc.atelier.enCours);
+        attendre("dix réflexions", () -> banc.controleur.reglages.getReflets() == 10 && !banc.controleur.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

@@ -85,7 +85,7 @@ class FenetreTest extends EssaiFenetre {
         assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
         assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée va au cadre", () -> banc.atelier.reglages.getReflets() == 2);
+        attendre("une touche essayée va au cadre", () -> banc.controleur.reglages.getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_ESCAPE);
@@ -123,6 +123,7 @@ class FenetreTest extends EssaiFenetre {
         // plus de place à droite : le panneau prend sur l'image
         faire(() -> banc.cadre.setLocation(Toolkit.getDefaultToolkit().getScreenSize().width - banc.cadre.getWidth(), 0));
         banc.viser(banc.panneau, (banc.panneau.getWidth() + L) / 2 - 10, banc.panneau.getHeight() / 2);
+        attendre("la souris est vue", () -> banc.pixel.getText().startsWith("pixel "));
         Point pixel = surFilEvenements(banc.panneau::getPixelVise);
         for (int k = 0; k < 2; k++) {
             banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

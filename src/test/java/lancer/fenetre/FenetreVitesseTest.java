@@ -44,8 +44,8 @@ class FenetreVitesseTest extends EssaiFenetre {
 
     /** L'image que la ligne de commande donne aux réglages présents. */
     private int[] presentsSansFenetre() throws Exception {
-        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=" + banc.atelier.reglages.getReflets(),
-                "--seuil=" + banc.atelier.reglages.getSeuil());
+        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=" + banc.controleur.reglages.getReflets(),
+                "--seuil=" + banc.controleur.reglages.getSeuil());
     }
 
     /** Le plus à gauche des disques pleins du graphique : le plus rapide des réglages. */
@@ -111,7 +111,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Un clic");
         for (int reflets : new int[] {2, 1, 0}) {
             frapper(KeyEvent.VK_SUBTRACT);
-            attendre("moins de réflexions", () -> banc.atelier.montre.getReglages().getReflets() == reflets);
+            attendre("moins de réflexions", () -> banc.controleur.montre.getReglages().getReflets() == reflets);
             attendre("elles ont leur point", graphique::aUnPresent);
         }
     }

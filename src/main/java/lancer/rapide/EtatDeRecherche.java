@@ -14,7 +14,7 @@ import lancer.precision.Intersection;
  * fois ce qu'examine l'arbre. Rien ne passe d'un rayon de l'écran à l'autre : les comptes ne dépendent ni des fils, ni
  * de ce qui a été dessiné avant.
  */
-final class Parcours {
+final class EtatDeRecherche {
 
     /** Examens permis de plus à chaque rayon : 32, moins la case d'une carte, qu'elle ne prend pas au compte. */
     static final int PAR_RAYON = 31;
@@ -39,7 +39,7 @@ final class Parcours {
 
     final Compteurs compteurs;
 
-    Parcours(Compteurs compteurs) {
+    EtatDeRecherche(Compteurs compteurs) {
         this.compteurs = compteurs;
     }
 
@@ -49,7 +49,7 @@ final class Parcours {
         bloqueur = -1;
     }
 
-    /** Retient la sphère k si elle passe avant celle que le parcours retient. */
+    /** Retient la sphère k si elle passe avant celle que le etat retient. */
     void retenir(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;

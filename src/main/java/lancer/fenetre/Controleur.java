@@ -28,7 +28,7 @@ import lancer.scene.Surveillance;
  * La vie d'un dessin dans la fenêtre, jusqu'à sa fin, son arrêt ou sa panne. La scène montrée le reste tant que rien ne
  * se voit d'une autre. {@link Tracage} travaille ailleurs ; ici, tout s'appelle dans le fil des événements.
  */
-final class Atelier {
+final class Controleur {
 
     /** Temps laissé au premier brouillon avant d'en montrer un morceau ; plus grande image d'avant qui se garde. */
     private static final long PATIENCE_NS = 300_000_000;
@@ -68,7 +68,7 @@ final class Atelier {
     private boolean enAttente;
 
     /** @param premier dessin, dont sont faits ceux d'autres scènes @param programme qui dessine, dans ce fil-là */
-    Atelier(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
+    Controleur(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
             Supplier<Dimension> taille) {
         this.premier = premier;
         this.programme = programme;
@@ -249,7 +249,7 @@ final class Atelier {
     private void suivre(Tracage tracage) {
         courant = tracage;
         enCours = true;
-        panneau.dire("", true);
+        panneau.dire("");
         prevenus.forEach(Runnable::run);
         observer();
     }
@@ -339,7 +339,7 @@ final class Atelier {
         }
         if (fichier == null) {
             fichier = courant.dessin.fichier;
-            panneau.dire("F5 pour lire la scène et la dessiner", true);
+            panneau.dire("F5 pour lire la scène et la dessiner");
         }
         prevenus.forEach(Runnable::run);
     }

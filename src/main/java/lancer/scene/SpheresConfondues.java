@@ -10,15 +10,15 @@ import lancer.Point;
 import lancer.Sphere;
 
 /** Les sphères confondues avec une autre : on les toucherait à une distance nulle, à un arrondi près. */
-public final class Jumelles implements Comparator<Sphere> {
+public final class SpheresConfondues implements Comparator<Sphere> {
 
-    private Jumelles() {
+    private SpheresConfondues() {
     }
 
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
     public static List<Objet3D> sans(List<? extends Objet3D> objets) {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Sphere> vues = new TreeSet<>(new Jumelles());
+        Set<Sphere> vues = new TreeSet<>(new SpheresConfondues());
         for (Objet3D objet : objets) {
             if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
                 gardes.add(objet);
