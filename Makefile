@@ -57,6 +57,9 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
 	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
 	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
+	@{ cat scenes/scene1.ini; printf '\n[Antialias]\nmethode=partage\nn=8\nseuil=0.06\n'; } > target/partage.ini
+	@$(JAVA) -jar antialias/target/antialias.jar --taille 400x300 --vue rayons --image $(NEUVES)/vue-rayons.png target/partage.ini
+	@$(JAVA) -jar antialias/target/antialias.jar --taille 400x300 --vue difference --image $(NEUVES)/vue-difference.png scenes/scene1.ini
 	@$(call actualiser,$(NEUVES),images)
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
