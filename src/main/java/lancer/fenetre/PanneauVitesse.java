@@ -103,9 +103,11 @@ final class PanneauVitesse extends JPanel {
     }
 
     /** Données dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
-    private static List<Object> scene(Dessin dessin) {
+    private List<Object> scene(Dessin dessin) {
         ReglagesDessin reglages = dessin.getReglages();
-        List<Object> scene = new ArrayList<>(Arrays.asList(dessin.getScene().getObjets(),
+        // un fichier relu sans avoir changé donne les mêmes objets
+        List<Object> scene = new ArrayList<>(Arrays.asList(controleur.estDeplacee() ? dessin.getScene().getObjets()
+                : dessin.fichier + " " + controleur.adopte.version,
                 dessin.getImage().largeur, dessin.getImage().hauteur));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> scene.add(
                 reglages.getEssayees().containsKey(variante) ? variante.getSection()

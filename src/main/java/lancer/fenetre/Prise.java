@@ -76,7 +76,7 @@ final class Prise extends MouseAdapter {
 
                 @Override
                 public void actionPerformed(ActionEvent e) {
-                    pousser(s[1], s[2]);
+                    aller(deplacee(getPosition(), s[1], s[2]));
                 }
             });
         }
@@ -184,10 +184,6 @@ final class Prise extends MouseAdapter {
             Point oeil = getCamera().getOeil();
             aller(oeil.add(new Vecteur(oeil, getPosition()).mul(Math.pow(CRAN, -e.getPreciseWheelRotation()))));
         }
-    }
-
-    private void pousser(int dx, int dy) {
-        aller(deplacee(getPosition(), dx, dy));
     }
 
     /** Cette position, de tant de pixels plus à droite et plus bas, dans le plan parallèle à l'écran. */

@@ -115,7 +115,7 @@ final class Carte implements Intersections, Occultations {
         double z = g[s + 2] - origine.z;
         double loin = Math.sqrt(x * x + y * y + z * z);
         double r = g[s + 3] / loin;
-        // une sphère est atteinte au plus à la distance de ses tangentes ; une sphère qui coupe l'écran peut l'être plus loin
+        // un rayon atteint une sphère au plus à la distance de ses tangentes, sauf si elle coupe l'écran
         float tangente = deLOeil && g[s + 2] - g[s + 3] <= 1e-9 * (loin + g[s + 3]) ? Float.POSITIVE_INFINITY
                 : Math.nextUp((float) (loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE)));
         long regardees = 0;

@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -19,6 +20,7 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import lancer.fenetre.figures.GraphiqueVitesse;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
 /** « Vitesse ou précision » : des points, dont chacun se dessine d'un clic et se mesure. */
@@ -159,5 +161,18 @@ class FenetreVitesseTest extends EssaiFenetre {
         ecrire(BLEUE);
         attendre("d'autres essais commencent", () -> dits.contains("premiers essais…"));
         attendreEtat("Un clic");
+    }
+
+    @Test
+    void relireUnFichierQuiNAPasChangeNeRecommencePasLesEssais() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        List<Object> dits = new CopyOnWriteArrayList<>();
+        etat.addCaretListener(e -> dits.add(etat.getText()));
+        ImageMemoire avant = banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("l'image est neuve", () -> banc.controleur.getImageComplete() != null
+                && banc.controleur.getImageComplete() != avant);
+        assertFalse(dits.contains("premiers essais…"), dits.toString());
     }
 }

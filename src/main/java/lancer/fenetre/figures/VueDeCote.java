@@ -14,17 +14,14 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.IntConsumer;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
@@ -44,9 +41,8 @@ public final class VueDeCote extends JPanel {
 
     private Inspection pixel;
     private int seul;
-    /** Places où se lisent le numéro de chaque contact, et le nom de chaque sphère nommée. */
+    /** Place où se lit le numéro de chaque contact. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
-    final Map<Objet3D, Rectangle2D> noms = new HashMap<>();
     private double echelle;
     private double y0;
     private double z0;
@@ -65,7 +61,7 @@ public final class VueDeCote extends JPanel {
         });
     }
 
-    /** @param nouveauSeul le numéro du seul rebond à montrer, de près et sphères nommées ; 0 : tous */
+    /** @param nouveauSeul le numéro du seul rebond à montrer de près ; 0 : tous */
     public void montrer(Inspection nouvelle, int nouveauSeul) {
         seul = nouveauSeul;
         pixel = nouvelle;
@@ -133,7 +129,6 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
         g.drawString("œil", (float) h(depart.z), (float) v(depart.y) - 6);
         numeros.clear();
-        noms.clear();
         for (Etape etape : pixel.getEtapes()) {
             boolean montre = seul == 0 || seul == etape.numero;
             Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, etape.V) : etape.contact;
@@ -150,9 +145,6 @@ public final class VueDeCote extends JPanel {
             }
             depart = bout;
         }
-        g.setColor(UIManager.getColor("Tree.textForeground"));
-        pixel.getEtapes().stream().filter(etape -> seul > 0 && Math.abs(seul - etape.numero) <= 1
-                && etape.contact != null && !noms.containsKey(etape.contact.objet)).forEach(etape -> nommer(g, etape));
     }
 
     /** Une lampe, et ce qui la cache ; en tirets jusqu'à celle-ci, si l'on regarde ce rebond de près. */
@@ -175,20 +167,6 @@ public final class VueDeCote extends JPanel {
         float y = (float) v(etape.contact.y) - 4;
         numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
         g.drawString(numero, x, y);
-    }
-
-    /** Nomme une sphère près du numéro de son contact, là où il n'y a ni numéro, ni autre nom. */
-    private void nommer(Graphics2D g, Etape etape) {
-        String nom = pixel.nom(etape.contact.objet).replaceFirst(" ligne \\d+$", "");
-        Rectangle2D numero = numeros.get(etape.numero);
-        Rectangle2D place = g.getFontMetrics().getStringBounds(nom, g);
-        place.setRect(Math.min(numero.getX() + 12, getWidth() - place.getWidth()), numero.getMaxY(), place.getWidth(),
-                place.getHeight());
-        while (Stream.concat(noms.values().stream(), numeros.values().stream()).anyMatch(place::intersects)) {
-            place.setRect(place.getX(), place.getMaxY(), place.getWidth(), place.getHeight());
-        }
-        noms.put(etape.contact.objet, place);
-        g.drawString(nom, (float) place.getX(), (float) place.getY() + g.getFontMetrics().getAscent());
     }
 
     /** Le bord d'une sphère, là où il est en vue : Java ne peint juste, d'un grand cercle, qu'un petit arc. */

@@ -1,10 +1,8 @@
 package lancer.fenetre.figures;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -59,9 +57,8 @@ class VueDeCoteTest {
     }
 
     @Test
-    void chaqueSphereAutourDUnRebondEstNommeeUneFoisEtSansRecouvrirUnAutreNom() {
+    void unRebondSeVoitDePlusPresQueTousEnsemble() {
         Random hasard = new Random(31);
-        int paires = 0;
         for (int essai = 0; essai < 300; essai++) {
             List<Sphere> spheres = new ArrayList<>();
             for (int k = 0; k < 12; k++) {
@@ -79,19 +76,11 @@ class VueDeCoteTest {
             Set<Objet3D> voisines = new HashSet<>();
             pixel.getEtapes().stream().filter(etape -> etape.numero <= 3 && etape.contact != null)
                     .forEach(etape -> voisines.add(etape.contact.objet));
-            assertEquals(voisines, vue.noms.keySet());
             double pres = vue.h(1) - vue.h(0);
             vue.montrer(pixel, 0);
             vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
             assertTrue(pres > vue.h(1) - vue.h(0) || voisines.size() < 2, "de près, " + pres + " pixels par unité");
-            vue.montrer(pixel, 2);
-            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
-            for (Rectangle2D place : vue.noms.values()) {
-                paires += vue.noms.size() - 1;
-                assertEquals(1, vue.noms.values().stream().filter(place::intersects).count(), vue.noms.values().toString());
-            }
         }
-        assertTrue(paires > 150, paires + " paires");
     }
 
     /** Un trait y passe, celui de la sphère ou un autre par-dessus lui. */
