@@ -436,8 +436,9 @@ public class Tests {
 
         @Test @Order(5) @Tag("Camera") @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
-            int xe = entier(200, 20, 280);
-            int ye = entier(150, 20, 180);
+            // loin du milieu de l'écran, où une image retournée a le même point
+            int xe = entier(200, 20, 140);
+            int ye = entier(150, 20, 90);
             ecran("(" + xe + "," + ye + ")" + ecran(L, H), L, H, xe, ye);
             ecran("(" + 2 * xe + "," + 2 * ye + ")" + ecran(2 * L, 2 * H) + " : le même point", 2 * L, 2 * H, 2 * xe, 2 * ye);
         }

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import lancer.Camera;
 import lancer.Couleur;
@@ -27,6 +28,7 @@ import lancer.correction.modele.Modele;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Des valeurs que personne ne connaît d'avance : les vérifications et les scènes, tirées d'un nombre. */
@@ -91,6 +93,16 @@ class GrainesTest {
         Set<String> sans = decale.rates(0).keySet();
         assertEquals(classe.equals("Lancer") ? Set.of() : Set.of("Camera.leCoinEnHautAGaucheEstAMoinsUn"), sans);
         decale.rates(graines(20)).forEach((graine, rates) -> assertEquals(sans, rates.keySet(), "graine " + graine));
+    }
+
+    /** Cette faute ne se voit pas au milieu de l'écran, que la graine 78 tirait. */
+    @ParameterizedTest
+    @CsvSource({"hauteur / 2.0 - ye, ye - hauteur / 2.0", "xe - largeur / 2.0, largeur / 2.0 - xe"})
+    void uneImageRetourneeSeVoitAuxMemesVerificationsQuelleQueSoitLaGraine(String juste, String faux) {
+        Programme retourne = corrige().changer("Camera", juste, faux);
+        Set<String> sans = retourne.rates(0).keySet().stream().filter(v -> v.startsWith("Camera.")).collect(Collectors.toSet());
+        retourne.rates(graines(100)).forEach((graine, rates) ->
+                assertTrue(rates.keySet().containsAll(sans), () -> "graine " + graine + " : " + rates));
     }
 
     /** Les seules qui lui coûtent : celles d'une autre classe, juste par ailleurs, sont dites cachées. */
