@@ -1,4 +1,4 @@
-package lancer;
+package lancer.projet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
+import lancer.Main;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.promesses;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
@@ -13,6 +13,14 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
 import lancer.contrat.Toile;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -10,6 +10,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import lancer.Couleur;
+import lancer.Point;
+import lancer.Tests;
+import lancer.Tuple;
+import lancer.Vecteur;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;

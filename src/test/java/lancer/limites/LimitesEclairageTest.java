@@ -1,4 +1,4 @@
-package lancer;
+package lancer.limites;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
@@ -10,6 +10,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Recherche;
 import lancer.contrat.Specularite;
 import lancer.essai.Rangee;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.cours;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.imageRapide;
@@ -8,6 +8,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Random;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 

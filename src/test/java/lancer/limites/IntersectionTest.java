@@ -1,10 +1,15 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Exact;
 import lancer.precision.Intersection;
 import org.junit.jupiter.api.Test;

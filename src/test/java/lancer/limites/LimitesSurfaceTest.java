@@ -1,9 +1,14 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Exact;
 import lancer.essai.Formule;
 import lancer.essai.Rangee;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.limites;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
@@ -13,6 +13,16 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Ombre;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.projet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,10 +1,16 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Exact;
 import lancer.essai.Formule;
 import lancer.essai.Rangee;

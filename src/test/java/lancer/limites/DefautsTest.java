@@ -1,4 +1,4 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.util.List;
+import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.essai.Defauts;
 import org.junit.jupiter.api.Test;

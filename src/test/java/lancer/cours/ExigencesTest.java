@@ -1,6 +1,6 @@
-package lancer;
+package lancer.cours;
 
-import static lancer.ExigencesTripletsTest.assertCouleur;
+import static lancer.cours.ExigencesTripletsTest.assertCouleur;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -10,6 +10,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Collections;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Ombre;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Nested;

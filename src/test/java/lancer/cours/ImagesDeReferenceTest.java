@@ -1,4 +1,4 @@
-package lancer;
+package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.promesses;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
@@ -14,6 +14,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Pave;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,6 +9,12 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Exact;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -13,6 +13,16 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheSimple;
 import lancer.rapide.Preparation;

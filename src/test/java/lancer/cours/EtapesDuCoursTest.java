@@ -1,10 +1,18 @@
-package lancer;
+package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

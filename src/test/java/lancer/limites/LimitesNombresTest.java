@@ -1,4 +1,4 @@
-package lancer;
+package lancer.limites;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import lancer.Couleur;
+import lancer.Vecteur;
 import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 

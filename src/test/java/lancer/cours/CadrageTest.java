@@ -1,10 +1,17 @@
-package lancer;
+package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.Set;
+import lancer.Camera;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
 
 /** Où passe le rayon d'un pixel, au bit près. */

@@ -1,4 +1,4 @@
-package lancer;
+package lancer.promesses;
 
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
@@ -12,6 +12,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Recherche;
 import lancer.essai.Ombre;
 import lancer.essai.RechercheSimple;
