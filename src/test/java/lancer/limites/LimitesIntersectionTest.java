@@ -30,7 +30,7 @@ class LimitesIntersectionTest {
     private static final double INFINI = Constantes.INFINI;
 
     /** Une formule que seul un test connaît. */
-    private interface Variante {
+    private interface FormuleDEssai {
         double distance(Point P, Vecteur V, Point C, double r);
     }
 
@@ -121,11 +121,11 @@ class LimitesIntersectionTest {
     @Test
     void unEpsilonFixeEffaceCeQuiEstPetitOuProche() {
         double epsilon = 1e-6;
-        Variante a_epsilon = (P, V, C, r) -> {
+        FormuleDEssai a_epsilon = (P, V, C, r) -> {
             double t = Formule.MANUEL.distance(P, V, C, r);
             return t > epsilon ? t : INFINI;
         };
-        Variante a_discriminant = (P, V, C, r) -> {
+        FormuleDEssai a_discriminant = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double b = V.dot(PC);
             return b * b - PC.dot(PC) + r * r > 1e-10 ? Formule.MANUEL.distance(P, V, C, r) : INFINI;
@@ -144,7 +144,7 @@ class LimitesIntersectionTest {
     /** Ne garder que la première racine : une sphère disparaît quand on est dedans. */
     @Test
     void laPremiereRacineSeuleRendUneSphereInvisibleDuDedans() {
-        Variante premiereRacine = (P, V, C, r) -> {
+        FormuleDEssai premiereRacine = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double b = V.dot(PC);
             double discriminant = b * b - PC.dot(PC) + r * r;
@@ -168,7 +168,7 @@ class LimitesIntersectionTest {
         double t = Formule.MANUEL.distance(new Point(), sansDirection, new Point(0, 0, 5), 1);
         // ici les deux comparaisons t > 0 l'arrêtent par hasard ; une seule racine, et il sort
         assertEquals(INFINI, t);
-        Variante plusCourte = (P, V, C, r) -> {
+        FormuleDEssai plusCourte = (P, V, C, r) -> {
             Vecteur PC = new Vecteur(C, P);
             double discriminant = V.dot(PC) * V.dot(PC) - PC.dot(PC) + r * r;
             return discriminant < 0 ? INFINI : -V.dot(PC) - Math.sqrt(discriminant);

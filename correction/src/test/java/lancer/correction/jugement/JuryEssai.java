@@ -16,7 +16,7 @@ import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -71,8 +71,8 @@ abstract class JuryEssai extends ClasseEssai {
     /** Écrit le corrigé comme un rendu. */
     static Path ecrireCorrige(Path dossier) throws IOException {
         Path sources = Files.createDirectories(dossier.resolve("lancer-base/src/main/java/lancer"));
-        for (String classe : Modele.A_COMPLETER) {
-            Files.write(sources.resolve(classe + ".java"), Modele.corrige(classe).getBytes(StandardCharsets.UTF_8));
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            Files.write(sources.resolve(classe + ".java"), SourcesDuCours.corrige(classe).getBytes(StandardCharsets.UTF_8));
         }
         return sources;
     }
@@ -84,14 +84,14 @@ abstract class JuryEssai extends ClasseEssai {
     /** Un rendu achevé, dont la soustraction fait d'abord ceci. */
     static Path attaque(Path rendu, String java) throws IOException {
         Path sources = ecrireCorrige(rendu);
-        ecrire(sources, "Vecteur", Modele.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
+        ecrire(sources, "Vecteur", SourcesDuCours.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
                 "$1 " + Matcher.quoteReplacement("if (true) { " + java + " }")));
         return sources;
     }
 
     /** Vrai si les images de toutes les scènes sont celles du corrigé. */
     static boolean imageJuste(Resultat resultat) {
-        return Reference.SCENES.keySet().stream().allMatch(scene -> resultat.verdicts.get(Grille.IMAGE + "." + scene).compte());
+        return Reference.SCENES.keySet().stream().allMatch(scene -> resultat.verdicts.get(GrilleDeNotation.IMAGE + "." + scene).compte());
     }
 
     /** Les étapes où quelque chose est raté. */

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Une méthode déclarée, ou un constructeur : ce qu'elle rend, son nom, les types de ses paramètres. */
-public final class Methode {
+/** Signature d'une méthode ou d'un constructeur : ce qu'elle rend, son nom, les types de ses paramètres. */
+public final class Signature {
 
     private static final int TEXTE_MAX = 3000;
 
@@ -26,7 +26,7 @@ public final class Methode {
     /** Nombre d'instructions, celles que contiennent les autres comprises. */
     public final int instructions;
 
-    Methode(List<?> lue, String fichier) {
+    Signature(List<?> lue, String fichier) {
         nom = (String) lue.get(0);
         rend = (String) lue.get(1);
         types = ((List<?>) lue.get(2)).stream().map(String.class::cast).collect(Collectors.toList());
@@ -49,8 +49,8 @@ public final class Methode {
      */
     static String ponts(Type duCours, Type lui, List<String> dites) {
         StringBuilder ponts = new StringBuilder();
-        for (Methode attendue : duCours.methodes) {
-            List<Methode> siennes = lui.methodes.stream().filter(m -> m.nom.equals(attendue.nom) && m.statique == attendue.statique
+        for (Signature attendue : duCours.methodes) {
+            List<Signature> siennes = lui.methodes.stream().filter(m -> m.nom.equals(attendue.nom) && m.statique == attendue.statique
                     && m.rend.isEmpty() == attendue.rend.isEmpty()).collect(Collectors.toList());
             if (!attendue.privee && siennes.stream().noneMatch(attendue::convient)) {
                 siennes.stream().filter(m -> m.arguments(attendue) != null).findFirst().ifPresent(m -> {
@@ -68,13 +68,13 @@ public final class Methode {
     }
 
     /** Vrai si l'on peut appeler celle-là telle quelle à la place : un objet quelconque y convient aussi. */
-    private boolean convient(Methode sienne) {
+    private boolean convient(Signature sienne) {
         return sienne.types.size() == types.size() && IntStream.range(0, types.size())
                 .allMatch(k -> sienne.types.get(k).equals(types.get(k)) || sienne.types.get(k).equals("Objet3D"));
     }
 
     /** Paramètres de l'attendue avec lesquels l'appeler, {@code null} s'il lui en faut d'autres. */
-    private List<String> arguments(Methode attendue) {
+    private List<String> arguments(Signature attendue) {
         List<String> restent = new ArrayList<>(attendue.types);
         boolean memePlace = types.size() == restent.size() && IntStream.range(0, types.size()).allMatch(k ->
                 types.get(k).equals(restent.get(k)) || COMPATIBLES.contains(types.get(k) + " " + restent.get(k)));

@@ -30,7 +30,7 @@ import lancer.correction.Panne;
  * squelette a à sa place ; entre {@code //&lt;brume} et {@code //&gt;}, la copie de l'extension remplace les autres
  * lignes par celles que {@code //+} commence.
  */
-public final class Modele {
+public final class SourcesDuCours {
 
     /** Les classes à compléter, dans l'ordre de l'énoncé. */
     public static final List<String> A_COMPLETER =
@@ -56,7 +56,7 @@ public final class Modele {
     private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
             "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
 
-    private Modele() {
+    private SourcesDuCours() {
     }
 
     /** Toutes les classes du projet, sans ses tests. */
@@ -149,7 +149,7 @@ public final class Modele {
 
     /** Un texte de l'archive du programme. */
     public static String ressource(String nom) {
-        try (InputStream flux = Modele.class.getResourceAsStream("/" + nom)) {
+        try (InputStream flux = SourcesDuCours.class.getResourceAsStream("/" + nom)) {
             return new String(flux.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -168,7 +168,7 @@ public final class Modele {
                     + String.join(", ", new TreeSet<>(VARIANTES)));
         }
         Map<String, String> fichiers = new TreeMap<>();
-        (variante == null ? tout(Modele::squelette) : acheve(variante))
+        (variante == null ? tout(SourcesDuCours::squelette) : acheve(variante))
                 .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
         fichiers.put("LISEZMOI.md", ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
         if ("blinn".equals(variante)) {

@@ -6,14 +6,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.apache.commons.csv.CSVRecord;
 
 /**
  * Critères qui se notent, et ce que le corrigé en dessine : les étapes de l'énoncé, dans son ordre, l'image, les extensions, les
  * consignes. La grille s'écrit à côté des résultats : les notes et les pages se refont sans rien juger.
  */
-public final class Grille {
+public final class GrilleDeNotation {
 
     /** Une étape et ses critères ; ou une ligne libre du barème, qui n'en a pas. */
     public static final class Etape {
@@ -29,7 +29,7 @@ public final class Grille {
         public Etape(String nom, String titre) {
             this.nom = nom;
             this.court = titre;
-            this.extension = Modele.VARIANTES.contains(nom);
+            this.extension = SourcesDuCours.VARIANTES.contains(nom);
             this.titre = (extension ? "Extension : " : "") + titre;
         }
 
@@ -68,7 +68,7 @@ public final class Grille {
     /** Raison pour laquelle le code des étudiants a tourné sans confinement ; vide s'il a été confiné. */
     public final String sansConfinement;
 
-    Grille(String sansConfinement) {
+    GrilleDeNotation(String sansConfinement) {
         this.sansConfinement = sansConfinement;
     }
 
@@ -95,9 +95,9 @@ public final class Grille {
     }
 
     /** @throws RuntimeException si ce fichier n'est pas une grille */
-    public static Grille lire(Path fichier) throws IOException {
+    public static GrilleDeNotation lire(Path fichier) throws IOException {
         List<CSVRecord> lignes = Resultat.lignes(fichier);
-        Grille grille = new Grille(lignes.get(0).get(1));
+        GrilleDeNotation grille = new GrilleDeNotation(lignes.get(0).get(1));
         for (CSVRecord l : lignes.subList(1, lignes.size())) {
             if (l.get(0).equals("critère")) {
                 Verification critere = new Verification(l.get(1), l.get(2), l.get(3), l.get(4), l.get(5));

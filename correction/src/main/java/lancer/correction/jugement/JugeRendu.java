@@ -14,18 +14,18 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.correction.depot.Methode;
 import lancer.correction.depot.Projet;
+import lancer.correction.depot.Signature;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache
  * pas les autres.
  */
-final class Juge implements AutoCloseable {
+final class JugeRendu implements AutoCloseable {
 
     /** Le début de ce que dit une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
@@ -49,7 +49,7 @@ final class Juge implements AutoCloseable {
     /** Classes dont dépend une classe qui ne se compile pas seule dans le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
-    Juge(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
+    JugeRendu(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
             throws Arret {
         this.reference = reference;
         this.compilation = compilation;
@@ -65,13 +65,13 @@ final class Juge implements AutoCloseable {
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
         sources.put("lancer/Appels", projet.cours.dans(reference.appels));
-        sources.put("lancer/Sonde", projet.cours.dans(Modele.ressource("sondes/lancer/Sonde.java")));
+        sources.put("lancer/Sonde", projet.cours.dans(SourcesDuCours.ressource("sondes/lancer/Sonde.java")));
         return compilation.compiler(sources);
     }
 
     /** Sources qu'il a rendues de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
     private Map<String, String> base(Map<String, String> enPlus) {
-        Map<String, String> sources = projet.cours.dans(Modele.tout(Modele::squelette));
+        Map<String, String> sources = projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::squelette));
         sources.putAll(projet.base);
         sources.putAll(enPlus);
         return sources;
@@ -98,11 +98,11 @@ final class Juge implements AutoCloseable {
         machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
-        Modele.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
+        SourcesDuCours.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);
         Map<String, Verdict> parSeule = new HashMap<>();
-        for (String classe : changees(Modele.A_COMPLETER)) {
+        for (String classe : changees(SourcesDuCours.A_COMPLETER)) {
             List<Verification> aReprendre = verifications(v -> v.classe.equals(classe)
                     && toutes.verdicts.get(v.id()).etat != Etat.REUSSI);
             if (!aReprendre.isEmpty()) {
@@ -114,7 +114,7 @@ final class Juge implements AutoCloseable {
         }
         imputer();
         if (toutes.coupe()) {
-            Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(Grille.IMAGE + "." + scene,
+            Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene,
                     new Verdict(Etat.RATE, "trop de vérifications n'ont pas fini : " + toutes.pourquoi)));
         } else {
             // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
@@ -135,9 +135,9 @@ final class Juge implements AutoCloseable {
      */
     private void imputer() throws Arret {
         List<Verification> cachees = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE);
-        List<String> suspectes = new ArrayList<>(Modele.A_COMPLETER);
+        List<String> suspectes = new ArrayList<>(SourcesDuCours.A_COMPLETER);
         suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
-        suspectes.addAll(changees(Modele.DONNEES));
+        suspectes.addAll(changees(SourcesDuCours.DONNEES));
         for (String classe : suspectes) {
             if (cachees.isEmpty() || seules.containsKey(classe) && seules.get(classe).arrete) {
                 continue;
@@ -154,7 +154,7 @@ final class Juge implements AutoCloseable {
             }
         }
         // si une seule faute n'y suffit pas, celles qui sont déjà comptées l'expliquent ; s'il n'y en a pas, il y a à voir
-        cachees.removeIf(v -> Modele.A_COMPLETER.stream().anyMatch(this::aUneFaute));
+        cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
         for (Verification v : cachees) {
             charger(v, resultat.verdicts.get(v.id()).message, v.classe);
             resultat.regarder("« " + v.titre + " » n'échoue qu'avec toutes les classes ensemble");
@@ -206,9 +206,9 @@ final class Juge implements AutoCloseable {
         }
         // celles qu'il a ajoutées, puis le corrigé, puis elle ; ou, s'il ne l'a pas rendue, celle du projet à compléter
         Map<String, String> sources = new TreeMap<>(projet.base);
-        sources.putAll(projet.cours.dans(Modele.tout(Modele::corrige)));
+        sources.putAll(projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::corrige)));
         sources.put("lancer/" + projet.cours.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
-                : projet.cours.dans(Modele.squelette(classe)));
+                : projet.cours.dans(SourcesDuCours.squelette(classe)));
         Assemblage seule = assembler(sources);
         // celles des siennes qu'elle emploie, puis celles que celles-là emploient
         Set<String> avec = new LinkedHashSet<>();
@@ -234,7 +234,8 @@ final class Juge implements AutoCloseable {
 
     /** Les classes rendues qu'emploient celles-ci, par leur nom ou par un champ qui porte ce nom. */
     private List<String> employees(Set<String> classes) {
-        return Modele.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main") && classes.stream().map(projet::type)
+        return SourcesDuCours.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main")
+                && classes.stream().map(projet::type)
                 .anyMatch(t -> t.noms.contains(projet.cours.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
                 .collect(Collectors.toList());
     }
@@ -243,7 +244,7 @@ final class Juge implements AutoCloseable {
     private boolean fautesNouvelles(Assemblage seule, String classe) {
         String sienne = projet.cours.classe(classe);
         return seule.fautesDe(sienne).size() > ensemble.fautesDe(sienne).size() || seule.fautes.stream().anyMatch(f ->
-                Modele.classes().contains(f.classe()) && !f.classe().equals(sienne) && ensemble.fautesDe(f.classe()).isEmpty());
+                SourcesDuCours.classes().contains(f.classe()) && !f.classe().equals(sienne) && ensemble.fautesDe(f.classe()).isEmpty());
     }
 
     Verifications.Bilan lancer(Assemblage assemblage, List<Verification> verifications) {
@@ -291,7 +292,7 @@ final class Juge implements AutoCloseable {
     /** Les noms des méthodes à compléter de cette classe ; faux pour celles qu'il n'a pas changées. */
     private Map<String, Boolean> methodes(String classe) {
         Map<String, Boolean> noms = new TreeMap<>();
-        for (Methode m : projet.cours.squelette(classe).methodes) {
+        for (Signature m : projet.cours.squelette(classe).methodes) {
             if (m.texte.contains("// FIXME")) {
                 noms.merge(m.nom, projet.type(classe).methodes.stream().noneMatch(s -> s.nom.equals(m.nom) && s.arbre.equals(m.arbre)),
                         Boolean::logicalAnd);
@@ -311,14 +312,16 @@ final class Juge implements AutoCloseable {
     /** Une étape que rien ne montre, mais dont la méthode est écrite : c'est une faute de cette classe, ou d'une autre, que l'on dit. */
     private Verdict commencee(Verification v, Verdict verdict) {
         String message = verdict.message.replace(NON_COMMENCEE, "");
-        String ecrite = changees(Modele.A_COMPLETER).stream().filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
+        String ecrite = changees(SourcesDuCours.A_COMPLETER).stream()
+                .filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
                 && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey())))
                 .findFirst().orElse(null);
         if (ecrite == null || ecrite.equals(v.classe)) {
             return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
         }
         // celle qui l'a écrite, ou celle, jugée plus tôt, dont elle dépend
-        String fautive = Stream.concat(Stream.of(ecrite), Modele.A_COMPLETER.stream()).filter(c -> !c.equals(v.classe) && aUneFaute(c))
+        String fautive = Stream.concat(Stream.of(ecrite), SourcesDuCours.A_COMPLETER.stream())
+                .filter(c -> !c.equals(v.classe) && aUneFaute(c))
                 .findFirst().orElse(ecrite);
         resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
         return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
