@@ -60,10 +60,10 @@ class IndependanceTest extends JuryEssai {
                 + ";\npublic class Evade { }\n");
         ecrire(ecrireCorrige(rendus.resolve("fin")), "A\nFIN\nFAUTE\tB", "package lancer; class A { int f() { return x; } }");
         ecrire(ecrireCorrige(rendus.resolve("tabulation")), "A\tB", "package lancer; class A { int f() { return x; } }");
-        ecrire(ecrireCorrige(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
+        ecrire(sources(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
                 + "}".repeat(2001));
-        ecrire(ecrireCorrige(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
-        ecrire(ecrireCorrige(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
+        ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
+        ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
                 .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
         String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
                 + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
