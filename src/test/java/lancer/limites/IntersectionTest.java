@@ -72,14 +72,18 @@ class IntersectionTest {
     /** {@code if (d < 0) return INFINI} laisserait passer NaN : c'est le contraire qui est écrit, {@code !(d >= 0)}. */
     @Test
     void unNombreQuiNEnEstPasUnNeToucheRien() {
-        double[] cas = {0, 0, 0, 0, 0, 1, 0.1, 0.2, 5, 1};
-        for (int place = 0; place < cas.length; place++) {
-            for (double faux : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
-                double[] x = cas.clone();
-                x[place] = faux;
-                double t = Intersection.distance(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
-                assertTrue(t > 0, "nombre de rang " + place + " changé en " + faux + " : " + t);
-                assertTrue(t == INFINI || !Double.isNaN(faux), "NaN de rang " + place + " : " + t);
+        // de loin, puis du centre, de la surface et tout près d'elle
+        double[][] tous = {{0, 0, 0, 0, 0, 1, 0.1, 0.2, 5, 1}, {0, 0, 0, 0, 0, 1, 0, 0, 0, 1}, {0.99999, 0, 0, 0, 0, 1, 0, 0, 0, 1},
+            {1, 0, 0, 0, 0, 1, 0, 0, 0, 1}, {1.00001, 0, 0, 0, 0, 1, 0, 0, 0, 1}};
+        for (double[] cas : tous) {
+            for (int place = 0; place < cas.length; place++) {
+                for (double faux : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+                    double[] x = cas.clone();
+                    x[place] = faux;
+                    double t = Intersection.distance(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
+                    assertTrue(t > 0, "nombre de rang " + place + " changé en " + faux + " : " + t);
+                    assertTrue(t == INFINI || !Double.isNaN(faux), "NaN de rang " + place + " : " + t);
+                }
             }
         }
     }

@@ -55,7 +55,8 @@ class LimitesEclairageTest {
         Recherche sansExclure = new RechercheNaive(Collections.<Objet3D>singletonList(boule(0, 0, 5, 1.5, 0, 0.5, 1)),
                 RechercheNaive.Ombre.AUCUNE, 0);
         assertTrue(pixelsFaux(sansExclure) > 100, pixelsFaux(sansExclure) + " pixels faux");
-        // les nôtres sont comparés au ciel, en forme close, par TheorieTest.unMiroirSeulMontreLeCielDansLaDirectionReflechie
+        // les nôtres sont comparés au ciel, en forme close, par
+        // ProprietesScenesTest.sansLampeOnNeVoitJamaisPlusBrillantQueLeCielAuBoutDesMiroirs
         assertEquals(0, pixelsFaux(null));
         Rangee.montre("sansExclureLeDepartUnMiroirSeReflechitLuiMeme", pixelsFaux(sansExclure), pixelsFaux(null), 0);
     }

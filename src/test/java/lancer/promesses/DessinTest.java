@@ -57,14 +57,6 @@ class DessinTest {
     }
 
     @Test
-    void sansDistancesEgalesLOrdreDesSpheresNeChangePasUnBit() {
-        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
-        List<Objet3D> envers = new ArrayList<>(scene.getObjets());
-        Collections.reverse(envers);
-        assertTrue(memesBits(image(scene, 60, 45, 5, 1), image(new Scene(envers, scene.getLampes()), 60, 45, 5, 1)));
-    }
-
-    @Test
     void leNombreDeFilsNeChangeNiUnBitNiUnCompte() {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         Camera camera = new Camera(100, 75);

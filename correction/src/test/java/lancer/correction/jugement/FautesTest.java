@@ -32,7 +32,7 @@ class FautesTest extends JuryEssai {
     static void jugerLesFautes() throws IOException {
         Path rendus = dossier.resolve("rendus");
         String[] positive = {"Sphere", "if (-b - racine > 0)", "if (true)"};
-        String[] normale = {"Objet3D", "new Vecteur(contact, lampe.getPosition()).normalized()", "new Vecteur(contact, lampe.getPosition())"};
+        String[] normale = {"Objet3D", "lampe.getPosition()).normalized();", "lampe.getPosition());"};
         String[] ombre = {"Objet3D", "new Rayon(lampe.getPosition(), contact)", "new Rayon(contact, lampe.getPosition())",
             "scene.getClosestIntersection(rayon, (Sphere) this)", "scene.getClosestIntersection(rayon)"};
         fauter(rendus.resolve("racine-negative"), positive);

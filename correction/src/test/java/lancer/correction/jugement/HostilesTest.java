@@ -42,8 +42,9 @@ class HostilesTest extends JuryEssai {
                     ecrire(sources, "Math", "package lancer; class Math { static double abs(double x) { return 0; } }");
                 } else if (parts[0].equals("faux-junit")) {
                     ecrire(Files.createDirectories(sources.resolveSibling("org/junit/jupiter/api")), "Assertions",
-                            "package org.junit.jupiter.api; public class Assertions { public static <V> V fail(String message) { return null; }"
-                            + " public static void assertEquals(Object attendu, Object obtenu, String message) { } }");
+                            "package org.junit.jupiter.api; public class Assertions { "
+                            + "public static <V> V fail(String message) { return null; } "
+                            + "public static void assertEquals(Object attendu, Object obtenu, String message) { } }");
                 }
             }
         }
