@@ -246,9 +246,14 @@ final class BancFenetre {
         return surFilEvenements(controleur::getImageComplete);
     }
 
+    /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
+    void attendreCodes(String quoi, int[] codes) throws Exception {
+        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+    }
+
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+        attendreCodes(quoi, codes);
         attendre(quoi + ", à l'écran", () -> controleur.getImageComplete() != null
                 && trouver(codes, controleur.getImageComplete().largeur) != null);
     }

@@ -78,6 +78,11 @@ abstract class EssaiFenetre {
         return pixelsSansFenetre(dossier, scene, largeur, hauteur);
     }
 
+    /** L'image que ces options donnent de la scène. */
+    int[] attendue(String... options) throws Exception {
+        return pixelsSansFenetre(dossier, scene, L, H, options);
+    }
+
     /** Ouvre la fenêtre sur la scène, et attend son image. */
     ImageMemoire ouvrir(String... options) throws Exception {
         banc = new BancFenetre(lente(options));
