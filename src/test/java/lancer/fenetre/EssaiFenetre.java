@@ -109,6 +109,13 @@ abstract class EssaiFenetre {
         return propose;
     }
 
+    /** Ferme le message, qui couvre le bas de l'image. */
+    void fermerLeMessage() throws Exception {
+        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
+        banc.cliquer(banc.panneau.bandeau, 5, 5);
+        banc.attendreMessage("");
+    }
+
     /** Donne cette taille à la place de l'image. */
     void retailler(int largeur, int hauteur) throws Exception {
         faire(() -> {

@@ -67,12 +67,6 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Mur(partout))));
     }
 
-    private void fermerLeMessage() throws Exception {
-        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
-        banc.cliquer(banc.panneau.bandeau, 5, 5);
-        banc.attendreMessage("");
-    }
-
     @Test
     void unPixelQuiEchoueEstEnDamierLeResteSeDessineEtLaFauteSeRaconte() throws Exception {
         ouvrirAvecUnMur(false);

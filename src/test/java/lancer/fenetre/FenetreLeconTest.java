@@ -134,6 +134,7 @@ class FenetreLeconTest extends EssaiFenetre {
         banc.imageAchevee();
         ecrire(BLEUE);
         banc.attendreMessage("scène relue : ce qui avait été déplacé");
+        fermerLeMessage();
         banc.attendreImage("celle du fichier", attendue(L, H));
     }
 
