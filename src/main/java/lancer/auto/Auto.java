@@ -36,6 +36,9 @@ public final class Auto {
     private static final double DIVERSITE = 2;
     /** Écarts types en dessous de l'erreur attendue : si elle dépasse encore l'erreur voulue, l'essai est inutile. */
     private static final double SANS_ESSAI = 0.3;
+    /** Répétitions d'un essai dont la durée compte, jusqu'à ce nombre de rayons. */
+    private static final int REPETITIONS = 50;
+    private static final int RAYONS_CHRONOMETRES = 300_000;
     /** Échantillonnage que rien ne décrit. */
     private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
@@ -128,12 +131,26 @@ public final class Auto {
     private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
             Limite limite) {
         double promis = propose.prix * limite.rayons;
+        double ns = chronometrer(echantillonnage, limite, reste(CHOIX, promis), 1);
+        return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
+                pixels.mesure() ? pixels.prix() : promis, ns);
+    }
+
+    /** Dessine les pixels d'essai, et rend la durée moyenne d'un rayon dans un fil, en nanosecondes. */
+    private double chronometrer(Echantillonnage echantillonnage, Limite limite, double permis, int repetitions) {
         double rayons = essais.rayons.get();
         double duree = essais.dureeNs.get();
-        pixels.dessiner(echantillonnage, limite, reste(CHOIX, promis));
-        return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
-                pixels.mesure() ? pixels.prix() : promis,
-                (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons));
+        for (int k = 0; k < repetitions && essais.rayons.get() - rayons < RAYONS_CHRONOMETRES; k++) {
+            pixels.dessiner(echantillonnage, limite, permis);
+        }
+        return (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons);
+    }
+
+    /** Refait les essais, quand leur code est compilé : seules les durées changent. */
+    public void chronometrer() {
+        essayes.replaceAll(essaye -> new Candidat(essaye.section, essaye.echantillonnage, essaye.limite,
+                essaye.estimation, essaye.prix,
+                chronometrer(essaye.echantillonnage, essaye.limite, Double.MAX_VALUE, REPETITIONS)));
     }
 
     /** Candidat de ce dessin de la scène, avec cette section et tant de réflexions. Se demande après le choix. */

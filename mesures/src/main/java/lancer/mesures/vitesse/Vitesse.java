@@ -29,7 +29,7 @@ import lancer.texte.Texte;
 
 /**
  * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide} ou {@code --agitee}, au plus une des autres options et, pour chaque autre programme à
+ * {@code make mesures}, avec {@code --rapide}, au plus une des autres options et, pour chaque autre programme à
  * comparer, {@code --jar=} et son chemin.
  *
  * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
@@ -46,7 +46,7 @@ public final class Vitesse {
     private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
     private static final String JAR = "--jar=";
 
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--processus", "--noyaux",
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--processus", "--noyaux",
             "--stabilite", "--dessiner");
 
     /** Dossier où finit une mesure complète, avec ses courbes. */
@@ -77,7 +77,7 @@ public final class Vitesse {
         });
         rapide = options.contains("--rapide");
         atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
-        resultats = rapide || options.contains("--agitee") ? atelier : Paths.get(RESULTATS);
+        resultats = rapide ? atelier : Paths.get(RESULTATS);
     }
 
     /** @param args voir la description de la classe */
@@ -109,7 +109,7 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de dossier scenes ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
-        boolean tout = options.stream().allMatch(o -> o.equals("--rapide") || o.equals("--agitee"));
+        boolean tout = options.stream().allMatch(o -> o.equals("--rapide"));
         boolean comptes = tout || options.contains("--comptes");
         boolean temps = tout || options.contains("--temps");
         List<String> neufs = new ArrayList<>();
@@ -165,8 +165,7 @@ public final class Vitesse {
 
     /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        Mesureur mesureur = new Mesureur(rapide, rapide || options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER,
-                ANTIALIAS);
+        Mesureur mesureur = new Mesureur(rapide, povray, atelier.resolve(csv), sortie, LANCER, ANTIALIAS);
         for (Taille taille : tailles) {
             mesureur.mesurer(taille, groupes);
         }
@@ -174,10 +173,12 @@ public final class Vitesse {
 
     private void compterLesBesoins() throws IOException {
         Taille taille = rapide ? new Taille(200, 150) : TAILLE;
+        List<Path> scenes = Scenes.livrees();
+        sortie.println("besoins de " + scenes.size() + " scènes");
+        List<String> comptes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne()).collect(Collectors.toList());
         List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo"));
-        for (Path scene : Scenes.livrees()) {
-            lignes.add(new Besoin(scene, taille).ligne() + "," + alloues(scene, taille));
-            sortie.println("besoins de " + scene.getFileName());
+        for (int k = 0; k < scenes.size(); k++) {
+            lignes.add(comptes.get(k) + "," + alloues(scenes.get(k), taille));
         }
         Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
