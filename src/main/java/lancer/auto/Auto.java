@@ -116,7 +116,7 @@ public final class Auto {
                 }
             }
             Candidat essaye = essayer(propose, proposes.get(propose), ici,
-                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites));
+                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites), 1);
             ici = essaye.estimation;
             essayes.add(essaye);
             suivi.accept(this);
@@ -129,9 +129,9 @@ public final class Auto {
 
     /** Candidat de ce réglage. Faute de rayons pour l'essayer, son erreur est celle que l'on attendait. */
     private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
-            Limite limite) {
+            Limite limite, int repetitions) {
         double promis = propose.prix * limite.rayons;
-        double ns = chronometrer(echantillonnage, limite, reste(CHOIX, promis), 1);
+        double ns = chronometrer(echantillonnage, limite, reste(CHOIX, promis), repetitions);
         return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
                 pixels.mesure() ? pixels.prix() : promis, ns);
     }
@@ -146,11 +146,13 @@ public final class Auto {
         return (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons);
     }
 
-    /** Refait les essais, quand leur code est compilé : seules les durées changent. */
+    /** Refait les essais, quand leur code est compilé, les plus courts en dernier : seules les durées changent. */
     public void chronometrer() {
-        essayes.replaceAll(essaye -> new Candidat(essaye.section, essaye.echantillonnage, essaye.limite,
-                essaye.estimation, essaye.prix,
-                chronometrer(essaye.echantillonnage, essaye.limite, Double.MAX_VALUE, REPETITIONS)));
+        for (int k = essayes.size() - 1; k >= 0; k--) {
+            Candidat e = essayes.get(k);
+            essayes.set(k, new Candidat(e.section, e.echantillonnage, e.limite, e.estimation, e.prix,
+                    chronometrer(e.echantillonnage, e.limite, Double.MAX_VALUE, REPETITIONS)));
+        }
     }
 
     /** Candidat de ce dessin de la scène, avec cette section et tant de réflexions. Se demande après le choix. */
@@ -159,7 +161,7 @@ public final class Auto {
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
         presente.essayer(essais, pilote, Double.MAX_VALUE);
         return essayer(new ReglagePropose(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(),
-                Estimation.INCONNUE, presente);
+                Estimation.INCONNUE, presente, REPETITIONS);
     }
 
     public long getRayonsDesEssais() {

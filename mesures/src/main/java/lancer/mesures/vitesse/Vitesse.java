@@ -60,7 +60,7 @@ public final class Vitesse {
     private final PrintStream sortie;
 
     /** Dossiers où mesurer, et où porter le tout à la fin. */
-    private final Path atelier;
+    private final Path travail;
     private final Path resultats;
 
     private Vitesse(PrintStream sortie, String... args) {
@@ -76,8 +76,8 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de fichier " + jar);
         });
         rapide = options.contains("--rapide");
-        atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
-        resultats = rapide ? atelier : Paths.get(RESULTATS);
+        travail = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
+        resultats = rapide ? travail : Paths.get(RESULTATS);
     }
 
     /** @param args voir la description de la classe */
@@ -113,11 +113,11 @@ public final class Vitesse {
         boolean comptes = tout || options.contains("--comptes");
         boolean temps = tout || options.contains("--temps");
         List<String> neufs = new ArrayList<>();
-        Files.createDirectories(atelier);
+        Files.createDirectories(travail);
         PovRay povray = comptes || temps ? povray() : null;
         // ce qui ne demande pas une machine tranquille d'abord
         if (comptes) {
-            Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
+            Comptes lesComptes = new Comptes(TAILLE, povray, travail, sortie);
             lesComptes.ecrire(new Catalogue(rapide).reglages());
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
@@ -128,7 +128,7 @@ public final class Vitesse {
         }
         if (comptes || options.contains("--stabilite")) {
             sortie.println("stabilité");
-            new Mesures(rapide).ecrire(atelier);
+            new Mesures(rapide).ecrire(travail);
             neufs.add(Mesures.CSV);
         }
         if (temps) {
@@ -145,8 +145,8 @@ public final class Vitesse {
             neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
-        for (String nom : resultats.equals(atelier) ? Collections.<String>emptyList() : neufs) {
-            Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
+        for (String nom : resultats.equals(travail) ? Collections.<String>emptyList() : neufs) {
+            Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
         if (!options.contains("--processus")) {
             new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
@@ -156,7 +156,7 @@ public final class Vitesse {
 
     private PovRay povray() {
         try {
-            return new PovRay(PovRay.COMMANDE, atelier);
+            return new PovRay(PovRay.COMMANDE, travail);
         } catch (IOException e) {
             sortie.println("Sans POV-Ray : " + e.getMessage());
             return null;
@@ -165,7 +165,7 @@ public final class Vitesse {
 
     /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        Mesureur mesureur = new Mesureur(rapide, povray, atelier.resolve(csv), sortie, LANCER, ANTIALIAS);
+        Mesureur mesureur = new Mesureur(rapide, povray, travail.resolve(csv), sortie, LANCER, ANTIALIAS);
         for (Taille taille : tailles) {
             mesureur.mesurer(taille, groupes);
         }
@@ -180,14 +180,14 @@ public final class Vitesse {
         for (int k = 0; k < scenes.size(); k++) {
             lignes.add(comptes.get(k) + "," + alloues(scenes.get(k), taille));
         }
-        Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
+        Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 
     /** Mégaoctets qu'alloue le programme pour sa première image, là où Java sait ne rien rendre ; vide ailleurs. */
     private String alloues(Path scene, Taille taille) throws IOException {
-        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(atelier.resolve("pris"), Processus.JAVA,
+        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(travail.resolve("pris"), Processus.JAVA,
                 "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
-                atelier.resolve("besoin.png"), "--taille", taille, scene).dit);
+                travail.resolve("besoin.png"), "--taille", taille, scene).dit);
         return m.matches() ? m.group(1) : "";
     }
 }
