@@ -102,7 +102,7 @@ final class Mesureur {
 
     /** Les mêmes, de programmes entiers : leurs titres n'en disent rien à moins de cinq. */
     private int manchesEntieres(double mancheNs) {
-        return court ? 2 : mancheNs < 1.5 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
+        return court ? 2 : mancheNs < 1.5 * LONGUE_NS ? 6 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
     }
 
     // ---- des machines virtuelles qui durent
