@@ -187,7 +187,7 @@ public final class Dialogue {
             // ce que les vérifications des reflets attrapent
             throw new StackOverflowError(ou);
         }
-        throw new Echec(sorte == Execution.FAUTE ? Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
+        throw new Echec(sorte == Execution.FAUTE ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
                 : ou);
     }
 }

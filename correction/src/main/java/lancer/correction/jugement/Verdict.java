@@ -32,7 +32,7 @@ public final class Verdict {
 
     /** Raté, ou qui ne se compile pas, si c'est ce que dit ce message. */
     static Verdict rate(String message) {
-        return new Verdict(message.startsWith(Juge.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
+        return new Verdict(message.startsWith(JugeRendu.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
     }
 
     /** Vrai si c'est une faute : ratée, ou qui ne se compile pas. */

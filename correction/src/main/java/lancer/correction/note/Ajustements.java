@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 
 /**
@@ -41,7 +41,7 @@ public final class Ajustements {
     public final List<String> fautes;
 
     /** Lit {@code ajustements.csv} dans ce dossier ; s'il n'y est pas, rien n'est donné. */
-    public Ajustements(Path dossier, Collection<String> ids, Grille grille, Bareme bareme) {
+    public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         // ceux dont le maximum entre tel quel dans celui de la note
         List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());

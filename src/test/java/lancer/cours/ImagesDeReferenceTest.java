@@ -1,0 +1,38 @@
+package lancer.cours;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import lancer.essai.Essai;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Les images de référence, calculées à part en quadruple précision, sans seuil. */
+class ImagesDeReferenceTest {
+
+    /** Ce que l'arrondi de la double précision peut changer, et ce que les flottants du fichier peuvent perdre. */
+    private static final double TOLERANCE = 1e-6;
+
+    @TempDir
+    Path dossier;
+
+    @ParameterizedTest(name = "{0}, {2} réflexions")
+    @CsvSource({
+        "p1-quatre, p1-quatre, 5",
+        "p2-sol, p2-sol, 5",
+        "p3-miroirs, p3-miroirs, 5",
+        "p3-miroirs, p3-miroirs.reflets-0, 0",
+        "p3-miroirs, p3-miroirs.reflets-12, 12",
+        "p4-foule, p4-foule, 5"})
+    void laBaseDonneLImageDeReference(String scene, String image, String reflets) throws IOException {
+        float[] attendue = Essai.pfm(Essai.octets(ImagesDeReferenceTest.class, "/reference/" + image + ".pfm"));
+        float[] obtenue = Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
+                "--taille", "120x90", "--seuil", "0", "--reflets", reflets);
+        double ecart = Essai.ecart(attendue, obtenue);
+        assertTrue(ecart <= TOLERANCE, "écart " + ecart);
+    }
+}
