@@ -22,6 +22,7 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Main;
 import lancer.Sphere;
+import lancer.scene.LecteurScene;
 
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
 public final class Essai {
@@ -148,6 +149,12 @@ public final class Essai {
         } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /** Le message que dit ce texte : {@code {fichier}} y est cette scène, {@code {matière}} la liste des clés d'une matière. */
+    public static String message(String texte, Path scene) {
+        return texte.replace("{fichier}", scene.toString()).replace("{matière}", String.join(", ", LecteurScene.CLES_MATIERE))
+                .replace("\n", System.lineSeparator());
     }
 
     /** La valeur d'une ligne de {@code --statistiques}. */
