@@ -3,6 +3,7 @@ package lancer.essai;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Vue;
 
@@ -57,8 +58,7 @@ public final class Analytique {
         };
     }
 
-    /** Le ciel de l'énoncé : bleu au-dessus de l'horizon, brun au-dessous. */
     public static Couleur ciel(Vecteur V) {
-        return V.y > 0 ? new Couleur(0.7 * (1 - V.y), 0.7 * (1 - V.y), 1) : new Couleur(0.5, 0.4 + 0.2 * V.y, 0.1);
+        return new Rayon(Camera.OEIL, V).getSkyColor();
     }
 }

@@ -23,8 +23,11 @@ import java.util.function.DoubleUnaryOperator;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.scene.Origines;
 import lancer.texte.Nombre;
 
@@ -179,7 +182,7 @@ public final class EssaiRecit {
         double[] somme = nombres(dits[0]);
         if (proche == null) {
             assertEquals(1, dits.length, titre);
-            proche(V[1] > 0 ? new double[] {0.7 * (1 - V[1]), 0.7 * (1 - V[1]), 1} : new double[] {0.5, 0.4 + 0.2 * V[1], 0.1}, somme);
+            proche(t(new Rayon(new Point(), new Vecteur(V[0], V[1], V[2])).getSkyColor()), somme);
             if (scene.getObjets().isEmpty()) {
                 assertEquals("  aucun objet dans la scène", lignes.get(suivante++));
             }
