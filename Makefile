@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
+.PHONY: test lanceurs javadoc images references captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
 	corrige corriger noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -66,6 +66,10 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
 	@$(call actualiser,$(NEUVES)/icones,src/main/resources/lancer/fenetre)
+
+# Les images de référence des tests dont l'image du programme s'écarte : après un changement voulu, celle-ci prend leur place.
+references: outils
+	@$(MVN) -q -f ensemble.xml -pl :lancer,:brume,:blinn,:antialias -Dgroups=reference -Dreferences.refaites=true test
 
 # Les captures d'écran du README, sur un écran à elles.
 captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar

@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -227,8 +228,23 @@ public final class Essai {
         return pfm(Files.readAllBytes(dossier.resolve("image.pfm")));
     }
 
+    /**
+     * L'image que {@link #dessiner} vient d'écrire dans ce dossier est celle de référence, aux arrondis des doubles et des flottants
+     * près. {@code make references} met l'image à la place d'une référence dont elle s'écarte.
+     */
+    public static void verifierReference(String reference, Path dossier) throws IOException {
+        Path image = dossier.resolve("image.pfm");
+        double ecart = ecart(pfm(Files.readAllBytes(image)), pfm(octets(Essai.class, "/reference/" + reference)));
+        if (ecart > 1e-6 && Boolean.getBoolean("references.refaites")) {
+            Files.copy(image, Paths.get("src/test/resources/reference", reference), StandardCopyOption.REPLACE_EXISTING);
+            System.out.println("changée : " + reference);
+        } else if (!(ecart <= 1e-6)) {
+            throw new AssertionError(reference + " : écart " + ecart);
+        }
+    }
+
     /** Le plus grand écart, composante par composante ; infini si les tailles diffèrent ou si un nombre n'est pas fini. */
-    public static double ecart(float[] a, float[] b) {
+    private static double ecart(float[] a, float[] b) {
         if (a.length != b.length) {
             return Double.POSITIVE_INFINITY;
         }
