@@ -51,11 +51,13 @@ endif
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
 	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
+	@mkdir -p $(RACINE)/target 2>/dev/null && [ -w $(RACINE)/target ] || { echo "Tout se construit dans $$(cd $(RACINE) && pwd)/target," \
+	    "où rien ne peut s'écrire : copier le projet dans un dossier à soi, et y lancer make" >&2; exit 1; }
 
 # Quand une source ou une ressource n'est plus là, tout ce que Maven en avait fait s'en va : il ne l'ôterait pas de lui-même.
 LISTES := $(RACINE)/target/sources.txt \
 	$(foreach m,$(sort $(VARIANTES) brume antialias blinn mesures correction),$(RACINE)/$(m)/target/sources.txt)
-$(LISTES): toujours
+$(LISTES): toujours | outils
 	@mkdir -p $(@D) && cd $(@D) && find ../src/main -type f 2>/dev/null | LC_ALL=C sort > sources.neuves; \
 	if [ -e sources.txt ] && [ -n "$$(LC_ALL=C comm -23 sources.txt sources.neuves)" ]; then rm -rf classes; fi; \
 	if cmp -s sources.txt sources.neuves; then rm sources.neuves; else mv sources.neuves sources.txt; fi
