@@ -33,7 +33,7 @@ VARIANTES_TOUTES := brume antialias blinn
 MODULES := . mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
-	@echo "Construction de $@"
+	$(DIRE)
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
@@ -139,7 +139,7 @@ CORRIGER = $(JAVA) -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar $(CORRECTION)
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
 	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
 	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
-	@echo "Construction de $@"
+	$(DIRE)
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
 	@touch $@
 

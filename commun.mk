@@ -64,14 +64,17 @@ $(LISTES): toujours | outils
 
 toujours:
 
+# Maven travaille sans rien dire : la première fois, une demi-minute.
+DIRE = @echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"
+
 $(BASE): $(POMS) $(call sources,$(RACINE)) | outils
-	@echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : la première fois, Maven télécharge une trentaine de Mo)"
+	$(DIRE)
 	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :lancer -DskipTests package
 	@touch $@
 
 define jar_de_variante
 $(RACINE)/$(1)/target/$(1).jar: $(POMS) $(RACINE)/$(1)/pom.xml $(call sources,$(RACINE)) $(call sources,$(RACINE)/$(1)) | outils
-	@echo "Construction de $$@"
+	$$(DIRE)
 	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(1) -am -DskipTests package
 	@touch $$@
 endef
