@@ -25,7 +25,7 @@ public final class Analytique {
 
     /** La direction dans laquelle l'œil voit ce point de l'écran. */
     public Vecteur regard(double xe, double ye) {
-        return new Vecteur(camera.getX(xe), camera.getY(ye), Camera.FOCALE).normalized();
+        return new Vecteur(Camera.OEIL, camera.getEcran(xe, ye)).normalized();
     }
 
     private double carreDeL(Vecteur V) {

@@ -20,6 +20,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
+import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -93,9 +94,9 @@ public final class EssaiRecit {
             xe = point[0];
             ye = point[1];
         }
-        double[] ecran = {(xe - largeur / 2.0) * 2 / largeur, (hauteur / 2.0 - ye) * 2 / largeur, 0};
-        P = ecran;
-        V = unite(new double[] {ecran[0], ecran[1], 1 / Math.tan(Math.PI / 12)});
+        Rayon rayon = new Camera(largeur, hauteur).getRayon(xe, ye);
+        P = t(rayon.getP());
+        V = t(rayon.getV());
         produit = BLANC;
         double[] vue = etape(1, null);
         assertEquals(lignes.size() - 1, suivante, "une ligne de trop : " + actuelle());
