@@ -29,7 +29,7 @@ class FormesTest extends EssaiFormes {
     @Test
     void laClasseLaLigneEtLaSceneDuReadmeSeCopientTellesQuelles() throws IOException {
         inscrire(dossier, SERVICE, blocs.get(0));
-        assertTrue(blocs.get(1).contains("\necho " + lireTexte(dossier.resolve(SERVICE)).trim() + " > "), blocs.get(1));
+        assertTrue(blocs.get(1).contains("\necho " + lireTexte(dossier.resolve(SERVICE)).trim() + " >> "), blocs.get(1));
         float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, blocs.get(2)), "--taille=4x2");
         // en haut le ciel ; en bas, sans lampe, un cinquième de ce ciel, que le sol reflète
         assertEquals(image[12] * 0.2, image[0], 1e-7);
