@@ -12,7 +12,7 @@ public interface Forme {
     /** Le type de ses sections dans les fichiers de scène, par exemple {@code Plan}. */
     String getSection();
 
-    /** Les clés que demande {@link #lire}, les seules permises avec celles de la matière (Kd, Ks ou Kr, ns). */
+    /** Les clés que demande {@link #lire}, les seules permises avec celles de la matière. */
     String[] getCles();
 
     /**

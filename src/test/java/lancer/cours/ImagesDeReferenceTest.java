@@ -1,21 +1,18 @@
 package lancer.cours;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Les images de référence, calculées à part en quadruple précision, sans seuil. */
+@Tag("reference")
 class ImagesDeReferenceTest {
-
-    /** Ce que l'arrondi de la double précision peut changer, et ce que les flottants du fichier peuvent perdre. */
-    private static final double TOLERANCE = 1e-6;
 
     @TempDir
     Path dossier;
@@ -29,10 +26,8 @@ class ImagesDeReferenceTest {
         "p3-miroirs, p3-miroirs.reflets-12, 12",
         "p4-foule, p4-foule, 5"})
     void laBaseDonneLImageDeReference(String scene, String image, String reflets) throws IOException {
-        float[] attendue = Essai.pfm(Essai.octets(ImagesDeReferenceTest.class, "/reference/" + image + ".pfm"));
-        float[] obtenue = Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
+        Essai.dessiner(dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")),
                 "--taille", "120x90", "--seuil", "0", "--reflets", reflets);
-        double ecart = Essai.ecart(attendue, obtenue);
-        assertTrue(ecart <= TOLERANCE, "écart " + ecart);
+        Essai.verifierReference(image + ".pfm", dossier);
     }
 }

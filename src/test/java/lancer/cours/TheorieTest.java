@@ -184,8 +184,8 @@ class TheorieTest {
     void uneRangeeEntiereALHorizonALaSecondeCouleurDuCiel() {
         Ressources.Image image = image(scene(Collections.<Objet3D>emptyList()), 3, 3, 5, 1);
         for (int i = 0; i < 3; i++) {
-            assertEquals(0.4f, image.composantes[3 * (3 + i) + 1]);
-            assertTrue(image.composantes[3 * i + 2] == 1f, "au-dessus, le bleu");
+            assertEquals((float) DEVANT.getSkyColor().v, image.composantes[3 * (3 + i) + 1]);
+            assertEquals((float) new Camera(3, 3).getRayon(i + 0.5, 0.5).getSkyColor().b, image.composantes[3 * i + 2]);
         }
     }
 

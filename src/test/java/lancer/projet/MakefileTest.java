@@ -101,6 +101,18 @@ class MakefileTest extends EssaiProcessus {
     }
 
     @Test
+    void laOuRienNePeutSEcrireUneLigneDitQueFaire() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
+        // à la place d'un dossier en lecture seule, où root écrirait
+        Files.write(dossier.resolve("target"), new byte[1]);
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(2, statut(make));
+        assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"), erreur());
+    }
+
+    @Test
     void uneSourceEffaceeEmporteCeQuiEnEtaitConstruit() throws Exception {
         assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         Path sources = Files.createDirectories(dossier.resolve("src/main/java"));

@@ -37,7 +37,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * La lecture des scènes, par le programme entier. Ajouter un cas, c'est ajouter un fichier : {@code fautives/x.ini} et, à
- * côté, {@code x.message}, la ligne attendue sur l'erreur standard, où {@code {fichier}} remplace le chemin de la scène.
+ * côté, {@code x.message}, la ligne attendue sur l'erreur standard ({@link Essai#message}).
  */
 class LectureTest {
 
@@ -68,8 +68,7 @@ class LectureTest {
         if (!Files.exists(message)) {
             return "";
         }
-        return new String(Files.readAllBytes(message), StandardCharsets.UTF_8).replace("{fichier}", scene.toString())
-                .replace("\n", System.lineSeparator());
+        return Essai.message(new String(Files.readAllBytes(message), StandardCharsets.UTF_8), scene);
     }
 
     @ParameterizedTest(name = "{0}")
@@ -153,6 +152,11 @@ class LectureTest {
         // sa jumelle : seule la scène la laisse de côté
         assertEquals("[Sphere é b] ligne 9", lue.origines.de(lue.objets.get(1)));
         assertNull(lue.origines.de(new Sphere(new Point(0, 0, 6), 1)));
+    }
+
+    @Test
+    void lesClesDUneMatiereSontCellesDuCours() {
+        assertEquals(Arrays.asList("Kd", "Ks", "Kr", "ns"), LecteurScene.CLES_MATIERE);
     }
 
     @Test
