@@ -98,7 +98,7 @@ public final class Projet {
      *
      * @param commun le cours, sous ses noms ; @param alias les noms que l'enseignant dit changés : celui du cours, et celui de l'étudiant
      */
-    public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
+    public static List<Projet> copies(Rendu rendu, Cours.LectureDeSources lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
