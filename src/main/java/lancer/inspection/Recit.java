@@ -23,37 +23,37 @@ import lancer.contrat.Specularite;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** La chaîne d'un pixel en arbre : un contact après celui que voit son reflet, puis ses termes, puis leurs facteurs. */
+/** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
 
-    /** Nombre de lampes de même sort au-delà duquel elles ne se montrent qu'à la demande. */
+    /** Nombre de lampes semblables au-delà duquel elles ne sont montrées qu'à la demande. */
     private static final int LAMPES = 3;
 
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
     private final DoubleFunction<String> composante;
     private int etape;
-    /** Lampe, rival ou échantillon dont il est question. */
+    /** Lampe, rival ou échantillon de la ligne en cours. */
     private String quoi = "";
 
-    /** @param nombre comment s'écrit un nombre calculé ; un nombre du fichier s'écrit comme là-bas */
+    /** @param nombre écriture d'un nombre calculé ; un nombre du fichier garde l'écriture du fichier */
     public Recit(Inspection pixel, DoubleFunction<String> nombre) {
         this(pixel, nombre, nombre);
     }
 
-    /** @param composante comment s'écrit, d'une couleur calculée, une composante */
+    /** @param composante écriture d'une composante de couleur calculée */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
         this.nombre = nombre;
         this.composante = composante;
     }
 
-    /** Lignes de la chaîne, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
+    /** Lignes de l'explication ; la dernière est {@code somme R V B = #RRGGBB}. */
     public List<String> lignes() {
         return raconter().lignes();
     }
 
-    /** La chaîne, jusqu'à la faute s'il y en a une. */
+    /** L'explication, jusqu'à la faute s'il y en a une. */
     public Noeud raconter() {
         List<Noeud> lignes = new ArrayList<>();
         if (pixel.getEchantillons().size() > 1) {
@@ -64,7 +64,7 @@ public final class Recit {
         Objet3D depart = null;
         for (Etape suivante : pixel.getEtapes()) {
             etape = suivante.numero;
-            // la somme d'un contact, avant le contact qui s'en sert
+            // la couleur d'un contact vient avant le contact dont le reflet la voit
             contacts.add(0, contact(suivante, rayon, depart));
             rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
             depart = rayon == null ? null : suivante.contact.objet;
@@ -91,7 +91,7 @@ public final class Recit {
                 derniere instanceof Couleur ? (Couleur) derniere : null);
     }
 
-    /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
+    /** Les nombres d'une valeur, écrits ; la valeur elle-même si ce ne sont pas des nombres. */
     private Object ecrire(Object valeur) {
         if (valeur instanceof Couleur) {
             Couleur c = (Couleur) valeur;
@@ -107,7 +107,7 @@ public final class Recit {
         return valeur instanceof Double ? nombre.apply((Double) valeur) : valeur;
     }
 
-    /** Une couleur telle que le fichier l'écrit. */
+    /** Une couleur, écrite comme dans un fichier. */
     private static String lue(Couleur c) {
         return Nombre.ecrire(c.r) + " " + Nombre.ecrire(c.v) + " " + Nombre.ecrire(c.b);
     }
@@ -141,7 +141,7 @@ public final class Recit {
         lignes.add(dire("chaîne de l'échantillon %s", pixel.getChoisi()));
     }
 
-    /** @param rayon celui de l'étape, parti de cet objet ; {@code null} si une forme se colore à sa façon */
+    /** @param rayon celui de l'étape, parti de {@code depart} ; {@code null} si une forme n'a pas noté sa direction */
     private Noeud contact(Etape etape, Rayon rayon, Objet3D depart) {
         String nom = etape.contact == null ? "ciel" : pixel.nom(etape.contact.objet);
         quoi = "";
@@ -200,7 +200,7 @@ public final class Recit {
         return (aTraversLAir(etape) ? "vue " : "somme ") + etape.numero;
     }
 
-    /** Dit pourquoi le rayon de l'écran ne rencontre rien, si c'est le cas de tous. */
+    /** Explique le ciel, si aucun rayon de l'écran ne peut rencontrer d'objet. */
     private void direLeVide(List<Noeud> lignes, Etape etape) {
         List<Objet3D> objets = pixel.scene.getObjets();
         if (objets.isEmpty()) {
@@ -245,7 +245,7 @@ public final class Recit {
                 ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", etape.poids)), true);
     }
 
-    /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
+    /** Écrit que des facteurs donnent la dernière valeur ou, si leur produit est autre, qu'ils ne la donnent pas. */
     private Noeud produit(String format, Couleur produit, Object... valeurs) {
         return dire(produit.equals(valeurs[valeurs.length - 1]) ? format
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
@@ -272,7 +272,7 @@ public final class Recit {
         Couleur KL = e.lampe.getCouleur();
         Objet3D objet = etape.contact.objet;
         Specularite specularite = pixel.scene.getModele().getSpecularite();
-        // sans rayon d'ombre, personne n'a dit L
+        // sans rayon d'ombre, L n'est pas connu
         double base = e.L == null ? Double.NaN : specularite.base(etape.V, etape.N, e.L, etape.R);
         double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, objet.getNs());
         String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
@@ -289,7 +289,7 @@ public final class Recit {
         return facteurs;
     }
 
-    /** Le contact, la demi-corde d'une sphère, et les deux plus proches des autres objets, par les boucles du cours. */
+    /** Le contact, la demi-corde d'une sphère, et les deux autres objets les plus proches, par les boucles du cours. */
     private List<Noeud> details(Etape etape, Rayon rayon, Objet3D depart) {
         PointContact contact = etape.contact;
         List<Noeud> lignes = new ArrayList<>();
@@ -302,7 +302,7 @@ public final class Recit {
             return lignes;
         }
         if (contact.objet instanceof Sphere) {
-            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
+            // cours : d = b ± h, où b est la distance jusqu'au milieu de la corde
             Vecteur f = new Vecteur(rayon.getP(), ((Sphere) contact.objet).getCentre());
             lignes.add(dire("demi-corde h = %s", Math.abs(contact.distance - f.dot(rayon.getV()))));
         }
@@ -322,12 +322,12 @@ public final class Recit {
                 : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
     }
 
-    /** Part de l'air dans cette vue, NaN s'il n'en dit rien. */
+    /** Part k de l'air dans la couleur, NaN si l'air n'en a pas. */
     private double k(Etape etape) {
         return pixel.scene.getModele().getAtmosphere().k(etape.distance);
     }
 
-    /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
+    /** Dit si l'air change la couleur. */
     private boolean aTraversLAir(Etape etape) {
         return !Double.isNaN(k(etape)) || !etape.vue.equals(etape.somme);
     }
