@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
+.PHONY: test lanceurs javadoc images references captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
 	corrige corriger noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -33,7 +33,7 @@ VARIANTES_TOUTES := brume antialias blinn
 MODULES := . mesures $(VARIANTES_TOUTES)
 
 mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MODULES),$(call sources,$(m))) | outils
-	@echo "Construction de $@"
+	$(DIRE)
 	@$(MVN) -q -f ensemble.xml -pl :mesures -am -DskipTests package
 	@touch $@
 
@@ -66,6 +66,10 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
 	@$(call actualiser,$(NEUVES)/icones,src/main/resources/lancer/fenetre)
+
+# Les images de référence des tests dont l'image du programme s'écarte : après un changement voulu, celle-ci prend leur place.
+references: outils
+	@$(MVN) -q -f ensemble.xml -pl :lancer,:brume,:blinn,:antialias -Dgroups=reference -Dreferences.refaites=true test
 
 # Les captures d'écran du README, sur un écran à elles.
 captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
@@ -135,7 +139,7 @@ CORRIGER = $(JAVA) -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar $(CORRECTION)
 $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
 	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
 	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
-	@echo "Construction de $@"
+	$(DIRE)
 	@$(MVN) -q -f ensemble.xml -pl :correction -am -DskipTests package
 	@touch $@
 

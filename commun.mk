@@ -51,25 +51,30 @@ endif
 outils:
 	@command -v javac >/dev/null || { echo "Il faut un JDK, 11 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
 	@command -v $(firstword $(MVN)) >/dev/null || { echo "Il faut Maven : sudo apt-get install maven" >&2; exit 1; }
+	@mkdir -p $(RACINE)/target 2>/dev/null && [ -w $(RACINE)/target ] || { echo "Tout se construit dans $$(cd $(RACINE) && pwd)/target," \
+	    "où rien ne peut s'écrire : copier le projet dans un dossier à soi, et y lancer make" >&2; exit 1; }
 
 # Quand une source ou une ressource n'est plus là, tout ce que Maven en avait fait s'en va : il ne l'ôterait pas de lui-même.
 LISTES := $(RACINE)/target/sources.txt \
 	$(foreach m,$(sort $(VARIANTES) brume antialias blinn mesures correction),$(RACINE)/$(m)/target/sources.txt)
-$(LISTES): toujours
+$(LISTES): toujours | outils
 	@mkdir -p $(@D) && cd $(@D) && find ../src/main -type f 2>/dev/null | LC_ALL=C sort > sources.neuves; \
 	if [ -e sources.txt ] && [ -n "$$(LC_ALL=C comm -23 sources.txt sources.neuves)" ]; then rm -rf classes; fi; \
 	if cmp -s sources.txt sources.neuves; then rm sources.neuves; else mv sources.neuves sources.txt; fi
 
 toujours:
 
+# Maven travaille sans rien dire : la première fois, une demi-minute.
+DIRE = @echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"
+
 $(BASE): $(POMS) $(call sources,$(RACINE)) | outils
-	@echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : la première fois, Maven télécharge une trentaine de Mo)"
+	$(DIRE)
 	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :lancer -DskipTests package
 	@touch $@
 
 define jar_de_variante
 $(RACINE)/$(1)/target/$(1).jar: $(POMS) $(RACINE)/$(1)/pom.xml $(call sources,$(RACINE)) $(call sources,$(RACINE)/$(1)) | outils
-	@echo "Construction de $$@"
+	$$(DIRE)
 	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(1) -am -DskipTests package
 	@touch $$@
 endef

@@ -37,6 +37,9 @@ public final class Auto {
     private static final double DIVERSITE = 2;
     /** L'essai est inutile si l'erreur attendue, moins ce nombre d'écarts types, dépasse l'erreur voulue. */
     private static final double SANS_ESSAI = 0.3;
+    /** Un essai chronométré est répété jusqu'à ce nombre de fois ou de rayons. */
+    private static final int REPETITIONS = 50;
+    private static final int RAYONS_CHRONOMETRES = 300_000;
     /** Réglage d'une scène dont aucune variante ne propose de réglages. */
     private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
@@ -114,7 +117,7 @@ public final class Auto {
                 }
             }
             Candidat essaye = essayer(propose, proposes.get(propose), ici,
-                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites));
+                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites), 1);
             ici = essaye.estimation;
             essayes.add(essaye);
             suivi.accept(this);
@@ -127,14 +130,30 @@ public final class Auto {
 
     /** Candidat de ce réglage. S'il ne reste pas assez de rayons pour l'essayer, son erreur est celle attendue. */
     private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
-            Limite limite) {
+            Limite limite, int repetitions) {
         double promis = propose.prix * limite.rayons;
+        double ns = chronometrer(echantillonnage, limite, reste(CHOIX, promis), repetitions);
+        return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
+                pixels.mesure() ? pixels.prix() : promis, ns);
+    }
+
+    /** Dessine les pixels d'essai, et rend la durée moyenne d'un rayon dans un fil, en nanosecondes. */
+    private double chronometrer(Echantillonnage echantillonnage, Limite limite, double permis, int repetitions) {
         double rayons = essais.rayons.get();
         double duree = essais.dureeNs.get();
-        pixels.dessiner(echantillonnage, limite, reste(CHOIX, promis));
-        return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
-                pixels.mesure() ? pixels.prix() : promis,
-                (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons));
+        for (int k = 0; k < repetitions && essais.rayons.get() - rayons < RAYONS_CHRONOMETRES; k++) {
+            pixels.dessiner(echantillonnage, limite, permis);
+        }
+        return (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons);
+    }
+
+    /** Refait les essais une fois leur code compilé, les plus courts en dernier. Seules les durées changent. */
+    public void chronometrer() {
+        for (int k = essayes.size() - 1; k >= 0; k--) {
+            Candidat e = essayes.get(k);
+            essayes.set(k, new Candidat(e.section, e.echantillonnage, e.limite, e.estimation, e.prix,
+                    chronometrer(e.echantillonnage, e.limite, Double.MAX_VALUE, REPETITIONS)));
+        }
     }
 
     /** Candidat de ce dessin de la scène, avec cette section et ce nombre de réflexions. À appeler après le choix. */
@@ -143,7 +162,7 @@ public final class Auto {
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
         presente.essayer(essais, pilote, Double.MAX_VALUE);
         return essayer(new ReglagePropose(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(),
-                Estimation.INCONNUE, presente);
+                Estimation.INCONNUE, presente, REPETITIONS);
     }
 
     public long getRayonsDesEssais() {

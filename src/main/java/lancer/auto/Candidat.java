@@ -22,7 +22,7 @@ public final class Candidat {
 
     final Estimation estimation;
     final Echantillonnage echantillonnage;
-    private final Limite limite;
+    final Limite limite;
 
     Candidat(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix,
             double nsParRayon) {

@@ -13,7 +13,7 @@ public interface Forme {
     /** Le type de ses sections dans les fichiers de scène, par exemple {@code Plan}. */
     String getSection();
 
-    /** Les clés que lit {@link #lire} ; toute autre est refusée, sauf celles de la matière (Kd, Ks ou Kr, ns). */
+    /** Les clés que lit {@link #lire} ; toute autre est refusée, sauf celles de la matière. */
     String[] getCles();
 
     /**

@@ -128,6 +128,7 @@ final class PanneauVitesse extends JPanel {
             Auto fait = new Auto(montre.getLancer(), 0, null, null, controleur.fils,
                     montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
+            fait.chronometrer();
             evaluer(scene, fait, montre);
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -35,7 +36,8 @@ public final class LecteurScene {
     /** Nombre maximal de couleurs dans la palette. */
     private static final int PALETTE_MAX = 256;
 
-    private static final List<String> CLES_MATIERE = Arrays.asList("Kd", "Ks", "Kr", "ns");
+    /** Les clés de la matière, permises dans la section de toute forme. */
+    public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */

@@ -312,11 +312,12 @@ class OptionsTest {
     void chaqueOptionEstDansLAideEtDansSaPage() throws IOException {
         String source = new String(Files.readAllBytes(Paths.get("src/main/java/lancer/commande/Options.java")), StandardCharsets.UTF_8);
         String page = new String(Files.readAllBytes(Paths.get("docs/options.md")), StandardCharsets.UTF_8);
-        Matcher m = Pattern.compile("\"(--[a-z]+)\"").matcher(source);
+        Matcher m = Pattern.compile("\"(--?[a-z][\\w-]*)\"").matcher(source);
         int options = 0;
         while (m.find()) {
-            assertTrue(Options.getAide().contains(m.group(1)), m.group(1) + " n'est pas dans l'aide");
-            assertTrue(page.contains("`" + m.group(1)) || m.group(1).equals("--help"), m.group(1) + " n'est pas dans docs/options.md");
+            Pattern mot = Pattern.compile("(?<![\\w-])" + m.group(1) + "(?![\\w-])");
+            assertTrue(mot.matcher(Options.getAide()).find(), m.group(1) + " n'est pas dans l'aide");
+            assertTrue(mot.matcher(page).find(), m.group(1) + " n'est pas dans docs/options.md");
             options++;
         }
         assertTrue(options > 20, options + " options");

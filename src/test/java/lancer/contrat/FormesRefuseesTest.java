@@ -45,8 +45,8 @@ class FormesRefuseesTest extends EssaiFormes {
     @CsvSource(delimiter = '|', value = {
         "normale=0 1 0 | ligne 1, [Panneau sol], point : clé absente ; attendu : 3 nombres séparés par des blancs, "
                 + "chacun de -1e100 à 1e100",
-        "point=0 0 0~normal=0 1 0 | ligne 3, [Panneau sol], normal : clé inconnue ; attendu : point, normale, Kd, Ks, Kr, ns",
-        "centre=0 0 0 | ligne 2, [Panneau sol], centre : clé inconnue ; attendu : point, normale, Kd, Ks, Kr, ns",
+        "point=0 0 0~normal=0 1 0 | ligne 3, [Panneau sol], normal : clé inconnue ; attendu : point, normale, {matière}",
+        "centre=0 0 0 | ligne 2, [Panneau sol], centre : clé inconnue ; attendu : point, normale, {matière}",
         "point=0 0 0~Point=1 2 3 | ligne 3, [Panneau sol], Point : clé donnée deux fois, déjà ligne 2 ; attendu : "
                 + "une seule fois chaque clé",
         "point=0 0 -1.1e100~normale=0 1 0 | ligne 2, [Panneau sol], point : hors limites : « -1.1e100 » ; attendu : 3 nombres séparés "
@@ -68,7 +68,7 @@ class FormesRefuseesTest extends EssaiFormes {
         "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : "
                 + "Sphere, Panneau, Lampe, Brume, Antialias, Blinn"})
     void uneSectionFautiveEstRefuseeEnUneLigne(String lignes, String message) throws IOException {
-        refuser(scene + ", " + message, executer(classesDuPanneau, ("[Panneau sol]~" + lignes).split("~")));
+        refuser(Essai.message("{fichier}, " + message, scene), executer(classesDuPanneau, ("[Panneau sol]~" + lignes).split("~")));
     }
 
     @Test
@@ -83,8 +83,8 @@ class FormesRefuseesTest extends EssaiFormes {
                 Files.write(scene, octets.replaceAll("\\[(?i:sphere)", "[Ballon").getBytes(StandardCharsets.ISO_8859_1));
                 String message = lireTexte(fichier.resolveSibling(fichier.getFileName().toString().replace(".ini", ".message")));
                 Essai e = programme.executer("--taille=1x1", "--lineaire", pfm.toString(), scene.toString());
-                assertEquals(message.replace("{fichier}", scene.toString()).replace("\n", System.lineSeparator())
-                        .replaceAll("\\[(?i:sphere)", "[Sphere"), e.sansAutresFormes("").replace("[Ballon", "[Sphere"), fichier.toString());
+                assertEquals(Essai.message(message, scene).replaceAll("\\[(?i:sphere)", "[Sphere"),
+                        e.sansAutresFormes("").replace("[Ballon", "[Sphere"), fichier.toString());
                 assertEquals(2, e.code);
                 refusees += octets.contains("[Sphere") ? 1 : 0;
             }

@@ -11,6 +11,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Vecteur;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,7 +29,7 @@ class FormesTest extends EssaiFormes {
     @Test
     void laClasseLaLigneEtLaSceneDuReadmeSeCopientTellesQuelles() throws IOException {
         inscrire(dossier, SERVICE, blocs.get(0));
-        assertTrue(blocs.get(1).contains("\necho " + lireTexte(dossier.resolve(SERVICE)).trim() + " > "), blocs.get(1));
+        assertTrue(blocs.get(1).contains("\necho " + lireTexte(dossier.resolve(SERVICE)).trim() + " >> "), blocs.get(1));
         float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, blocs.get(2)), "--taille=4x2");
         // en haut le ciel ; en bas, sans lampe, un cinquième de ce ciel, que le sol reflète
         assertEquals(image[12] * 0.2, image[0], 1e-7);
@@ -47,7 +50,8 @@ class FormesTest extends EssaiFormes {
         verifierVue(0.8, MUR, BLANC, LAMPE);
         verifierVue(0.2, MUR, "Kd=0.25 0 0", LAMPE);
         // le reflet de la lampe, et celui du ciel à l'horizon
-        verifierVue(1 + 0.5, MUR, "Kr=1 1 1", "ns=0", LAMPE);
+        double ciel = new Rayon(new Point(), new Vecteur(0, 0, -1)).getSkyColor().r;
+        verifierVue(1 + ciel, MUR, "Kr=1 1 1", "ns=0", LAMPE);
         verifierVue(0, MUR, LAMPE);
     }
 

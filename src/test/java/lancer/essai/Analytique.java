@@ -3,6 +3,7 @@ package lancer.essai;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.contrat.Vue;
 
@@ -24,7 +25,7 @@ public final class Analytique {
 
     /** La direction dans laquelle l'œil voit ce point de l'écran. */
     public Vecteur regard(double xe, double ye) {
-        return new Vecteur(camera.getX(xe), camera.getY(ye), Camera.FOCALE).normalized();
+        return new Vecteur(Camera.OEIL, camera.getEcran(xe, ye)).normalized();
     }
 
     private double carreDeL(Vecteur V) {
@@ -57,8 +58,7 @@ public final class Analytique {
         };
     }
 
-    /** Le ciel de l'énoncé : bleu au-dessus de l'horizon, brun au-dessous. */
     public static Couleur ciel(Vecteur V) {
-        return V.y > 0 ? new Couleur(0.7 * (1 - V.y), 0.7 * (1 - V.y), 1) : new Couleur(0.5, 0.4 + 0.2 * V.y, 0.1);
+        return new Rayon(Camera.OEIL, V).getSkyColor();
     }
 }

@@ -16,12 +16,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.Main;
 import lancer.Sphere;
+import lancer.scene.LecteurScene;
 
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
 public final class Essai {
@@ -150,6 +152,12 @@ public final class Essai {
         }
     }
 
+    /** Le message que dit ce texte : {@code {fichier}} y est cette scène, {@code {matière}} la liste des clés d'une matière. */
+    public static String message(String texte, Path scene) {
+        return texte.replace("{fichier}", scene.toString()).replace("{matière}", String.join(", ", LecteurScene.CLES_MATIERE))
+                .replace("\n", System.lineSeparator());
+    }
+
     /** La valeur d'une ligne de {@code --statistiques}. */
     public long statistique(String nom) {
         for (String ligne : sortie.split("\n")) {
@@ -220,8 +228,23 @@ public final class Essai {
         return pfm(Files.readAllBytes(dossier.resolve("image.pfm")));
     }
 
+    /**
+     * L'image que {@link #dessiner} vient d'écrire dans ce dossier est celle de référence, aux arrondis des doubles et des flottants
+     * près. {@code make references} met l'image à la place d'une référence dont elle s'écarte.
+     */
+    public static void verifierReference(String reference, Path dossier) throws IOException {
+        Path image = dossier.resolve("image.pfm");
+        double ecart = ecart(pfm(Files.readAllBytes(image)), pfm(octets(Essai.class, "/reference/" + reference)));
+        if (ecart > 1e-6 && Boolean.getBoolean("references.refaites")) {
+            Files.copy(image, Paths.get("src/test/resources/reference", reference), StandardCopyOption.REPLACE_EXISTING);
+            System.out.println("changée : " + reference);
+        } else if (!(ecart <= 1e-6)) {
+            throw new AssertionError(reference + " : écart " + ecart);
+        }
+    }
+
     /** Le plus grand écart, composante par composante ; infini si les tailles diffèrent ou si un nombre n'est pas fini. */
-    public static double ecart(float[] a, float[] b) {
+    private static double ecart(float[] a, float[] b) {
         if (a.length != b.length) {
             return Double.POSITIVE_INFINITY;
         }

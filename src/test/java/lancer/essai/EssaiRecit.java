@@ -20,11 +20,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
+import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.scene.Origines;
 import lancer.texte.Nombre;
 
@@ -90,9 +94,9 @@ public final class EssaiRecit {
             xe = point[0];
             ye = point[1];
         }
-        double[] ecran = {(xe - largeur / 2.0) * 2 / largeur, (hauteur / 2.0 - ye) * 2 / largeur, 0};
-        P = ecran;
-        V = unite(new double[] {ecran[0], ecran[1], 1 / Math.tan(Math.PI / 12)});
+        Rayon rayon = new Camera(largeur, hauteur).getRayon(xe, ye);
+        P = t(rayon.getP());
+        V = t(rayon.getV());
         produit = BLANC;
         double[] vue = etape(1, null);
         assertEquals(lignes.size() - 1, suivante, "une ligne de trop : " + actuelle());
@@ -179,7 +183,7 @@ public final class EssaiRecit {
         double[] somme = nombres(dits[0]);
         if (proche == null) {
             assertEquals(1, dits.length, titre);
-            proche(V[1] > 0 ? new double[] {0.7 * (1 - V[1]), 0.7 * (1 - V[1]), 1} : new double[] {0.5, 0.4 + 0.2 * V[1], 0.1}, somme);
+            proche(t(new Rayon(new Point(), new Vecteur(V[0], V[1], V[2])).getSkyColor()), somme);
             if (scene.getObjets().isEmpty()) {
                 assertEquals("  aucun objet dans la scène", lignes.get(suivante++));
             }

@@ -20,6 +20,7 @@ import lancer.essai.EssaiPixel;
 import lancer.essai.EssaiRecit;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,7 +30,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** La variante par la ligne de commande, seule ou avec les deux autres. */
 class AntialiasTest {
 
-    private static final double PRECISION = 1e-6;
     private static final List<Path> SEULE = Collections.singletonList(Essai.origine(Antialias.class));
 
     @TempDir
@@ -43,26 +43,26 @@ class AntialiasTest {
         return Essai.ressource(AntialiasTest.class, "/reference/" + nom);
     }
 
-    private static void assertReference(String pfm, float[] image) throws IOException {
-        double ecart = Essai.ecart(image, Essai.pfm(Essai.octets(AntialiasTest.class, "/reference/" + pfm)));
-        assertTrue(ecart <= PRECISION, () -> pfm + " : écart " + ecart);
-    }
-
+    @Tag("reference")
     @ParameterizedTest
     @CsvSource({"p1-quatre.ini, p1-quatre.antialias-3.pfm, 3", "p4-foule.ini, p4-foule.antialias-4.pfm, 4"})
     void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, int n) throws IOException {
         Path scene = scene(ini(ini), "[Antialias]", "n=" + n, "seuil=0");
-        assertReference(pfm, Essai.dessinerAvec(SEULE, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+        Essai.dessinerAvec(SEULE, dossier, scene, "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference(pfm, dossier);
     }
 
+    @Tag("reference")
     @Test
     void lesTroisVariantesSeCombinent() throws IOException {
         Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=2", "seuil=0", "[Blinn]", "facteur=1", "[Brume]", "couleur=0.8 0.8 0.8",
                 "debut=3", "fin=40");
         List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
-        assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+        Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference("p2-sol.tout.pfm", dossier);
         Collections.reverse(toutes);
-        assertReference("p2-sol.tout.pfm", Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0"));
+        Essai.dessinerAvec(toutes, dossier, scene, "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference("p2-sol.tout.pfm", dossier);
     }
 
     @ParameterizedTest

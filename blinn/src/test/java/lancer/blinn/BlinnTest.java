@@ -14,6 +14,7 @@ import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,14 +31,14 @@ class BlinnTest {
         return Essai.scene(dossier.resolve("scene.ini"), lignes);
     }
 
+    @Tag("reference")
     @ParameterizedTest
     @CsvSource({"p1-quatre.ini, p1-quatre.blinn.pfm, [Blinn], facteur=1", "p1-quatre.ini, p1-quatre.blinn.pfm, [Blinn], ''",
         "p1-quatre.ini, p1-quatre.blinn.pfm, '', ''", "p2-sol.ini, p2-sol.blinn-2.pfm, [Blinn], facteur=2"})
     void lesImagesDeReferenceSontRetrouvees(String ini, String pfm, String section, String facteur) throws IOException {
         Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/" + ini), section, facteur);
-        float[] image = Essai.dessiner(dossier, scene, "--taille", "120x90", "--seuil", "0");
-        float[] reference = Essai.pfm(Essai.octets(BlinnTest.class, "/reference/" + pfm));
-        assertTrue(Essai.ecart(image, reference) <= PRECISION, () -> "écart " + Essai.ecart(image, reference));
+        Essai.dessiner(dossier, scene, "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference(pfm, dossier);
     }
 
     @Test

@@ -15,6 +15,7 @@ import lancer.Couleur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
 import lancer.essai.EssaiPixel;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,6 +32,7 @@ class BrumeTest {
         return Essai.scene(dossier.resolve("scene.ini"), lignes);
     }
 
+    @Tag("reference")
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "p1-quatre.ini | p1-quatre.brume.pfm        | couleur=0.8 0.8 0.8  | debut=0 | fin=30",
@@ -41,9 +43,8 @@ class BrumeTest {
         for (String ligne : Arrays.asList(couleur, debut, loi)) {
             lignes.add(ligne == null ? "" : ligne);
         }
-        float[] image = Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
-        float[] reference = Essai.pfm(Essai.octets(BrumeTest.class, "/reference/" + pfm));
-        assertTrue(Essai.ecart(image, reference) <= PRECISION, () -> "écart " + Essai.ecart(image, reference));
+        Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference(pfm, dossier);
     }
 
     @Test
@@ -52,12 +53,12 @@ class BrumeTest {
         EssaiPixel.verifier(Collections.singletonList(Essai.origine(Brume.class)), dossier, scene, 60, 45);
     }
 
+    @Tag("reference")
     @Test
     void uneSceneSansSectionALaBrumeParDefaut() throws IOException {
         String quatre = Essai.ressource(BrumeTest.class, "/reference/p1-quatre.ini");
-        float[] image = Essai.dessiner(dossier, scene(quatre), "--taille", "120x90", "--seuil", "0");
-        float[] reference = Essai.pfm(Essai.octets(BrumeTest.class, "/reference/p1-quatre.brume.pfm"));
-        assertTrue(Essai.ecart(image, reference) <= PRECISION);
+        Essai.dessiner(dossier, scene(quatre), "--taille", "120x90", "--seuil", "0");
+        Essai.verifierReference("p1-quatre.brume.pfm", dossier);
     }
 
     /**

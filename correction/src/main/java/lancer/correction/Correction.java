@@ -24,10 +24,10 @@ import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Jury;
 import lancer.correction.jugement.Resultat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
@@ -87,11 +87,11 @@ public final class Correction {
             Correction correction = new Correction(args, sortie, erreur);
             Map<String, String> demande = correction.demande;
             if (demande.containsKey("--aide")) {
-                sortie.print(Modele.ressource("aide.txt"));
+                sortie.print(SourcesDuCours.ressource("aide.txt"));
             } else if (demande.containsKey("--squelette")) {
-                Modele.ecrire(demande.get("--squelette"), null, sortie);
+                SourcesDuCours.ecrire(demande.get("--squelette"), null, sortie);
             } else if (demande.containsKey("--corrige")) {
-                Modele.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
+                SourcesDuCours.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
                 Path dossier = Files.createDirectories(Path.of(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
                 // une feuille de notes fautive est refusée avant de juger toute la classe
@@ -177,10 +177,10 @@ public final class Correction {
     /** Calcule les notes, les pages et les feuilles, à partir des résultats, du barème, des ajustements et de la feuille donnée. */
     private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
         Path lu = dossier.resolve(RESULTATS).resolve(GRILLE);
-        Grille grille;
+        GrilleDeNotation grille;
         Map<Path, Resultat> resultats = new LinkedHashMap<>();
         try {
-            grille = Grille.lire(lu);
+            grille = GrilleDeNotation.lire(lu);
             for (Path fichier : contenu(lu.getParent())) {
                 lu = fichier;
                 if (!fichier.endsWith(GRILLE)) {

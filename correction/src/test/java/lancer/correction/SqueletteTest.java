@@ -22,7 +22,7 @@ import javax.imageio.ImageIO;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -141,7 +141,7 @@ class SqueletteTest extends ClasseEssai {
 
     /** Donne sa réponse à cette classe du projet à compléter. */
     private static void completer(Path projet, String classe) throws IOException {
-        Files.writeString(projet.resolve("src/main/java/lancer/" + classe + ".java"), Modele.corrige(classe));
+        Files.writeString(projet.resolve("src/main/java/lancer/" + classe + ".java"), SourcesDuCours.corrige(classe));
     }
 
     /** Dans cette classe du projet, le premier texte devient le second. */

@@ -231,7 +231,7 @@ public final class GraphiqueVitesse extends JPanel {
         }
         g.setColor(gris());
         g.drawRect(GAUCHE, HAUT, droite - GAUCHE, bas - HAUT);
-        ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4, bas - 5, 0);
+        ecrire(g, "sous l'arrondi de l'écran", droite - 4, y(ARRONDI) + 14, 1);
         ecrire(g, "temps de l'image sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
     }
@@ -273,8 +273,10 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Écrit le nom de ce point, décalé de {@code dy}, du côté où il y a de la place. */
     private void nommer(Graphics2D g, String debut, Candidat p, int dy) {
-        double x = x(secondes(p));
-        ecrire(g, debut + enMots(p).replaceFirst(",.*", ""), x, y(p.erreur) + dy, x > getWidth() / 2.0 ? 1 : 0);
+        String nom = debut + enMots(p).replaceFirst(",.*", "");
+        double x = x(secondes(p)) + 3 * RAYON;
+        boolean tient = x + g.getFontMetrics().stringWidth(nom) < getWidth() - DROITE;
+        ecrire(g, nom, tient ? x : x - 6 * RAYON, y(p.erreur) + dy, tient ? 0 : 1);
     }
 
     private static Color encre() {

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Les noms du cours que des étudiants ont changés, déclarés par l'enseignant dans un {@link Tableau} : {@code id,nom écrit,nom du cours}.
@@ -37,8 +37,8 @@ public final class Alias {
     }
 
     private static boolean estDuCours(String nom) {
-        return Modele.classes().contains(nom) || Modele.classes().stream()
-                .anyMatch(c -> Pattern.compile(" " + Pattern.quote(nom) + "\\(").matcher(Modele.squelette(c)).find());
+        return SourcesDuCours.classes().contains(nom) || SourcesDuCours.classes().stream()
+                .anyMatch(c -> Pattern.compile(" " + Pattern.quote(nom) + "\\(").matcher(SourcesDuCours.squelette(c)).find());
     }
 
     /** Noms que cet étudiant a changés : celui du cours, puis le sien. */

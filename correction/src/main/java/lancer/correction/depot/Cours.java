@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Les classes du cours, lues par le JDK, sous les noms que l'étudiant leur donne et que l'enseignant a déclarés. Les classes de la
@@ -33,12 +33,12 @@ public final class Cours {
     /** @param noms ceux de l'étudiant, par nom du cours */
     public Cours(Lecture lecture, Map<String, String> noms) throws Arret {
         this.noms = noms;
-        squelette = lire(lecture, Modele::squelette);
-        corrige = lire(lecture, Modele::corrige);
+        squelette = lire(lecture, SourcesDuCours::squelette);
+        corrige = lire(lecture, SourcesDuCours::corrige);
     }
 
     private Map<String, Type> lire(Lecture lecture, Function<String, String> source) throws Arret {
-        List<String> textes = Modele.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
+        List<String> textes = SourcesDuCours.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
         Iterator<?> lus = lecture.lire(textes).iterator();
         return textes.stream().map(t -> Source.types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }

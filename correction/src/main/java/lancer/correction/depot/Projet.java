@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Les classes d'un rendu : celles de la base et celles de chaque variante, quel que soit leur dossier. */
 public final class Projet {
@@ -73,7 +73,7 @@ public final class Projet {
         if (!signatures.isEmpty()) {
             dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
-        changees = Modele.classes().stream().filter(c -> texte(c) != null
+        changees = SourcesDuCours.classes().stream().filter(c -> texte(c) != null
                 && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
     }
 
@@ -81,8 +81,9 @@ public final class Projet {
     private Map<String, String> avecPonts(Map<String, Type> siens, List<String> signatures) {
         Map<String, String> textes = new TreeMap<>();
         siens.forEach((nom, type) -> textes.put(nom, type.texte));
-        Modele.classes().stream().filter(c -> !SANS_PONT.contains(c)).forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
-                (nom, texte) -> siens.get(nom).avec(Methode.ponts(cours.squelette(c), siens.get(nom), signatures))));
+        SourcesDuCours.classes().stream().filter(c -> !SANS_PONT.contains(c))
+                .forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
+                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(cours.squelette(c), siens.get(nom), signatures))));
         return textes;
     }
 
@@ -100,7 +101,7 @@ public final class Projet {
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
         fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
-        Set<String> duCours = new TreeSet<>(Modele.classes());
+        Set<String> duCours = new TreeSet<>(SourcesDuCours.classes());
         duCours.addAll(alias.values());
         List<Type> tous = Source.lire(fichiers, lecture, duCours, remarques);
         Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
@@ -115,7 +116,7 @@ public final class Projet {
             groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
         }
         Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
-        Modele.VARIANTES.stream().filter(groupes::containsKey)
+        SourcesDuCours.VARIANTES.stream().filter(groupes::containsKey)
                 .forEach(nom -> variantes.put(nom, choisir(groupes.get(nom)).values().iterator().next()));
         Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()));
         if (bases.isEmpty()) {
@@ -165,15 +166,15 @@ public final class Projet {
 
     /** Signale les classes et les méthodes absentes, avec les noms inconnus qui pourraient les remplacer. L'enseignant décide. */
     private void absences(String id) {
-        List<Type> inconnus = types.values().stream().filter(t -> !Modele.classes().contains(t.nom)
-                && Modele.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
+        List<Type> inconnus = types.values().stream().filter(t -> !SourcesDuCours.classes().contains(t.nom)
+                && SourcesDuCours.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
         List<String> absentes = new ArrayList<>();
-        for (String classe : Modele.classes()) {
+        for (String classe : SourcesDuCours.classes()) {
             Set<String> attendues = cours.squelette(classe).nommees();
             if (texte(classe) != null) {
-                (Modele.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
+                (SourcesDuCours.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
                         .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m));
-            } else if (Modele.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
+            } else if (SourcesDuCours.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
                     && types.values().stream().noneMatch(t -> t.noms.contains(classe))) {
                 String siens = inconnus.stream().filter(t -> 2 * t.parmi(attendues) > attendues.size()).map(t -> " ; " + t.nom + " a "
                         + t.parmi(attendues) + " de ses " + attendues.size() + " méthodes" + declaration(id, t.nom, classe))
@@ -186,15 +187,15 @@ public final class Projet {
             }
         }
         // si presque toutes les classes sont absentes, l'étudiant a seulement commencé, ou a rendu autre chose
-        if (!absentes.isEmpty() && 2 * absentes.size() < Modele.A_COMPLETER.size()) {
+        if (!absentes.isEmpty() && 2 * absentes.size() < SourcesDuCours.A_COMPLETER.size()) {
             aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
                     : " ; les classes qui ne sont pas du cours : " + inconnus.stream().map(t -> t.nom).collect(Collectors.joining(", "))));
         }
-        long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
-        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !Modele.classes().contains(n)).sorted()
+        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
+        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !SourcesDuCours.classes().contains(n)).sorted()
                 .collect(Collectors.toList());
         if (presentes < 2 && autres.size() > presentes) {
-            aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + Modele.A_COMPLETER.size()
+            aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + SourcesDuCours.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
                     + quelques(autres));
         }
@@ -206,7 +207,8 @@ public final class Projet {
         Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
                 .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
                 && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
-        List<String> ailleurs = Modele.classes().stream().filter(c -> type(c).nommees().contains(methode)).collect(Collectors.toList());
+        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode))
+                .collect(Collectors.toList());
         if (semblables.size() == 1) {
             String nom = semblables.iterator().next();
             // si ce nom sert encore ailleurs, il ne peut être changé partout
@@ -251,7 +253,8 @@ public final class Projet {
      */
     private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes) {
         List<String> racines = new ArrayList<>(groupes.keySet());
-        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(t -> Modele.A_COMPLETER.contains(t.nom)).count())
+        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream()
+                .filter(t -> SourcesDuCours.A_COMPLETER.contains(t.nom)).count())
                 .thenComparing(String::length));
         Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
         for (String racine : racines) {

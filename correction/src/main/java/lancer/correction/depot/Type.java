@@ -16,7 +16,7 @@ public final class Type {
     public final String empreinte;
     /** Noms utilisés, {@code float} et {@code System.in} compris. */
     public final Set<String> noms = new TreeSet<>();
-    public final List<Methode> methodes;
+    public final List<Signature> methodes;
     Source source;
     String texte;
     /** Longueur du texte après la fin de la classe. */
@@ -29,7 +29,7 @@ public final class Type {
         fin = (Integer) lue.get(2);
         empreinte = (String) lue.get(3);
         ((List<?>) lue.get(4)).forEach(n -> noms.add((String) n));
-        methodes = ((List<?>) lue.get(5)).stream().map(m -> new Methode((List<?>) m, fichier)).collect(Collectors.toList());
+        methodes = ((List<?>) lue.get(5)).stream().map(m -> new Signature((List<?>) m, fichier)).collect(Collectors.toList());
     }
 
     /** Une classe dont seul le nom est connu. */

@@ -187,7 +187,7 @@ public final class Dialogue {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
         }
-        throw new Echec(sorte == Execution.FAUTE ? Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
+        throw new Echec(sorte == Execution.FAUTE ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
                 : ou);
     }
 }

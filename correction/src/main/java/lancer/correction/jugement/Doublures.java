@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.enfant.Execution;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Écrit, d'après les classes du projet à compléter, deux sources qui se correspondent. La doublure de chaque classe sert à compiler les
@@ -46,7 +46,7 @@ final class Doublures {
     Doublures(Map<String, byte[]> classes) {
         try {
             ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
-            sources.put("lancer/Tests", Modele.ressource("modele/lancer/Tests.java"));
+            sources.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
@@ -57,7 +57,7 @@ final class Doublures {
 
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
-        return Modele.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
+        return SourcesDuCours.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
     }
 
     private void doubler(String nom, Class<?> classe) {
@@ -71,7 +71,7 @@ final class Doublures {
                     .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }
         if (nom.equals("Couleur")) {
-            sources.put("lancer/" + nom, Modele.corrige(nom));
+            sources.put("lancer/" + nom, SourcesDuCours.corrige(nom));
             return;
         }
         StringBuilder relire = new StringBuilder();

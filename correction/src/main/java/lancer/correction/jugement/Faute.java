@@ -3,13 +3,13 @@ package lancer.correction.jugement;
 import java.text.MessageFormat;
 import java.text.ParsePosition;
 import java.util.List;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Une faute de compilation. */
 final class Faute {
 
     /** Messages ordinaires du compilateur d'Eclipse, chacun suivi de sa traduction ; les autres sont cités. */
-    private static final String[] MESSAGES = Modele.ressource("compilateur.txt")
+    private static final String[] MESSAGES = SourcesDuCours.ressource("compilateur.txt")
             .replace("{java}", "" + Runtime.version().feature()).split(" = |\n");
 
     final String fichier;

@@ -6,7 +6,7 @@ import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Juge l'image d'un rendu : est-elle celle du corrigé, et sinon, d'où vient la différence ? */
 final class JugeImage {
@@ -16,11 +16,11 @@ final class JugeImage {
     /** Nombre de pixels où la cause d'une différence est cherchée. */
     private static final int PIXELS_ESSAYES = 200;
 
-    private final Juge juge;
+    private final JugeRendu juge;
     private final Reference reference;
     final Resultat resultat;
 
-    JugeImage(Juge juge, Reference reference) {
+    JugeImage(JugeRendu juge, Reference reference) {
         this.juge = juge;
         this.reference = reference;
         this.resultat = juge.resultat;
@@ -64,7 +64,7 @@ final class JugeImage {
         String fausse = null;
         for (String scene : Reference.SCENES.keySet()) {
             Verdict verdict = juger(scene);
-            resultat.verdicts.put(Grille.IMAGE + "." + scene, verdict);
+            resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene, verdict);
             fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
         }
         if (fausse != null) {
@@ -102,7 +102,7 @@ final class JugeImage {
         String message = "l'image de l'extension, celle de la base et celle du corrigé sont plus bas";
         try {
             resultat.images.put(extension, etendre(variante, extension, false));
-            resultat.images.put(extension + Grille.BASE, etendre(juge.ensemble, extension, false));
+            resultat.images.put(extension + GrilleDeNotation.BASE, etendre(juge.ensemble, extension, false));
         } catch (Arret | Dialogue.Echec e) {
             message = "l'image n'a pas pu être dessinée : " + e.getMessage();
         }
@@ -111,7 +111,7 @@ final class JugeImage {
 
     /** @param section vrai pour garder la section de l'extension, que le corrigé lit et qu'un rendu peut refuser */
     Image etendre(Assemblage assemblage, String extension, boolean section) throws Arret {
-        String scene = Modele.scene(Grille.EXTENSIONS.get(extension)[2]);
+        String scene = SourcesDuCours.scene(GrilleDeNotation.EXTENSIONS.get(extension)[2]);
         return tracer(assemblage, section ? scene : scene.replaceFirst("(?s)\\[Brume\\].*?(?=\\n\\[)", ""), 160, 120, 5);
     }
 
@@ -131,7 +131,7 @@ final class JugeImage {
         // d'abord les classes qui ont raté des vérifications, puis les autres
         for (boolean faute : new boolean[] {true, false}) {
             if (resultat.classesFautives.isEmpty()) {
-                juge.changees(Modele.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
+                juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
                         .forEach(resultat.classesFautives::add);
             }
         }

@@ -140,7 +140,7 @@ public final class Jury implements AutoCloseable {
         try {
             // de plusieurs copies, celle qui réussit le plus de critères est gardée
             for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours, alias.de(rendu.id))) {
-                try (Juge juge = new Juge(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
+                try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
                 }

@@ -11,7 +11,7 @@ import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Références d'un jugement : le corrigé, jugé comme un rendu, et le projet à compléter, qui donne les vérifications déjà réussies. Une
@@ -37,17 +37,17 @@ public final class Reference implements AutoCloseable {
     /** Verdicts de chaque classe du projet à compléter, seule avec celles du corrigé. */
     private final Map<String, Verdict> seules = new HashMap<>();
     private final long graine;
-    public final Grille grille;
+    public final GrilleDeNotation grille;
     /** Le corrigé compilé, et le juge qui l'exécute. */
     private final Assemblage assemblage;
-    private final Juge juge;
+    private final JugeRendu juge;
 
     /** @param graine le nombre d'où viennent les scènes jugées */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         this.graine = graine;
         cours = new Cours(compilation::lire, Map.of());
         Rendu squelette = new Rendu("", "");
-        Modele.tout(Modele::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
+        SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
         Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
@@ -55,20 +55,20 @@ public final class Reference implements AutoCloseable {
         appels = doublures.getAppels();
         junit = new Verifications(compilation.compiler(doublures.sources).classes);
         verifications = junit.lister();
-        juge = new Juge(this, compilation, machines, projet, new Resultat("", ""));
-        assemblage = juge.assembler(Modele.tout(Modele::corrige));
+        juge = new JugeRendu(this, compilation, machines, projet, new Resultat("", ""));
+        assemblage = juge.assembler(SourcesDuCours.tout(SourcesDuCours::corrige));
         Map<String, Verdict> duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
         verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
-        grille = new Grille(sansConfinement);
+        grille = new GrilleDeNotation(sansConfinement);
         remplir();
-        for (String classe : Modele.A_COMPLETER) {
+        for (String classe : SourcesDuCours.A_COMPLETER) {
             seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
 
     /** Le texte d'une scène jugée. */
     String scene(String nom) {
-        return Modele.scene(nom, graine);
+        return SourcesDuCours.scene(nom, graine);
     }
 
     /** Remplit la grille : vérifications, scènes, extensions, consignes, images du corrigé. */
@@ -77,18 +77,19 @@ public final class Reference implements AutoCloseable {
         for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
             String nom = scene.getKey();
             int[] taille = scene.getValue();
-            grille.ajouter(new Verification(Grille.IMAGE, "L'image entière", nom, "",
+            grille.ajouter(new Verification(GrilleDeNotation.IMAGE, "L'image entière", nom, "",
                     "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé"));
             grille.images.put(nom, juge.images.dessiner(assemblage, nom));
-            grille.images.put(nom + Grille.AU_CENTRE, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
+            grille.images.put(nom + GrilleDeNotation.AU_CENTRE, juge.images.tracer(assemblage,
+                    scene(nom), taille[0], taille[1], taille[2]));
         }
-        for (String nom : Modele.VARIANTES) {
-            String[] titres = Grille.EXTENSIONS.get(nom);
+        for (String nom : SourcesDuCours.VARIANTES) {
+            String[] titres = GrilleDeNotation.EXTENSIONS.get(nom);
             grille.ajouter(new Verification(nom, titres[0], "image", "", titres[1]));
-            grille.images.put(nom, juge.images.etendre(juge.assembler(Modele.acheve(nom)), nom, true));
+            grille.images.put(nom, juge.images.etendre(juge.assembler(SourcesDuCours.acheve(nom)), nom, true));
         }
         Projet.CONSIGNES.forEach((nom, titre) ->
-                grille.ajouter(new Verification(Grille.CONSIGNES, "Consignes de rendu", nom, "", titre)));
+                grille.ajouter(new Verification(GrilleDeNotation.CONSIGNES, "Consignes de rendu", nom, "", titre)));
     }
 
     /** Verdict de la classe du projet à compléter, seule avec celles du corrigé, à cette vérification. */

@@ -32,7 +32,7 @@ public final class Verdict {
 
     /** Verdict d'un échec : raté, ou ne se compile pas, d'après le message. */
     static Verdict rate(String message) {
-        return new Verdict(message.startsWith(Juge.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
+        return new Verdict(message.startsWith(JugeRendu.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
     }
 
     /** Dit si la vérification échoue. */

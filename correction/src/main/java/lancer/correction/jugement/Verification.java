@@ -1,6 +1,6 @@
 package lancer.correction.jugement;
 
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestIdentifier;
@@ -40,8 +40,8 @@ public final class Verification {
 
     /** La première étiquette qui est le nom d'une classe du cours, ou qui ne l'est pas. */
     private static String etiquette(TestIdentifier test, boolean duCours) {
-        return test.getTags().stream().map(TestTag::getName).filter(e -> Modele.A_COMPLETER.contains(e) == duCours).sorted().findFirst()
-                .orElse("");
+        return test.getTags().stream().map(TestTag::getName).filter(e -> SourcesDuCours.A_COMPLETER.contains(e) == duCours)
+                .sorted().findFirst().orElse("");
     }
 
     public String id() {

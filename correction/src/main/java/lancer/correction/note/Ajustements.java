@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 
 /**
@@ -40,7 +40,7 @@ public final class Ajustements {
     public final List<String> fautes;
 
     /** Lit {@code ajustements.csv} dans ce dossier, s'il existe. */
-    public Ajustements(Path dossier, Collection<String> ids, Grille grille, Bareme bareme) {
+    public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         // critères dont le maximum s'ajoute à celui de la note
         List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.depot.Source;
-import lancer.correction.jugement.Grille;
-import lancer.correction.modele.Modele;
+import lancer.correction.jugement.GrilleDeNotation;
+import lancer.correction.modele.SourcesDuCours;
 import org.ini4j.Ini;
 import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
@@ -32,12 +32,12 @@ public final class Bareme {
      *
      * @throws Panne si le barème est fautif
      */
-    public Bareme(Path fichier, Grille grille) {
+    public Bareme(Path fichier, GrilleDeNotation grille) {
         List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         Profile.Section section;
         try {
             if (!Files.exists(fichier)) {
-                Files.writeString(fichier, Modele.ressource("bareme.ini"));
+                Files.writeString(fichier, SourcesDuCours.ressource("bareme.ini"));
             }
             section = new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))).get("Barème");
         } catch (InvalidFileFormatException e) {
@@ -56,7 +56,7 @@ public final class Bareme {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
             } else if (!connue) {
-                grille.etapes.add(new Grille.Etape(nom, nom));
+                grille.etapes.add(new GrilleDeNotation.Etape(nom, nom));
             }
             String texte = points == null ? "" : points.trim().replace(',', '.');
             if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
@@ -64,7 +64,8 @@ public final class Bareme {
             }
             poids.put(nom, Double.valueOf(texte));
         });
-        total = grille.etapes.stream().filter(e -> !e.libre() && !e.nom.equals(Grille.CONSIGNES)).mapToDouble(e -> poids(e.nom)).sum();
+        total = grille.etapes.stream().filter(e -> !e.libre() && !e.nom.equals(GrilleDeNotation.CONSIGNES))
+                .mapToDouble(e -> poids(e.nom)).sum();
         if (total == 0) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
         }

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Un rendu jugé et sa note. Chaque étape rapporte la part de ses critères réussis, ou les points que donne l'enseignant. Seul l'enseignant
@@ -83,18 +83,18 @@ public final class Eleve {
     public final double sur;
 
     /** @param siens points que l'enseignant a donnés à cet étudiant */
-    public Eleve(Resultat resultat, String page, Grille grille, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
+    public Eleve(Resultat resultat, String page, GrilleDeNotation grille, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
         this.resultat = resultat;
         this.page = page;
         aRegarder = new ArrayList<>(illisible() ? resultat.refus : resultat.aRegarder);
         String derniere = "";
-        List<Grille.Etape> avant = new ArrayList<>();
+        List<GrilleDeNotation.Etape> avant = new ArrayList<>();
         List<String> manquent = new ArrayList<>();
         List<String> extensions = new ArrayList<>();
         List<String> aNoter = new ArrayList<>();
         double maximum = bareme.total;
-        for (Grille.Etape etape : grille.etapes) {
-            Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(Grille.CONSIGNES),
+        for (GrilleDeNotation.Etape etape : grille.etapes) {
+            Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(GrilleDeNotation.CONSIGNES),
                     siens.get(etape.nom));
             parts.put(etape.nom, part);
             maximum += etape.libre() && part.ajustement != null ? part.sur : 0;
@@ -161,7 +161,7 @@ public final class Eleve {
                 }
             }
         }
-        for (String classe : Modele.DONNEES) {
+        for (String classe : SourcesDuCours.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))
                     .collect(Collectors.groupingBy(e -> e.resultat.empreintes.get(classe)));

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Image;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Écriture de HTML, où un texte d'étudiant ne peut être pris pour du HTML. */
 final class Html {
@@ -81,7 +81,7 @@ final class Html {
 
     /** La page entière, sans référence extérieure. */
     String page(String titre) {
-        String[] modele = Modele.ressource("page.html").split("TITRE|CORPS");
+        String[] modele = SourcesDuCours.ressource("page.html").split("TITRE|CORPS");
         return modele[0] + echappe(titre) + modele[1] + texte + modele[2];
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import lancer.correction.jugement.Chemin;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
@@ -54,7 +54,7 @@ final class PageEleve {
     private void etapes() {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
-        for (Grille.Etape etape : classe.grille.etapes) {
+        for (GrilleDeNotation.Etape etape : classe.grille.etapes) {
             Eleve.Part part = eleve.parts.get(etape.nom);
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
                     .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
@@ -109,7 +109,7 @@ final class PageEleve {
             html.element("p", "Vos rayons passent un demi-pixel plus loin que (xe, ye), au centre du pixel : ici, ceux du corrigé aussi.");
         }
         for (String scene : Reference.SCENES.keySet()) {
-            Verdict verdict = resultat.verdicts.get(Grille.IMAGE + "." + scene);
+            Verdict verdict = resultat.verdicts.get(GrilleDeNotation.IMAGE + "." + scene);
             html.element("p", "« " + scene + " », " + verdict.etat.texte + " : " + verdict.message);
             Image lui = resultat.images.get(scene);
             if (lui == null) {

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
@@ -25,10 +25,10 @@ public final class Pages {
 
     private static final int REMARQUES_MONTREES = 3;
 
-    final Grille grille;
+    final GrilleDeNotation grille;
     final Bareme bareme;
 
-    public Pages(Grille grille, Bareme bareme) {
+    public Pages(GrilleDeNotation grille, Bareme bareme) {
         this.grille = grille;
         this.bareme = bareme;
     }
@@ -62,7 +62,7 @@ public final class Pages {
             boolean juge = !e.illisible();
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
                     juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
-                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
+                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
             e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
             ligne.replaceAll(Pages::sansFormule);
@@ -127,7 +127,7 @@ public final class Pages {
 
     /** La première faute à corriger, dans l'ordre des étapes. */
     void aReprendre(Eleve eleve, Html html, String debut, String fin) {
-        for (Grille.Etape etape : grille.etapes) {
+        for (GrilleDeNotation.Etape etape : grille.etapes) {
             for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
                 if (verdict.rate() && bareme.poids(etape.nom) > 0) {
@@ -175,7 +175,7 @@ public final class Pages {
         grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
             html.brut("<div class=\"extension\">");
             html.figure(images.get(e.nom), reduction, e.court);
-            html.figure(images.get(e.nom + Grille.BASE), reduction, "la base");
+            html.figure(images.get(e.nom + GrilleDeNotation.BASE), reduction, "la base");
             html.figure(grille.getImage(e.nom, false), reduction, "le corrigé");
             html.brut("</div>\n");
         });
@@ -183,7 +183,7 @@ public final class Pages {
 
     /** Tableau, par étape, du nombre de rendus complets, partiels ou nuls, et des étudiants qui l'ont finie ou s'y sont arrêtés. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
-        Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
+        Map<GrilleDeNotation.Etape, Long> arrets = new LinkedHashMap<>();
         grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
                 : eleves.stream().filter(e -> e.arret.equals(etape.nom)).count()));
         long plus = Collections.max(arrets.values());
@@ -194,7 +194,7 @@ public final class Pages {
         }
         html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, "
                 + "pas commencé<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
-        for (Grille.Etape etape : arrets.keySet()) {
+        for (GrilleDeNotation.Etape etape : arrets.keySet()) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.parts.get(etape.nom)))).count();

@@ -11,9 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -32,23 +31,42 @@ class FautesTest extends JuryEssai {
     @BeforeAll
     static void jugerLesFautes() throws IOException {
         Path rendus = dossier.resolve("rendus");
-        try (Stream<Path> flux = Files.list(RENDUS.resolve("fautes"))) {
-            for (Path faute : flux.collect(Collectors.toList())) {
-                Path rendu = rendus.resolve(faute.getFileName().toString());
-                ecrireCorrige(rendu);
-                copier(faute.resolve("Étudiant 1_101_assignsubmission_file"), rendu);
-            }
-        }
+        String[] positive = {"Sphere", "if (-b - racine > 0)", "if (true)"};
+        String[] normale = {"Objet3D", "lampe.getPosition()).normalized();", "lampe.getPosition());"};
+        String[] ombre = {"Objet3D", "new Rayon(lampe.getPosition(), contact)", "new Rayon(contact, lampe.getPosition())",
+            "scene.getClosestIntersection(rayon, (Sphere) this)", "scene.getClosestIntersection(rayon)"};
+        fauter(rendus.resolve("racine-negative"), positive);
+        fauter(rendus.resolve("L-non-normalise"), normale);
+        fauter(rendus.resolve("ombre-de-soi"), ombre);
+        fauter(rendus.resolve("masquees"), positive, normale, ombre);
+        fauter(rendus.resolve("image-renversee"), new String[] {"Camera", "(hauteur / 2.0 - ye)", "(ye - hauteur / 2.0)"});
+        fauter(rendus.resolve("miroir-a-l-envers"), new String[] {"Objet3D", "V.sub(N.mul(2 * N.dot(V)))", "N.mul(2 * N.dot(V)).sub(V)"});
+        fauter(rendus.resolve("normale-a-l-envers"), new String[] {"Lancer", "getRayon(xe, ye)", "getRayon(xe + 0.5, ye + 0.5)"},
+                new String[] {"Sphere", "new Vecteur(centre, contact)", "new Vecteur(contact, centre)"});
+        fauter(rendus.resolve("plus-loin"), new String[] {"Scene", "if (d < distance)", "if (d < Constantes.INFINI)"});
+        fauter(rendus.resolve("sans-fin"), new String[] {"Objet3D", "if (profondeur > 0)", "if (Ks.r > 0)"});
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Lancer.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
         ecrireCorrige(rendus.resolve("extensions"));
-        variante(rendus.resolve("extensions/brume"), Modele.corrige("Lancer").replace("getColor(scene, initial, contact, profondeur)",
+        variante(rendus.resolve("extensions/brume"), SourcesDuCours.corrige("Lancer")
+                .replace("getColor(scene, initial, contact, profondeur)",
                 "getColor(scene, initial, contact, profondeur).mul(0.5).add(new Couleur(0.4, 0.4, 0.4))"));
-        variante(rendus.resolve("extensions/antialias"), Modele.corrige("Lancer", "antialias").replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
+        variante(rendus.resolve("extensions/antialias"), SourcesDuCours.corrige("Lancer", "antialias")
+                .replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
         resultats = juger(rendus, Confinement.essayer(), PATIENTES);
+    }
+
+    /** @param fautes une classe, puis ce qui y est remplacé, et par quoi */
+    private static void fauter(Path rendu, String[]... fautes) throws IOException {
+        Path sources = ecrireCorrige(rendu);
+        for (String[] faute : fautes) {
+            for (int k = 1; k < faute.length; k += 2) {
+                changer(sources, faute[0], faute[k], faute[k + 1]);
+            }
+        }
     }
 
     private static void variante(Path projet, String lancer) throws IOException {
@@ -112,7 +130,7 @@ class FautesTest extends JuryEssai {
             Resultat resultat = resultats.get(une[0]);
             assertEquals(Verdict.Etat.A_NOTER, resultat.verdicts.get(une[1] + ".image").etat, une[0]);
             Image sienne = resultat.images.get(une[1]);
-            Image base = resultat.images.get(une[1] + Grille.BASE);
+            Image base = resultat.images.get(une[1] + GrilleDeNotation.BASE);
             assertFalse(sienne.pareille(base), une[0] + " : l'extension change l'image de sa base");
         }
         assertFalse(resultats.get("masquees").verdicts.containsKey("brume.image"), "elle n'est pas rendue");

@@ -43,7 +43,6 @@ final class Mesureur {
     private final double echantillonNs;
 
     private final boolean court;
-    private final boolean agitee;
     private final Path csv;
     private final Path dossier;
 
@@ -64,18 +63,16 @@ final class Mesureur {
      * @param lancer arguments de {@code java} pour lancer le programme
      * @param antialias de même, pour le programme avec l'anticrénelage
      */
-    Mesureur(boolean court, boolean agitee, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias)
-            throws IOException {
+    Mesureur(boolean court, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias) throws IOException {
         this.court = court;
-        this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
         this.lancer = lancer;
         this.antialias = antialias;
-        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
+        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court ? 20 : 50);
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
-        manches = new Manches(new Etalon()::estCalme, agitee);
+        manches = new Manches(new Etalon()::estCalme, court);
         sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
         Files.write(csv, Collections.singletonList(String.join(",", Releve.COLONNES)));
     }
@@ -99,12 +96,12 @@ final class Mesureur {
 
     /** Nombre de manches d'une paire de machines virtuelles, pour deux secondes environ. Il est fixé avant la première manche. */
     private int voulues(double mancheNs) {
-        return agitee ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, LONGUE_NS * (court ? 0.2 : 2) / mancheNs));
+        return court ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, 2 * LONGUE_NS / mancheNs));
     }
 
     /** Nombre de manches de programmes entiers : au moins cinq, sauf pour un programme très long. */
     private int manchesEntieres(double mancheNs) {
-        return court || agitee ? 2 : mancheNs < 1.5 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
+        return court ? 2 : mancheNs < 1.5 * LONGUE_NS ? 6 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
     }
 
     // ---- des machines virtuelles qui durent
@@ -149,7 +146,7 @@ final class Mesureur {
             super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur);
             long debut = System.nanoTime();
             double dessinNs = chronometrer(1)[0];
-            for (int k = 1; k < (agitee ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
+            for (int k = 1; k < (court ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
                 dessinNs = chronometrer(1)[0];
             }
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
