@@ -1,4 +1,4 @@
-package lancer;
+package lancer.projet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
+import lancer.Main;
 import lancer.essai.Essai;
 import org.ini4j.Config;
 import org.junit.jupiter.api.io.TempDir;
