@@ -11,8 +11,10 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.antialias.Antialias;
 import lancer.contrat.Echantillonnage;
 import lancer.dessin.Dessin;
@@ -80,7 +82,8 @@ class ErreursTest {
             }
         }
         if (touchee < 0) {
-            return v[1] > 0 ? new double[] {0.7 * (1 - v[1]), 0.7 * (1 - v[1]), 1} : new double[] {0.5, 0.4 + 0.2 * v[1], 0.1};
+            Couleur ciel = new Rayon(new Point(), new Vecteur(v[0], v[1], v[2])).getSkyColor();
+            return new double[] {ciel.r, ciel.v, ciel.b};
         }
         double[] s = spheres.get(touchee);
         double[] c = {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
@@ -168,7 +171,7 @@ class ErreursTest {
     @ParameterizedTest(name = "{0}, {1} × {1}, contraste {2}, {3} reflets, seuil 1/{4}")
     @CsvSource({"scene1, 1, -1, 5, 1024", "scene1, 2, -1, 5, 1024", "scene1, 3, -1, 5, 1024", "scene1, 3, 0.05, 5, 1024",
         "scene1, 1, -1, 0, 1024", "scene1, 1, -1, 2, 1024", "scene1, 1, -1, 1000, 16", "bowling, 1, -1, 5, 1024",
-        "bowling, 2, -1, 5, 1024", "bowling, 4, 0.05, 5, 1024"})
+        "bowling, 2, -1, 5, 1024", "bowling, 3, 0.05, 5, 1024"})
     void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
         Scene scene = lire(nom);
         Echantillonnage grille = n == 1 ? null : Antialias.coins(n, Math.max(0, contraste));
