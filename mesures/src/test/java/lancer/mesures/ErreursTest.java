@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -114,8 +115,10 @@ class ErreursTest {
     }
 
     private double[] point(double xe, double ye, int reflets) {
-        double[] p = {(xe - L / 2.0) * 2 / L, (H / 2.0 - ye) * 2 / L, 0};
-        return voir(p, vecteur(p[0], p[1], 1 / Math.tan(Math.PI / 12)), -1, reflets, new double[] {1, 1, 1});
+        Rayon rayon = new Camera(L, H).getRayon(xe, ye);
+        Point p = rayon.getP();
+        Vecteur v = rayon.getV();
+        return voir(new double[] {p.x, p.y, p.z}, new double[] {v.x, v.y, v.z}, -1, reflets, new double[] {1, 1, 1});
     }
 
     /** La moyenne de la grille ; de ses quatre coins seulement s'ils se ressemblent à ce contraste près. */
