@@ -17,12 +17,13 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit le réglage le moins cher qui tient l'erreur voulue, d'après des essais sur quelques pixels.
- * L'image dessinée est ensuite contrôlée sur d'autres pixels. Le choix dépend de la scène, de la taille et du souhait.
+ * {@code --auto} : choisit le réglage le moins cher dont l'erreur est celle voulue, d'après des essais sur quelques
+ * pixels. L'erreur de l'image dessinée est ensuite mesurée sur d'autres pixels. Le choix ne dépend que de la scène, de
+ * la taille et de l'erreur voulue.
  */
 public final class Auto {
 
-    /** Rayons permis aux essais, contrôle compris : le plus grand de ces trois nombres. */
+    /** Nombre de rayons permis aux essais et au contrôle : le plus grand de ces trois nombres. */
     private static final double RAYONS_MIN = 200_000;
     private static final double RAYONS_PAR_PIXEL = 4;
     private static final double PART_DU_DESSIN = 0.45;
@@ -31,15 +32,15 @@ public final class Auto {
     private static final double LIMITES = 0.35;
     private static final double REFERENCES = 0.55;
     private static final double CHOIX = 0.85;
-    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, et d'une scène à l'autre. */
+    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, puis d'une scène à l'autre. */
     private static final double DISPERSION = 0.35;
     private static final double DIVERSITE = 2;
-    /** Écarts types en dessous de l'erreur attendue : si elle dépasse encore l'erreur voulue, l'essai est inutile. */
+    /** L'essai est inutile si l'erreur attendue, moins ce nombre d'écarts types, dépasse l'erreur voulue. */
     private static final double SANS_ESSAI = 0.3;
-    /** Répétitions d'un essai dont la durée compte, jusqu'à ce nombre de rayons. */
+    /** Un essai chronométré est répété jusqu'à ce nombre de fois ou de rayons. */
     private static final int REPETITIONS = 50;
     private static final int RAYONS_CHRONOMETRES = 300_000;
-    /** Échantillonnage que rien ne décrit. */
+    /** Réglage d'une scène dont aucune variante ne propose de réglages. */
     private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
     private final double voulue;
@@ -48,7 +49,7 @@ public final class Auto {
     private final Limite[] limites;
     private final PixelsDEssai pixels;
     private final Map<ReglagePropose, Echantillonnage> proposes = new LinkedHashMap<>();
-    /** Les candidats essayés, du moins cher au plus juste à peu près. */
+    /** Les candidats essayés, à peu près du moins cher au plus juste. */
     public final List<Candidat> essayes = new ArrayList<>();
     /** Le candidat choisi, et le lancer qui dessine la scène avec lui, à sa profondeur. */
     public final Candidat choisi;
@@ -58,9 +59,9 @@ public final class Auto {
 
     /**
      * @param prepare la scène, prête à être dessinée
-     * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
-     * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
-     * @param variantes celles dont les réglages sont permis, chacune avec sa section
+     * @param voulue l'erreur voulue, en niveaux ; 0 pour essayer tous les réglages
+     * @param reflets nombre de réflexions ; {@code null} s'il est à choisir ; de même le seuil
+     * @param variantes celles dont les réglages sont essayés, chacune avec sa section
      * @param suivi appelé dans ce fil après chaque essai
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
@@ -92,7 +93,7 @@ public final class Auto {
         lancer = new Lancer(prepare.getScene().avec(modele), prepare.getCamera());
     }
 
-    /** Les rayons qui restent à cette part des essais, pour un dessin à ce prix par pixel. */
+    /** Nombre de rayons encore permis pour cette part des essais, si le dessin a ce prix par pixel. */
     private double reste(double part, double prixDuDessin) {
         Camera camera = essais.prepare.getCamera();
         double parPixel = Math.max(RAYONS_PAR_PIXEL, PART_DU_DESSIN * prixDuDessin);
@@ -100,7 +101,7 @@ public final class Auto {
         return voulue == 0 ? Double.MAX_VALUE : part * permis - essais.rayons.get();
     }
 
-    /** Essaie du moins cher au plus juste, jusqu'au premier réglage qui promet l'erreur voulue. */
+    /** Essaie les réglages du moins cher au plus juste, jusqu'au premier dont l'erreur maximale est celle voulue. */
     private Candidat choisir(Consumer<Auto> suivi) {
         ReglagePropose avant = proposes.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;
@@ -127,7 +128,7 @@ public final class Auto {
         return essayes.stream().min(Comparator.comparingDouble(essaye -> essaye.erreur)).get();
     }
 
-    /** Candidat de ce réglage. Faute de rayons pour l'essayer, son erreur est celle que l'on attendait. */
+    /** Candidat de ce réglage. S'il ne reste pas assez de rayons pour l'essayer, son erreur est celle attendue. */
     private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
             Limite limite, int repetitions) {
         double promis = propose.prix * limite.rayons;
@@ -146,7 +147,7 @@ public final class Auto {
         return (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons);
     }
 
-    /** Refait les essais, quand leur code est compilé, les plus courts en dernier : seules les durées changent. */
+    /** Refait les essais une fois leur code compilé, les plus courts en dernier. Seules les durées changent. */
     public void chronometrer() {
         for (int k = essayes.size() - 1; k >= 0; k--) {
             Candidat e = essayes.get(k);
@@ -155,7 +156,7 @@ public final class Auto {
         }
     }
 
-    /** Candidat de ce dessin de la scène, avec cette section et tant de réflexions. Se demande après le choix. */
+    /** Candidat de ce dessin de la scène, avec cette section et ce nombre de réflexions. À appeler après le choix. */
     public Candidat evaluer(Section section, Lancer dessin, int reflets) {
         Modele modele = dessin.getScene().getModele();
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
@@ -168,7 +169,7 @@ public final class Auto {
         return essais.rayons.get();
     }
 
-    /** Toile qui dessine sur celle-ci, et retient de quoi contrôler l'image du candidat sur d'autres pixels. */
+    /** Toile qui dessine sur {@code toile}, et retient les pixels qui contrôlent l'image du candidat. */
     public Toile surveiller(Toile toile, Candidat candidat) {
         dessine = candidat;
         controle = new PixelsDEssai(essais, pilote, 0.5, voulue, reste(1, candidat.prix));
@@ -178,22 +179,22 @@ public final class Auto {
         };
     }
 
-    /** Moyenne de l'erreur attendue et de celle que mesure le contrôle : deux fois plus de pixels. */
+    /** Moyenne de l'erreur attendue et de l'erreur du contrôle, mesurées sur des pixels différents. */
     private Estimation mesuree() {
         return dessine.estimation.moyenne(controle.erreur());
     }
 
-    /** L'erreur de l'image, en niveaux, estimée des pixels d'essai et du contrôle. */
+    /** L'erreur de l'image, en niveaux, estimée sur les pixels d'essai et de contrôle. */
     public double getErreurMesuree() {
         return mesuree().plus(0);
     }
 
-    /** Écart possible de cette erreur, en niveaux, dix-neuf fois sur vingt ; jamais 0. */
+    /** Demi-largeur de l'intervalle de confiance à 95 % de cette erreur, en niveaux ; au moins 0,01. */
     public double getIncertitude() {
         return Math.max(0.01, mesuree().plus(2) - mesuree().plus(0));
     }
 
-    /** Verdict : l'erreur voulue est tenue, dépassée ou incertaine à un écart type près, et ce qui aiderait. */
+    /** Verdict à un écart type près : l'erreur voulue est tenue, dépassée ou incertaine. Un conseil suit. */
     public String getVerdict() {
         return mesuree().plus(1) <= voulue ? "erreur voulue tenue"
                 : "erreur voulue " + (mesuree().plus(-1) > voulue ? "dépassée : " : "incertaine : ")

@@ -5,25 +5,25 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Signature d'une méthode ou d'un constructeur : ce qu'elle rend, son nom, les types de ses paramètres. */
+/** Une méthode ou un constructeur : son type de retour, son nom, les types de ses paramètres. */
 public final class Signature {
 
     private static final int TEXTE_MAX = 3000;
 
-    /** Types qu'on peut passer, en le disant, à la place d'autre chose. */
+    /** Types qui peuvent en remplacer un autre ; la correction le signale. */
     private static final List<String> COMPATIBLES = List.of("Objet3D Sphere", "Sphere Objet3D", "int double", "float double");
 
-    /** Ce qu'elle rend, vide d'un constructeur. */
+    /** Type de retour, vide pour un constructeur. */
     final String rend;
     public final String nom;
     final List<String> types;
     private final boolean statique;
     final boolean privee;
-    /** Son texte, abrégé. */
+    /** Son texte, limité à {@value #TEXTE_MAX} caractères. */
     public final String texte;
-    /** Empreinte de son arbre. */
+    /** Empreinte de l'arbre syntaxique. */
     public final String arbre;
-    /** Nombre d'instructions, celles que contiennent les autres comprises. */
+    /** Nombre d'instructions, imbriquées comprises. */
     public final int instructions;
 
     Signature(List<?> lue, String fichier) {
@@ -43,7 +43,8 @@ public final class Signature {
     }
 
     /**
-     * Écrit la forme attendue de chaque méthode dont l'étudiant a changé l'ordre ou la sorte des paramètres : elle appelle la sienne.
+     * Écrit, pour chaque méthode dont l'étudiant a changé l'ordre ou le type des paramètres, une méthode de forme attendue qui appelle la
+     * sienne.
      *
      * @param dites reçoit ces changements
      */
@@ -67,13 +68,13 @@ public final class Signature {
         return ponts.toString();
     }
 
-    /** Vrai si l'on peut appeler celle-là telle quelle à la place : un objet quelconque y convient aussi. */
+    /** Dit si {@code sienne} peut être appelée à la place de cette méthode, sans adaptation. */
     private boolean convient(Signature sienne) {
         return sienne.types.size() == types.size() && IntStream.range(0, types.size())
                 .allMatch(k -> sienne.types.get(k).equals(types.get(k)) || sienne.types.get(k).equals("Objet3D"));
     }
 
-    /** Paramètres de l'attendue avec lesquels l'appeler, {@code null} s'il lui en faut d'autres. */
+    /** Arguments qui permettent d'appeler cette méthode depuis l'attendue ; {@code null} si c'est impossible. */
     private List<String> arguments(Signature attendue) {
         List<String> restent = new ArrayList<>(attendue.types);
         boolean memePlace = types.size() == restent.size() && IntStream.range(0, types.size()).allMatch(k ->

@@ -10,19 +10,19 @@ import lancer.correction.modele.SourcesDuCours;
 import org.apache.commons.csv.CSVRecord;
 
 /**
- * Critères qui se notent, et ce que le corrigé en dessine : les étapes de l'énoncé, dans son ordre, l'image, les extensions, les
- * consignes. La grille s'écrit à côté des résultats : les notes et les pages se refont sans rien juger.
+ * Critères de la note, et images du corrigé : les étapes de l'énoncé, dans l'ordre, l'image, les extensions, les consignes. La grille est
+ * écrite à côté des résultats, pour refaire les notes et les pages sans juger de nouveau.
  */
 public final class GrilleDeNotation {
 
-    /** Une étape et ses critères ; ou une ligne libre du barème, qui n'en a pas. */
+    /** Une étape et ses critères, ou une ligne libre du barème, sans critère. */
     public static final class Etape {
 
         public final String nom;
         public final String titre;
-        /** Son titre là où l'on sait déjà que c'est une extension. */
+        /** Titre court, sans le mot « Extension ». */
         public final String court;
-        /** Vrai pour une variante, que l'on fait si l'on veut, dans l'ordre que l'on veut. */
+        /** Vrai pour une extension, facultative. */
         public final boolean extension;
         public final List<Verification> criteres = new ArrayList<>();
 
@@ -38,7 +38,7 @@ public final class GrilleDeNotation {
             return criteres.isEmpty();
         }
 
-        /** Vrai pour une étape de l'énoncé, que l'on fait dans l'ordre. */
+        /** Vrai pour une étape de l'énoncé. */
         public boolean duCours() {
             return !extension && !libre() && !nom.equals(IMAGE) && !nom.equals(CONSIGNES);
         }
@@ -46,12 +46,12 @@ public final class GrilleDeNotation {
 
     /** L'étape de l'image : un critère par scène. */
     public static final String IMAGE = "image";
-    /** Étape de ce que l'énoncé demande de la façon de rendre : enlève des points, au lieu d'en donner. */
+    /** Étape des consignes de rendu : elle enlève des points, au lieu d'en donner. */
     public static final String CONSIGNES = "consignes";
-    /** Fin du nom d'une image : celle que dessine la base, sur la scène d'une extension. */
+    /** Fin du nom de l'image que la base dessine sur la scène d'une extension. */
     public static final String BASE = " (base)";
 
-    /** Titre, par extension, ce qu'on y regarde, et sur quelle scène. */
+    /** Pour chaque extension : titre, ce qu'il faut examiner, scène. */
     static final Map<String, String[]> EXTENSIONS = Map.of(
             "brume", new String[] {"brume",
                 "la couleur de la base, mêlée à celle d'une brume, d'autant plus que c'est loin", "brume"},
@@ -63,16 +63,16 @@ public final class GrilleDeNotation {
     static final String AU_CENTRE = " (au centre)";
 
     public final List<Etape> etapes = new ArrayList<>();
-    /** Images du corrigé : par scène, aux coordonnées entières et au centre des pixels ; par extension, la sienne. */
+    /** Images du corrigé : par scène, aux coordonnées entières puis au centre des pixels ; une par extension. */
     final Map<String, Image> images = new LinkedHashMap<>();
-    /** Raison pour laquelle le code des étudiants a tourné sans confinement ; vide s'il a été confiné. */
+    /** Raison pour laquelle le code des étudiants s'est exécuté sans confinement ; vide s'il a été confiné. */
     public final String sansConfinement;
 
     GrilleDeNotation(String sansConfinement) {
         this.sansConfinement = sansConfinement;
     }
 
-    /** Ajoute un critère à la dernière étape, si c'est celle-là, sinon à une de plus. */
+    /** Ajoute un critère à la dernière étape si c'est la sienne, sinon à une nouvelle étape. */
     void ajouter(Verification critere) {
         if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(critere.etape)) {
             etapes.add(new Etape(critere.etape, critere.titreEtape));
@@ -80,7 +80,7 @@ public final class GrilleDeNotation {
         etapes.get(etapes.size() - 1).criteres.add(critere);
     }
 
-    /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; d'une extension, ces dernières. */
+    /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; pour une extension, aux coordonnées entières. */
     public Image getImage(String scene, boolean auCentre) {
         return images.get(scene + (auCentre ? AU_CENTRE : ""));
     }

@@ -22,15 +22,15 @@ import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.SourcesDuCours;
 
 /**
- * Juge un rendu : toutes ses classes ensemble, puis chacune seule parmi celles du corrigé, pour qu'une faute ne cache
- * pas les autres.
+ * Juge un rendu : d'abord toutes ses classes ensemble, puis chacune seule avec celles du corrigé, pour qu'une faute n'en cache pas
+ * d'autres.
  */
 final class JugeRendu implements AutoCloseable {
 
-    /** Le début de ce que dit une méthode qui ne se compile pas. */
+    /** Début du message d'une méthode qui ne se compile pas. */
     static final String NE_SE_COMPILE_PAS = "ne se compile pas";
 
-    /** Étapes qui s'ajoutent à une méthode déjà écrite pour une étape d'avant. */
+    /** Étapes qui complètent une méthode déjà écrite pour une étape précédente. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
 
     private static final String NON_COMMENCEE = "étape non commencée : ";
@@ -39,14 +39,13 @@ final class JugeRendu implements AutoCloseable {
     private final Machines.Compilation compilation;
     private final Machines machines;
     private final Projet projet;
-    /** La machine de l'ensemble, et celle d'un autre assemblage : chacune n'a que ses classes. */
+    /** La machine virtuelle de l'ensemble, et celle d'un autre assemblage. */
     private final Machines.Rendue[] vives;
     final Resultat resultat;
     final JugeImage images;
-    /** Toutes les classes de l'étudiant. */
     final Assemblage ensemble;
     private final Map<String, Assemblage> seules = new HashMap<>();
-    /** Classes dont dépend une classe qui ne se compile pas seule dans le corrigé. */
+    /** Classes dont dépend une classe qui ne se compile pas seule avec le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
 
     JugeRendu(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
@@ -61,7 +60,7 @@ final class JugeRendu implements AutoCloseable {
         ensemble = assembler(base(Map.of()));
     }
 
-    /** Compile des classes, avec ce qui les appelle et les sonde, où nos noms sont les siens. */
+    /** Compile des classes avec celles qui les appellent et les sondent, sous les noms de l'étudiant. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
         sources.put("lancer/Appels", projet.cours.dans(reference.appels));
@@ -69,7 +68,7 @@ final class JugeRendu implements AutoCloseable {
         return compilation.compiler(sources);
     }
 
-    /** Sources qu'il a rendues de la base, et pour le reste le projet à compléter, puis ces classes-ci. */
+    /** Sources du projet à compléter, remplacées par celles du rendu, puis par ces classes. */
     private Map<String, String> base(Map<String, String> enPlus) {
         Map<String, String> sources = projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::squelette));
         sources.putAll(projet.base);
@@ -86,14 +85,14 @@ final class JugeRendu implements AutoCloseable {
         return vives[place];
     }
 
-    /** Arrête les machines : celles d'après seront neuves. */
+    /** Arrête les machines virtuelles. */
     @Override
     public void close() {
         vives[0].close();
         vives[1].close();
     }
 
-    /** @throws Arret si ces classes ne se compilent pas, ou si une machine ne peut les prendre */
+    /** @throws Arret si ces classes ne se compilent pas, ou si une machine virtuelle ne peut les charger */
     Resultat juger() throws Arret {
         machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
@@ -117,12 +116,12 @@ final class JugeRendu implements AutoCloseable {
             Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene,
                     new Verdict(Etat.RATE, "trop de vérifications n'ont pas fini : " + toutes.pourquoi)));
         } else {
-            // une machine neuve : ce que les vérifications ont pu y laisser ne gâte pas l'image
+            // une nouvelle machine virtuelle : les vérifications ne peuvent avoir d'effet sur l'image
             close();
             images.juger();
         }
         for (Map.Entry<String, Map<String, String>> variante : projet.variantes.entrySet()) {
-            // une variante est une copie du projet ; ce qui n'y est pas est celui de la base
+            // une variante est une copie du projet ; une classe absente est celle de la base
             images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
         new Constats(this, projet).dire();
@@ -130,8 +129,8 @@ final class JugeRendu implements AutoCloseable {
     }
 
     /**
-     * Impute à une autre classe ce que la sienne réussit seule. Si celle-là n'a par ailleurs aucune faute à elle, c'est à elle
-     * que la vérification coûte ; si aucune n'échoue seule, à celle dont elle parle.
+     * Attribue à une autre classe les vérifications que la classe visée réussit seule. Si l'autre classe n'a aucune faute par ailleurs, la
+     * vérification lui coûte des points. Si aucune classe n'échoue seule, la vérification coûte à la classe visée.
      */
     private void imputer() throws Arret {
         List<Verification> cachees = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE);
@@ -153,7 +152,7 @@ final class JugeRendu implements AutoCloseable {
                 }
             }
         }
-        // si une seule faute n'y suffit pas, celles qui sont déjà comptées l'expliquent ; s'il n'y en a pas, il y a à voir
+        // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
         cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
         for (Verification v : cachees) {
             charger(v, resultat.verdicts.get(v.id()).message, v.classe);
@@ -176,18 +175,18 @@ final class JugeRendu implements AutoCloseable {
         return reference.verifications.stream().filter(lesquelles).collect(Collectors.toList());
     }
 
-    /** Les fautes de compilation de ce qu'il a rendu. */
+    /** Les fautes de compilation des classes rendues. */
     List<Faute> siennes() {
         return ensemble.fautes.stream().filter(f -> projet.base.containsKey(f.fichier.replaceFirst("\\.java$", "")))
                 .collect(Collectors.toList());
     }
 
-    /** Classes, parmi celles-ci, qu'il a rendues, et changées. */
+    /** Classes, parmi celles-ci, que l'étudiant a modifiées. */
     List<String> changees(List<String> classes) {
         return classes.stream().filter(projet.changees::contains).collect(Collectors.toList());
     }
 
-    /** Garde, pour la page, la méthode qui répond d'une vérification. */
+    /** Retient, pour la page, les méthodes que vise une vérification. */
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
             Set<String> lesquelles = nommees(v, classe);
@@ -196,21 +195,18 @@ final class JugeRendu implements AutoCloseable {
         }
     }
 
-    /**
-     * La classe de l'étudiant parmi celles du corrigé ; avec celles des siennes dont elle a besoin, si elle en a
-     * besoin.
-     */
+    /** La classe de l'étudiant, seule avec celles du corrigé ; si elle en a besoin, avec d'autres classes de l'étudiant. */
     Assemblage seule(String classe) throws Arret {
         if (seules.containsKey(classe)) {
             return seules.get(classe);
         }
-        // celles qu'il a ajoutées, puis le corrigé, puis elle ; ou, s'il ne l'a pas rendue, celle du projet à compléter
+        // classes ajoutées par l'étudiant, puis corrigé, puis cette classe ; si elle n'est pas rendue, celle du projet à compléter
         Map<String, String> sources = new TreeMap<>(projet.base);
         sources.putAll(projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::corrige)));
         sources.put("lancer/" + projet.cours.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
                 : projet.cours.dans(SourcesDuCours.squelette(classe)));
         Assemblage seule = assembler(sources);
-        // celles des siennes qu'elle emploie, puis celles que celles-là emploient
+        // les classes de l'étudiant qu'elle utilise, puis celles que ces classes utilisent
         Set<String> avec = new LinkedHashSet<>();
         while (fautesNouvelles(seule, classe)) {
             List<String> deplus = employees(avec.isEmpty() ? Set.of(classe) : avec);
@@ -232,7 +228,7 @@ final class JugeRendu implements AutoCloseable {
         return seule;
     }
 
-    /** Les classes rendues qu'emploient celles-ci, par leur nom ou par un champ qui porte ce nom. */
+    /** Les classes rendues que ces classes utilisent, d'après leur nom ou celui d'un champ. */
     private List<String> employees(Set<String> classes) {
         return SourcesDuCours.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main")
                 && classes.stream().map(projet::type)
@@ -240,7 +236,7 @@ final class JugeRendu implements AutoCloseable {
                 .collect(Collectors.toList());
     }
 
-    /** Vrai si là, parmi celles du corrigé, elle ne se compile plus comme avec celles de l'étudiant, ou les en empêche. */
+    /** Dit si la classe, avec celles du corrigé, cause des fautes de compilation qu'elle ne cause pas dans le rendu. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
         String sienne = projet.cours.classe(classe);
         return seule.fautesDe(sienne).size() > ensemble.fautesDe(sienne).size() || seule.fautes.stream().anyMatch(f ->
@@ -267,7 +263,7 @@ final class JugeRendu implements AutoCloseable {
         if (seule != null && seule.etat == Etat.REUSSI) {
             return new Verdict(Etat.CACHE, ensemble.message.replace(NON_COMMENCEE, ""));
         }
-        // si elle ne se compile que parmi les siennes, c'est là qu'on la juge
+        // si elle ne se compile que dans le rendu, elle y est jugée
         Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
                 && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
         montrer(v, v.classe);
@@ -289,7 +285,7 @@ final class JugeRendu implements AutoCloseable {
                 ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
-    /** Les noms des méthodes à compléter de cette classe ; faux pour celles qu'il n'a pas changées. */
+    /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
     private Map<String, Boolean> methodes(String classe) {
         Map<String, Boolean> noms = new TreeMap<>();
         for (Signature m : projet.cours.squelette(classe).methodes) {
@@ -301,7 +297,7 @@ final class JugeRendu implements AutoCloseable {
         return noms;
     }
 
-    /** Les méthodes à compléter de cette classe dont parle cette vérification, à défaut toutes. */
+    /** Les méthodes à compléter que nomme cette vérification ou, à défaut, toutes celles de la classe. */
     private Set<String> nommees(Verification v, String classe) {
         Set<String> toutes = methodes(classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
@@ -309,7 +305,7 @@ final class JugeRendu implements AutoCloseable {
         return nommees.isEmpty() ? toutes : nommees;
     }
 
-    /** Une étape que rien ne montre, mais dont la méthode est écrite : c'est une faute de cette classe, ou d'une autre, que l'on dit. */
+    /** Verdict d'une étape sans effet visible, dont la méthode est écrite : la faute est dans cette classe ou dans une autre. */
     private Verdict commencee(Verification v, Verdict verdict) {
         String message = verdict.message.replace(NON_COMMENCEE, "");
         String ecrite = changees(SourcesDuCours.A_COMPLETER).stream()
@@ -319,7 +315,7 @@ final class JugeRendu implements AutoCloseable {
         if (ecrite == null || ecrite.equals(v.classe)) {
             return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
         }
-        // celle qui l'a écrite, ou celle, jugée plus tôt, dont elle dépend
+        // la classe qui contient la méthode, ou une classe déjà jugée dont elle dépend
         String fautive = Stream.concat(Stream.of(ecrite), SourcesDuCours.A_COMPLETER.stream())
                 .filter(c -> !c.equals(v.classe) && aUneFaute(c))
                 .findFirst().orElse(ecrite);
@@ -327,7 +323,7 @@ final class JugeRendu implements AutoCloseable {
         return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
     }
 
-    /** Vrai s'il a écrit cette méthode à compléter. */
+    /** Dit si l'étudiant a écrit cette méthode à compléter. */
     boolean aEcrit(String classe, String methode) {
         return projet.changees.contains(classe) && methodes(classe).getOrDefault(methode, false);
     }

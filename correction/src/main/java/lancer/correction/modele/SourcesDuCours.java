@@ -25,10 +25,9 @@ import java.util.stream.Stream;
 import lancer.correction.Panne;
 
 /**
- * Les classes du cours telles qu'on les donne, et telles qu'un étudiant les complète d'après le seul énoncé. Un même
- * texte dit les deux : entre {@code //&#123;} et {@code //=}, la réponse ; de là à {@code //&#125;}, ce que le
- * squelette a à sa place ; entre {@code //&lt;brume} et {@code //&gt;}, la copie de l'extension remplace les autres
- * lignes par celles que {@code //+} commence.
+ * Les classes du cours à compléter, et les mêmes classes complétées d'après le seul énoncé. Un même texte contient les deux. De
+ * {@code //&#123;} à {@code //=}, il contient la réponse ; de là à {@code //&#125;}, le texte du squelette. De {@code //&lt;brume} à
+ * {@code //&gt;}, la copie de l'extension remplace les lignes ordinaires par celles qui commencent par {@code //+}.
  */
 public final class SourcesDuCours {
 
@@ -40,19 +39,19 @@ public final class SourcesDuCours {
     public static final List<String> DONNEES =
             List.of("Tuple", "Couleur", "Lampe", "PointContact", "Constantes", "LecteurScene", "Toile", "Main");
 
-    /** Les extensions du cours, dans son ordre. */
+    /** Les extensions, dans l'ordre du cours. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
     private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
 
-    /** Rayon d'une boule trop grande pour qu'on la déplace : un sol, un miroir presque plat. */
+    /** Rayon d'une sphère trop grande pour être déplacée : un sol, un miroir presque plat. */
     private static final double IMMENSE = 100;
 
     private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
     private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
 
-    /** Fichiers qui accompagnent les classes, et les mêmes fichiers dans le projet. */
+    /** Fichiers du projet qui ne sont pas des classes du cours. */
     private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
             "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
 
@@ -64,12 +63,11 @@ public final class SourcesDuCours {
         return Stream.concat(A_COMPLETER.stream(), DONNEES.stream()).collect(Collectors.toList());
     }
 
-    /** La classe à compléter : des {@code FIXME} à la place des réponses. */
+    /** La classe à compléter, avec des {@code FIXME} à la place des réponses. */
     public static String squelette(String classe) {
         return source(classe, "", false);
     }
 
-    /** La classe complétée. */
     public static String corrige(String classe) {
         return corrige(classe, "");
     }
@@ -82,7 +80,7 @@ public final class SourcesDuCours {
     /** Le texte d'une classe, pour la base ou pour cette extension. */
     private static String source(String classe, String variante, boolean reponses) {
         StringBuilder resultat = new StringBuilder();
-        // null : pour toutes ; sinon, l'extension dont on lit les lignes
+        // null pour toutes les copies ; sinon, l'extension dont les lignes sont lues
         String pour = null;
         boolean dansReponse = false;
         for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
@@ -107,7 +105,7 @@ public final class SourcesDuCours {
         return resultat.toString();
     }
 
-    /** Toutes les classes du projet, par nom complet : {@code lancer/Vecteur} et son texte. */
+    /** Toutes les classes du projet, par nom complet ({@code lancer/Vecteur}), avec leur texte. */
     public static Map<String, String> tout(UnaryOperator<String> texte) {
         return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
     }
@@ -125,7 +123,7 @@ public final class SourcesDuCours {
         return ressource("scenes/" + nom + ".ini");
     }
 
-    /** Cette scène, ses boules et ses lampes un peu déplacées, ses couleurs un peu assombries, chacune autrement selon la graine. */
+    /** Cette scène, dont les positions et les couleurs varient un peu selon la graine. */
     public static String scene(String nom, long graine) {
         SplittableRandom hasard = new SplittableRandom(graine);
         StringBuilder texte = new StringBuilder();
@@ -140,7 +138,7 @@ public final class SourcesDuCours {
     private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
         double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
         String cle = triplet.group(1);
-        // un huitième de son rayon, un vingtième de sa distance
+        // au plus un huitième du rayon d'une sphère, ou un vingtième de la distance d'une lampe
         double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
                 : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
         return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
@@ -157,10 +155,10 @@ public final class SourcesDuCours {
     }
 
     /**
-     * Écrit un projet que les étudiants reçoivent : les classes, les scènes, {@code Tests}, de quoi construire.
+     * Écrit un projet d'étudiant : les classes, les scènes, {@code Tests}, les fichiers de construction.
      *
-     * @param variante {@code null} pour le projet à compléter ; vide pour le projet achevé, ou l'extension dont c'est la copie
-     * @throws Panne si le dossier n'est pas vide, ou ne peut être écrit, ou si le cours n'a pas cette extension
+     * @param variante {@code null} pour le projet à compléter ; vide pour le projet complété, ou nom d'une extension
+     * @throws Panne si le dossier n'est pas vide ou ne peut être écrit, ou si l'extension n'existe pas
      */
     public static void ecrire(String dossier, String variante, PrintStream sortie) {
         if (variante != null && !variante.isEmpty() && !VARIANTES.contains(variante)) {
@@ -172,7 +170,7 @@ public final class SourcesDuCours {
                 .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
         fichiers.put("LISEZMOI.md", ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
         if ("blinn".equals(variante)) {
-            // hors du miroir, les reflets de Blinn ne sont pas ceux de Phong, que Tests demande
+            // Tests demande les reflets de Phong, et ceux de Blinn ne leur sont égaux que dans la direction réfléchie
             fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
         }
         fichiers.put("src/test/java/lancer/Tests.java", ressource("modele/lancer/Tests.java"));

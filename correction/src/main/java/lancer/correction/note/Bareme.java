@@ -18,19 +18,19 @@ import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
 
 /**
- * Les points de chaque étape, d'un petit fichier INI que l'enseignant peut changer. Il peut y ajouter des lignes libres
- * (« qualité du code=3 »), dont il donne les points lui-même.
+ * Les points de chaque étape, dans un petit fichier INI que l'enseignant peut changer. Il peut y ajouter des lignes libres (« qualité du
+ * code=3 »), dont il donne lui-même les points.
  */
 public final class Bareme {
 
     private final Map<String, Double> poids = new HashMap<>();
-    /** La note maximale. Les consignes, qui enlèvent des points, n'y sont pas ; les lignes libres non plus : {@link Eleve#sur}. */
+    /** La note maximale, sans les consignes, qui enlèvent des points, ni les lignes libres ({@link Eleve#sur}). */
     public final double total;
 
     /**
-     * Lit le barème, ou l'écrit d'abord s'il n'existe pas ; ses lignes libres sont ajoutées à la grille.
+     * Lit le barème, ou l'écrit d'abord s'il n'existe pas. Ses lignes libres sont ajoutées à la grille.
      *
-     * @throws Panne s'il ne convient pas
+     * @throws Panne si le barème est fautif
      */
     public Bareme(Path fichier, GrilleDeNotation grille) {
         List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
@@ -71,7 +71,7 @@ public final class Bareme {
         }
     }
 
-    /** Écart qui fait d'une clé inconnue une étape mal écrite plutôt qu'une ligne libre. */
+    /** Début d'une clé : une clé inconnue qui commence comme une étape est une étape mal écrite, et non une ligne libre. */
     private static String debut(String cle) {
         String bas = cle.toLowerCase(Locale.ROOT);
         return bas.substring(0, Math.min(4, bas.length()));

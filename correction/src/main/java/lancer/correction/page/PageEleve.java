@@ -13,13 +13,13 @@ import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
 import lancer.correction.note.Eleve;
 
-/** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
+/** La page d'un rendu : son avancement, ses fautes avec un exemple, et ses images. */
 final class PageEleve {
 
     private final Pages classe;
     private final Eleve eleve;
     private final Html html = new Html();
-    /** Les messages et les méthodes déjà dépliés : ils ne le sont pas de nouveau. */
+    /** Messages et méthodes déjà montrés ouverts. */
     private final Set<String> deplies = new HashSet<>();
 
     PageEleve(Pages classe, Eleve eleve) {
@@ -67,7 +67,7 @@ final class PageEleve {
         html.brut("</table>\n");
     }
 
-    /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */
+    /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter ». */
     static String combien(Eleve.Part part) {
         return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
                 : part.reussis + "/" + part.comptent;

@@ -28,12 +28,12 @@ import lancer.mesures.stabilite.Mesures;
 import lancer.texte.Texte;
 
 /**
- * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide}, au plus une des autres options et, pour chaque autre programme à
- * comparer, {@code --jar=} et son chemin.
+ * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
+ * {@code make mesures}, avec {@code --rapide}, au plus une des autres options et, pour chaque autre programme à comparer,
+ * {@code --jar=} suivi de son chemin.
  *
- * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
- * changé à {@code mesures/resultats} ; 2 la demande était fausse.
+ * <p>Statut de sortie : 0 si tout est juste ; 1 si une image est fausse, ou si la machine a échoué ou n'est pas disponible ({@code
+ * mesures/resultats} ne change pas) ; 2 si la demande est fausse.
  */
 public final class Vitesse {
 
@@ -41,7 +41,7 @@ public final class Vitesse {
     static final String BESOINS = "besoins.csv";
     private static final String PROCESSUS = "processus.csv";
 
-    /** Ce programme, tel qu'on le lance, seul et avec l'anticrénelage, et ce qui annonce le chemin d'un autre. */
+    /** Arguments de {@code java} pour ce programme, sans et avec l'anticrénelage ; option du chemin d'un autre programme. */
     private static final String[] LANCER = {"-jar", "target/lancer.jar"};
     private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
     private static final String JAR = "--jar=";
@@ -49,7 +49,7 @@ public final class Vitesse {
     private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--processus", "--noyaux",
             "--stabilite", "--dessiner");
 
-    /** Dossier où finit une mesure complète, avec ses courbes. */
+    /** Dossier des résultats d'une mesure complète, et de ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
@@ -59,7 +59,7 @@ public final class Vitesse {
     private final boolean rapide;
     private final PrintStream sortie;
 
-    /** Dossiers où mesurer, et où porter le tout à la fin. */
+    /** Dossier où les mesures se font, et dossier où leurs résultats sont copiés. */
     private final Path travail;
     private final Path resultats;
 
@@ -85,9 +85,9 @@ public final class Vitesse {
         System.exit(executer(args, new PrintStream(System.out, true, "UTF-8"), new PrintStream(System.err, true, "UTF-8")));
     }
 
-    /** Fait ce que fait {@link #main}, sans quitter Java. */
+    /** Exécute {@link #main} sans arrêter Java. */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
-        // les courbes ne demandent pas d'écran, et un écran qui ne répond pas ne doit pas les empêcher
+        // les courbes ne demandent pas d'écran : un écran qui ne répond pas ne doit pas les empêcher
         System.setProperty("java.awt.headless", "true");
         try {
             new Vitesse(sortie, args).faire();
@@ -115,7 +115,7 @@ public final class Vitesse {
         List<String> neufs = new ArrayList<>();
         Files.createDirectories(travail);
         PovRay povray = comptes || temps ? povray() : null;
-        // ce qui ne demande pas une machine tranquille d'abord
+        // les mesures qui ne dépendent pas de la charge de la machine viennent d'abord
         if (comptes) {
             Comptes lesComptes = new Comptes(TAILLE, povray, travail, sortie);
             lesComptes.ecrire(new Catalogue(rapide).reglages());
@@ -163,7 +163,7 @@ public final class Vitesse {
         }
     }
 
-    /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
+    /** @throws IOException si la machine n'est pas disponible ; une mesure rapide ou agitée garde toutes ses manches */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
         Mesureur mesureur = new Mesureur(rapide, povray, travail.resolve(csv), sortie, LANCER, ANTIALIAS);
         for (Taille taille : tailles) {
@@ -183,7 +183,7 @@ public final class Vitesse {
         Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 
-    /** Mégaoctets qu'alloue le programme pour sa première image, là où Java sait ne rien rendre ; vide ailleurs. */
+    /** Mégaoctets alloués par le programme pour sa première image ; vide si Java n'a pas de ramasse-miettes Epsilon. */
     private String alloues(Path scene, Taille taille) throws IOException {
         Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(travail.resolve("pris"), Processus.JAVA,
                 "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
