@@ -201,7 +201,7 @@ class AutoTest {
         return scene(boules.toArray(new Objet3D[0]));
     }
 
-    /** L'erreur vraie, par la boucle la plus simple : chaque pixel contre deux fois 32 rayons au hasard, sans limite ; sans biais. */
+    /** L'erreur vraie, sans biais ni limite : chaque pixel contre deux fois 64 rayons, chacun au hasard dans une case du pixel. */
     private static double vraie(Auto auto, Couleur[] image) {
         auto.lancer.getScene().getModele().setSeuil(0);
         int largeur = auto.lancer.getCamera().getLargeur();
@@ -211,11 +211,11 @@ class AutoTest {
             double[][] justes = new double[2][];
             for (int r = 0; r < 2; r++) {
                 Couleur moyenne = new Couleur();
-                for (int k = 0; k < 32; k++) {
-                    moyenne = moyenne.add(auto.lancer.getCouleurPixel(p % largeur + hasard.nextDouble(),
-                            p / largeur + hasard.nextDouble(), 60));
+                for (int k = 0; k < 64; k++) {
+                    moyenne = moyenne.add(auto.lancer.getCouleurPixel(p % largeur + (k % 8 + hasard.nextDouble()) / 8,
+                            p / largeur + (k / 8 + hasard.nextDouble()) / 8, 60));
                 }
-                justes[r] = EchantillonPilote.niveaux(moyenne.div(32));
+                justes[r] = EchantillonPilote.niveaux(moyenne.div(64));
             }
             somme += EchantillonPilote.produit(EchantillonPilote.niveaux(image[p]), justes[0], justes[1]);
         }

@@ -24,7 +24,7 @@ class SommesDitesTest {
 
     private static final String KE = "new Couleur(0.1, 0.02, 0.3)";
     private static final String SCENE = "scenes/scene1.ini";
-    private static final String[] PIXELS = {"60,55", "31,62", "88,49", "12,80", "70,70", "45,30"};
+    private static final String[] PIXELS = {"60,55", "31,62", "88,49", "12,80", "70,70", "45,30", "30,80", "60,85", "100,75", "50,60"};
 
     @TempDir
     Path dossier;

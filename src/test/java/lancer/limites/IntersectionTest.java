@@ -1,5 +1,6 @@
 package lancer.limites;
 
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -22,10 +23,6 @@ class IntersectionTest {
 
     private static double distance(Point p, Vecteur v, Point c, double r) {
         return Intersection.distance(p.x, p.y, p.z, v.x, v.y, v.z, c.x, c.y, c.z, r);
-    }
-
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
     }
 
     /** Un vecteur de longueur 1 perpendiculaire à celui-ci. */

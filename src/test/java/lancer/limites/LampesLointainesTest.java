@@ -1,5 +1,6 @@
 package lancer.limites;
 
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -81,7 +82,7 @@ class LampesLointainesTest {
     }
 
     private Point surLaSurface(Sphere s, boolean enHaut) {
-        Vecteur n = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+        Vecteur n = direction(hasard);
         if (enHaut) {
             n = new Vecteur(3e-3 * n.x, 1, 3e-3 * n.z).normalized();
         }
@@ -165,7 +166,7 @@ class LampesLointainesTest {
     }
 
     private Point auLoin(double loin) {
-        Vecteur d = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+        Vecteur d = direction(hasard);
         return new Point(loin * d.x, loin * d.y, loin * d.z);
     }
 

@@ -3,6 +3,7 @@ package lancer.limites;
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.scene;
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -31,10 +32,6 @@ class LimitesEclairageTest {
 
     private static final double U = 0x1p-53;
     private static final Rayon DEVANT = new Rayon(new Point(), new Vecteur(0, 0, 1));
-
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
-    }
 
     /** Un miroir seul sous le ciel, et le nombre de pixels qui y voient autre chose que le ciel réfléchi. */
     private static int pixelsFaux(Recherche recherche) {

@@ -1,5 +1,6 @@
 package lancer.limites;
 
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -48,7 +49,7 @@ class LimitesIntersectionTest {
         Bilan bilan = new Bilan();
         while (bilan.cas < 300) {
             Point P = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
-            Vecteur vers = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
+            Vecteur vers = direction(hasard);
             Point C = P.add(vers.mul(distance));
             Vecteur cote = vers.mul(0.3).sub(new Vecteur(vers.y, vers.z, vers.x)).normalized();
             Point vise = C.add(cote.mul(2 * hasard.nextDouble()));

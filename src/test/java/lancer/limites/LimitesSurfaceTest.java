@@ -1,5 +1,6 @@
 package lancer.limites;
 
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -40,10 +41,6 @@ class LimitesSurfaceTest {
             return b > 0 ? c / (b + Math.sqrt(h2)) : INFINI;
         }
         return b > 0 ? b + Math.sqrt(h2) : c < 0 ? c / (b - Math.sqrt(h2)) : INFINI;
-    }
-
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
     }
 
     /** L'œil à hauteur d'homme au-dessus d'une Terre : en doubles, la distance du sol qu'il regarde n'est juste qu'à 1e-9, 1e-7 près. */

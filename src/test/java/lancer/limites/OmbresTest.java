@@ -4,6 +4,7 @@ import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
 import static lancer.essai.Ressources.scene;
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -31,10 +32,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Les ombres là où un arrondi en ferait ou en ôterait : sols immenses, lampes lointaines, sphères qui se touchent. */
 class OmbresTest {
-
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
-    }
 
     /** Vu de la lampe, un sol presque plat renvoie Kd·(hauteur/distance). */
     @ParameterizedTest

@@ -109,7 +109,8 @@ class MakefileTest extends EssaiProcessus {
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
         assertEquals(2, statut(make));
-        assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"), erreur());
+        assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"),
+                erreur());
     }
 
     @Test

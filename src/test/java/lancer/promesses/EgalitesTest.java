@@ -1,6 +1,7 @@
 package lancer.promesses;
 
 import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.fois;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
 import static lancer.essai.Ressources.memesBits;
@@ -56,18 +57,14 @@ class EgalitesTest {
         @Override
         public Rayon getRayon(double xe, double ye) {
             Point ecran = super.getRayon(xe, ye).getP();
-            return new Rayon(agrandi(ecran, fois), new Vecteur(OEIL, ecran).mul(fois));
+            return new Rayon(fois(ecran, fois), new Vecteur(OEIL, ecran).mul(fois));
         }
-    }
-
-    private static Point agrandi(Point p, double fois) {
-        return new Point(p.x * fois, p.y * fois, p.z * fois);
     }
 
     private static Scene agrandie(Scene scene, double fois) {
         List<Objet3D> objets = new ArrayList<>();
         for (Objet3D objet : scene.getObjets()) {
-            Sphere s = new Sphere(agrandi(((Sphere) objet).getCentre(), fois), ((Sphere) objet).getRayon() * fois);
+            Sphere s = new Sphere(fois(((Sphere) objet).getCentre(), fois), ((Sphere) objet).getRayon() * fois);
             s.setKd(objet.getKd());
             s.setKs(objet.getKs());
             s.setNs(objet.getNs());
@@ -75,7 +72,7 @@ class EgalitesTest {
         }
         List<Lampe> lampes = new ArrayList<>();
         for (Lampe lampe : scene.getLampes()) {
-            lampes.add(new Lampe(agrandi(lampe.getPosition(), fois), lampe.getCouleur()));
+            lampes.add(new Lampe(fois(lampe.getPosition(), fois), lampe.getCouleur()));
         }
         return new Scene(objets, lampes);
     }

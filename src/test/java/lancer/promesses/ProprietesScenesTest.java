@@ -1,5 +1,6 @@
 package lancer.promesses;
 
+import static lancer.essai.Ressources.fois;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
 import static lancer.essai.Ressources.scene;
@@ -160,10 +161,6 @@ class ProprietesScenesTest {
             }
         }
         assertTrue(auCiel > RAYONS / 10, auCiel + " rayons réfléchis jusqu'au ciel");
-    }
-
-    private static Point fois(Point p, double f) {
-        return new Point(p.x * f, p.y * f, p.z * f);
     }
 
     /** Toute la scène multipliée par 2^k : le même objet, à une distance multipliée par 2^k, au bit près, par les deux chemins. */

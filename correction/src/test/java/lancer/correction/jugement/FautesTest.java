@@ -31,20 +31,13 @@ class FautesTest extends JuryEssai {
     @BeforeAll
     static void jugerLesFautes() throws IOException {
         Path rendus = dossier.resolve("rendus");
-        String[] positive = {"Sphere", "if (-b - racine > 0)", "if (true)"};
-        String[] normale = {"Objet3D", "lampe.getPosition()).normalized();", "lampe.getPosition());"};
-        String[] ombre = {"Objet3D", "new Rayon(lampe.getPosition(), contact)", "new Rayon(contact, lampe.getPosition())",
-            "scene.getClosestIntersection(rayon, (Sphere) this)", "scene.getClosestIntersection(rayon)"};
-        fauter(rendus.resolve("racine-negative"), positive);
-        fauter(rendus.resolve("L-non-normalise"), normale);
-        fauter(rendus.resolve("ombre-de-soi"), ombre);
-        fauter(rendus.resolve("masquees"), positive, normale, ombre);
-        fauter(rendus.resolve("image-renversee"), new String[] {"Camera", "(hauteur / 2.0 - ye)", "(ye - hauteur / 2.0)"});
-        fauter(rendus.resolve("miroir-a-l-envers"), new String[] {"Objet3D", "V.sub(N.mul(2 * N.dot(V)))", "N.mul(2 * N.dot(V)).sub(V)"});
-        fauter(rendus.resolve("normale-a-l-envers"), new String[] {"Lancer", "getRayon(xe, ye)", "getRayon(xe + 0.5, ye + 0.5)"},
-                new String[] {"Sphere", "new Vecteur(centre, contact)", "new Vecteur(contact, centre)"});
-        fauter(rendus.resolve("plus-loin"), new String[] {"Scene", "if (d < distance)", "if (d < Constantes.INFINI)"});
-        fauter(rendus.resolve("sans-fin"), new String[] {"Objet3D", "if (profondeur > 0)", "if (Ks.r > 0)"});
+        for (String ligne : Files.readAllLines(RENDUS.resolve("fautes.txt"))) {
+            if (!ligne.startsWith("#")) {
+                String[] faute = ligne.split("\\|");
+                Path rendu = rendus.resolve(faute[0]);
+                changer(Files.exists(rendu) ? sources(rendu) : ecrireCorrige(rendu), faute[1], faute[2], faute[3]);
+            }
+        }
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Lancer.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
@@ -57,16 +50,6 @@ class FautesTest extends JuryEssai {
         variante(rendus.resolve("extensions/antialias"), SourcesDuCours.corrige("Lancer", "antialias")
                 .replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
         resultats = juger(rendus, Confinement.essayer(), PATIENTES);
-    }
-
-    /** @param fautes une classe, puis ce qui y est remplacé, et par quoi */
-    private static void fauter(Path rendu, String[]... fautes) throws IOException {
-        Path sources = ecrireCorrige(rendu);
-        for (String[] faute : fautes) {
-            for (int k = 1; k < faute.length; k += 2) {
-                changer(sources, faute[0], faute[k], faute[k + 1]);
-            }
-        }
     }
 
     private static void variante(Path projet, String lancer) throws IOException {

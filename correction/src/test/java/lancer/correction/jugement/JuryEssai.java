@@ -1,7 +1,5 @@
 package lancer.correction.jugement;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -94,13 +92,6 @@ abstract class JuryEssai extends ClasseEssai {
         ecrire(sources, "Vecteur", SourcesDuCours.corrige("Vecteur").replaceFirst("(public Vecteur sub\\(Vecteur v\\) \\{)",
                 "$1 " + Matcher.quoteReplacement("if (true) { " + java + " }")));
         return sources;
-    }
-
-    /** Change une partie du texte d'une classe écrite là. */
-    static void changer(Path sources, String classe, String avant, String apres) throws IOException {
-        String texte = Files.readString(sources.resolve(classe + ".java"));
-        assertTrue(texte.contains(avant), classe + " : " + avant);
-        ecrire(sources, classe, texte.replace(avant, apres));
     }
 
     /** Vrai si les images de toutes les scènes sont celles du corrigé. */
