@@ -16,19 +16,19 @@ import lancer.Vecteur;
  */
 public final class Ecoute {
 
-    /** Rayons, dans l'ordre de leur départ. */
-    public final List<Etape> etapes = new ArrayList<>();
-    private Etape enCours;
+    /** Segments du chemin de la lumière, dans l'ordre du départ de leurs rayons. */
+    public final List<Segment> segments = new ArrayList<>();
+    private Segment enCours;
 
-    /** Un rayon : le contact et ses lampes, ou le ciel. */
-    public static final class Etape {
+    /** Un segment du chemin : un rayon, puis son contact et ses lampes, ou le ciel. */
+    public static final class Segment {
 
         /** Rang du rayon, depuis 1 ; direction ; contact, {@code null} pour le ciel ; longueur, +∞ pour le ciel. */
         public final int numero;
         public final Vecteur V;
         public final PointContact contact;
         public final double distance;
-        private final Etape avant;
+        private final Segment avant;
 
         public final List<Eclairage> lampes = new ArrayList<>();
 
@@ -45,7 +45,7 @@ public final class Ecoute {
         public Couleur somme;
         public Couleur vue;
 
-        Etape(int numero, Vecteur V, PointContact contact, Etape avant) {
+        Segment(int numero, Vecteur V, PointContact contact, Segment avant) {
             this.numero = numero;
             this.V = V;
             this.contact = contact;
@@ -73,7 +73,7 @@ public final class Ecoute {
 
         /** La lampe, ou le rayon réfléchi ; {@code null} tous deux au début. {@code devant} est N·(lampe − contact). */
         public final Lampe lampe;
-        public final Etape suite;
+        public final Segment suite;
         public final double devant;
 
         public double cosinus;
@@ -92,7 +92,7 @@ public final class Ecoute {
         /** Contact de l'objet qui cache la lampe, si l'inspecteur l'a cherché. */
         public PointContact cache;
 
-        public Eclairage(Lampe lampe, Etape suite, double devant) {
+        public Eclairage(Lampe lampe, Segment suite, double devant) {
             this.lampe = lampe;
             this.suite = suite;
             this.devant = devant;
@@ -110,7 +110,7 @@ public final class Ecoute {
         }
     }
 
-    public Etape enCours() {
+    public Segment enCours() {
         return enCours;
     }
 
@@ -118,10 +118,10 @@ public final class Ecoute {
     public static void rayon(Ecoute e, Vecteur V, PointContact contact) {
         if (e != null) {
             if (e.enCours == null) {
-                e.etapes.clear();
+                e.segments.clear();
             }
-            e.enCours = new Etape(e.etapes.size() + 1, new Vecteur(V.x, V.y, V.z), contact, e.enCours);
-            e.etapes.add(e.enCours);
+            e.enCours = new Segment(e.segments.size() + 1, new Vecteur(V.x, V.y, V.z), contact, e.enCours);
+            e.segments.add(e.enCours);
         }
     }
 
@@ -137,13 +137,13 @@ public final class Ecoute {
     /** Note la couleur que voit le rayon : celle du contact ou du ciel, puis la même à travers l'air. */
     public static void vue(Ecoute e, Couleur somme, Couleur vue) {
         if (e != null) {
-            Etape etape = e.enCours;
-            etape.somme = new Couleur(somme.r, somme.v, somme.b);
-            etape.vue = new Couleur(vue.r, vue.v, vue.b);
-            e.enCours = etape.avant;
+            Segment segment = e.enCours;
+            segment.somme = new Couleur(somme.r, somme.v, somme.b);
+            segment.vue = new Couleur(vue.r, vue.v, vue.b);
+            e.enCours = segment.avant;
             if (e.enCours != null) {
                 Couleur Ks = e.enCours.contact.objet.getKs();
-                e.enCours.suivre(new Eclairage(null, etape, 0)).produit = Ks.mul(etape.vue);
+                e.enCours.suivre(new Eclairage(null, segment, 0)).produit = Ks.mul(segment.vue);
             }
         }
     }

@@ -240,7 +240,7 @@ final class Inspecteur extends JPanel {
             nouvelle.faireOuEchouer(voulu);
             List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
-            int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
+            int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> {
                 if (nouvelle == enCours) {
@@ -259,7 +259,7 @@ final class Inspecteur extends JPanel {
         parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, arbre.isExpanded(chemin)));
         arbre.setModel(new DefaultTreeModel(branche(recit)));
         ouvrir();
-        boolean connue = nouvelle.getEtapes().stream().allMatch(etape -> etape.inconnue().estNoire());
+        boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
         verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
                 : comparer(nouvelle.getCouleur()))
                 + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur.")

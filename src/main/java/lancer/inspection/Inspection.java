@@ -16,7 +16,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -110,9 +110,9 @@ public final class Inspection implements Vue, Toile {
     /** Cherche l'objet qui cache chaque lampe cachée : le calcul de la couleur n'a pas besoin de le nommer. */
     private void chercherLesObstacles() {
         Scene sienne = scene.avec(scene.getModele());
-        for (Etape etape : ecoute.etapes) {
-            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
-                    .forEach(lampe -> lampe.cache = obstacle(lampe, etape.contact, sienne));
+        for (Segment segment : ecoute.segments) {
+            segment.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
+                    .forEach(lampe -> lampe.cache = obstacle(lampe, segment.contact, sienne));
         }
     }
 
@@ -151,7 +151,7 @@ public final class Inspection implements Vue, Toile {
 
     /** Rayon de l'échantillon choisi ou, à défaut, de celui qui échoue ; {@code null} s'il n'y en a pas. */
     public Rayon getDepart() {
-        return getEtapes().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
+        return getSegments().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
                 : camera.getRayon(choisi.xe, choisi.ye);
     }
 
@@ -160,8 +160,8 @@ public final class Inspection implements Vue, Toile {
     }
 
     /** Le rayon initial, puis les rayons réfléchis. */
-    public List<Etape> getEtapes() {
-        return ecoute.etapes;
+    public List<Segment> getSegments() {
+        return ecoute.segments;
     }
 
     /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */

@@ -22,7 +22,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.essai.Essai;
@@ -113,17 +113,17 @@ class InspectionTest {
     @Test
     void leDepartNeDependPasDuNombreDeReflexionsPermises() {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
-        List<Integer> etapes = new ArrayList<>();
+        List<Integer> segments = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
             Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
-            etapes.add(pixel.getEtapes().size());
+            segments.add(pixel.getSegments().size());
             List<String> lignes = recitDe(pixel).lignes();
             String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
             assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
             assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
         }
-        assertEquals(1, etapes.get(0));
-        assertTrue(etapes.get(1) == 2 && etapes.get(2) >= 2, etapes.toString());
+        assertEquals(1, segments.get(0));
+        assertTrue(segments.get(1) == 2 && segments.get(2) >= 2, segments.toString());
     }
 
     @Test
@@ -132,11 +132,11 @@ class InspectionTest {
         int reflets = 0;
         for (int x = 5; x < 80; x += 3) {
             Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30);
-            for (Etape etape : pixel.getEtapes()) {
-                for (Eclairage lampe : etape.lampes) {
-                    if (lampe.L != null && !etape.contact.objet.getKs().estNoire()) {
-                        double base = Specularite.PHONG.base(etape.V, etape.N, lampe.L, etape.R);
-                        assertEquals(lampe.eclat, Specularite.puissance(base, etape.contact.objet.getNs()));
+            for (Segment segment : pixel.getSegments()) {
+                for (Eclairage lampe : segment.lampes) {
+                    if (lampe.L != null && !segment.contact.objet.getKs().estNoire()) {
+                        double base = Specularite.PHONG.base(segment.V, segment.N, lampe.L, segment.R);
+                        assertEquals(lampe.eclat, Specularite.puissance(base, segment.contact.objet.getNs()));
                         reflets++;
                     }
                 }

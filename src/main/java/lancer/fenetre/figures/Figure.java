@@ -21,7 +21,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.inspection.Inspection;
 
 /** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */
@@ -61,18 +61,18 @@ public final class Figure {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
-        for (Etape etape : pixel.getEtapes()) {
-            boolean montre = seul == 0 || seul == etape.numero;
-            if (depart != null && (montre || seul == etape.numero - 1)) {
-                tracer(depart, etape.contact == null ? depart.add(LOIN, etape.V) : etape.contact, REFLET,
-                        etape.contact == null);
+        for (Segment segment : pixel.getSegments()) {
+            boolean montre = seul == 0 || seul == segment.numero;
+            if (depart != null && (montre || seul == segment.numero - 1)) {
+                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.V) : segment.contact, REFLET,
+                        segment.contact == null);
             }
-            depart = etape.contact;
+            depart = segment.contact;
             if (depart != null) {
                 double[] ou = projeter(depart);
-                anneaux.add(new double[] {ou[0], ou[1], etape.numero, montre ? 1 : 0});
+                anneaux.add(new double[] {ou[0], ou[1], segment.numero, montre ? 1 : 0});
                 if (montre) {
-                    etape.lampes.forEach(lampe -> tracer(etape.contact, lampe));
+                    segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
                 }
             }
         }

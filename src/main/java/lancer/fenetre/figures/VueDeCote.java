@@ -27,7 +27,7 @@ import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.inspection.Inspection;
 
 /** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
@@ -83,7 +83,7 @@ public final class VueDeCote extends JPanel {
 
     /** Choisit l'échelle qui contient l'œil, l'écran et les contacts, ou le rebond choisi et un contact voisin. */
     private void cadrer() {
-        List<Point> vus = pixel.getEtapes().stream().map(etape -> etape.contact).filter(Objects::nonNull)
+        List<Point> vus = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
                 .collect(Collectors.toCollection(ArrayList::new));
         vus.add(0, pixel.camera.getEcran(0, 0));
         int rang = Math.min(seul, vus.size() - 1);
@@ -129,19 +129,19 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
         g.drawString("œil", (float) h(depart.z), (float) v(depart.y) - 6);
         numeros.clear();
-        for (Etape etape : pixel.getEtapes()) {
-            boolean montre = seul == 0 || seul == etape.numero;
-            Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, etape.V) : etape.contact;
-            entourer(g, etape.contact);
+        for (Segment segment : pixel.getSegments()) {
+            boolean montre = seul == 0 || seul == segment.numero;
+            Point bout = segment.contact == null ? depart.add(2 * getWidth() / echelle, segment.V) : segment.contact;
+            entourer(g, segment.contact);
             if (montre) {
-                etape.lampes.forEach(lampe -> eclairer(g, bout, lampe));
+                segment.lampes.forEach(lampe -> eclairer(g, bout, lampe));
             }
             g.setColor(RAYON);
-            if (montre || seul == etape.numero - 1) {
+            if (montre || seul == segment.numero - 1) {
                 g.draw(ligne(depart, bout));
             }
-            if (etape.contact != null) {
-                numeroter(g, etape);
+            if (segment.contact != null) {
+                numeroter(g, segment);
             }
             depart = bout;
         }
@@ -159,13 +159,13 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    private void numeroter(Graphics2D g, Etape etape) {
+    private void numeroter(Graphics2D g, Segment segment) {
         g.setColor(UIManager.getColor("Tree.textForeground"));
-        String numero = String.valueOf(etape.numero);
+        String numero = String.valueOf(segment.numero);
         Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
-        float x = (float) h(etape.contact.z) + 4;
-        float y = (float) v(etape.contact.y) - 4;
-        numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
+        float x = (float) h(segment.contact.z) + 4;
+        float y = (float) v(segment.contact.y) - 4;
+        numeros.put(segment.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
         g.drawString(numero, x, y);
     }
 
