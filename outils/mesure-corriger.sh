@@ -6,7 +6,9 @@ cd "$(dirname "$0")/.."
 JAVA=${JAVA:-java}
 essais=correction/src/test/resources
 ici=target/trente
+CORRIGER=${CORRIGER:-$JAVA -jar correction/target/correction.jar}
 rm -rf $ici && mkdir -p $ici/rendus
+$CORRIGER --corrige $ici/corrige > $ici/sortie.txt
 n=0
 # suivi de +, un commit n'est pas exactement celui des sources, comme dans vitesse.csv
 commit=$(git describe --always --exclude='*' --dirty=+)
@@ -18,21 +20,26 @@ rendre() {
     n=$((n + 1))
     lui="$ici/rendus/Étudiant ${n}_$((200 + n))_assignsubmission_file"
     cp -r $essais/classe/*_10"$de"_* "$lui"
+    lui=$(find "$lui" -path '*lancer-base/src/main/java/lancer')
     for faute in "$@"; do
-        for classe in $essais/fautes/"$faute"/*/lancer-base/src/main/java/lancer/*.java; do
-            cp "$classe" "$(find "$lui" -path '*lancer-base/src/main/java/lancer')/"
+        grep "^$faute|" $essais/fautes.txt | cut -d'|' -f2 | sort -u | while read -r classe; do
+            cp $ici/corrige/src/main/java/lancer/"$classe".java "$lui"/
+        done
+        grep "^$faute|" $essais/fautes.txt | while IFS='|' read -r _ classe avant apres; do
+            texte=$(<"$lui/$classe.java")
+            printf '%s\n' "${texte//"$avant"/"$apres"}" > "$lui/$classe.java"
         done
     done
 }
 
-fautes=$(ls $essais/fautes)
+fautes=$(grep -v '^#' $essais/fautes.txt | cut -d'|' -f1 | sort -u)
 for k in 1 2 3 4 5 6; do rendre $k; done
 for f in $fautes; do rendre 6 "$f"; done
 for f in racine-negative image-renversee plus-loin normale-a-l-envers; do rendre 5 "$f"; rendre 4 "$f"; done
 for f in $fautes; do [ "$f" = image-renversee ] || [ $n = 30 ] || rendre 6 "$f" image-renversee; done
 jar --create --no-manifest --file=$ici/rendus.zip -C $ici/rendus .
 
-${CORRIGER:-$JAVA -jar correction/target/correction.jar} --sortie $ici/classe $ici/rendus.zip > $ici/sortie.txt 2>&1 &
+$CORRIGER --sortie $ici/classe $ici/rendus.zip > $ici/sortie.txt 2>&1 &
 pid=$!
 debut=$(date +%s.%N)
 max=0

@@ -42,17 +42,16 @@ public class Camera {
         return (hauteur / 2.0 - ye) * Constantes.ECHELLE / largeur;
     }
 
-    /** La position de l'œil, en unités de la scène. */
     public Point getOeil() {
         return OEIL;
     }
 
-    /** Le point de l'écran en (xe, ye), en pixels depuis la gauche et depuis le haut ; le même z pour tous. */
+    /** Le point de l'écran en (xe, ye), en pixels depuis la gauche et depuis le haut. Tous ces points ont le même z. */
     public Point getEcran(double xe, double ye) {
         return new Point(getX(xe), getY(ye), 0);
     }
 
-    /** Où l'œil voit ce point de la scène : x et y en pixels de l'image ; z, le nombre de pixels d'une unité. */
+    /** Le point de l'image où l'œil voit p : x et y en pixels ; z, le nombre de pixels d'une unité, là où est p. */
     public Point projeter(Point p) {
         Point oeil = getOeil();
         double pixels = (getEcran(0, 0).z - oeil.z) / (p.z - oeil.z) * largeur / Constantes.ECHELLE;

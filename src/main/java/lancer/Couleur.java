@@ -1,9 +1,8 @@
 package lancer;
 
 /**
- * Une couleur par ses composantes rouge, verte et bleue. Pendant le calcul elles ne sont pas limitées à [0, 1] : deux
- * lampes peuvent s'ajouter, et une seule limitation, au tout dernier moment, est faite par {@link #getCode()}.
- * Immuable.
+ * Une couleur par ses composantes rouge, verte et bleue. Pendant le calcul, les composantes ne sont pas limitées à [0,
+ * 1], car les lumières de plusieurs lampes s'ajoutent. Seule {@link #getCode()} les limite. Immuable.
  */
 public final class Couleur {
 
@@ -11,7 +10,6 @@ public final class Couleur {
     public final double v;
     public final double b;
 
-    /** Le noir. */
     public Couleur() {
         this(0);
     }
@@ -44,7 +42,7 @@ public final class Couleur {
         return new Couleur(r * k, v * k, b * k);
     }
 
-    /** Produit composante par composante : ce qu'une surface de couleur {@code c} renvoie de cette lumière. */
+    /** Produit composante par composante : la lumière que renvoie une surface de couleur {@code c}. */
     public Couleur mul(Couleur c) {
         return new Couleur(r * c.r, v * c.v, b * c.b);
     }
@@ -58,31 +56,30 @@ public final class Couleur {
         return new Couleur(r / k, v / k, b / k);
     }
 
-    /** Dit si les trois composantes sont nulles. */
     public boolean estNoire() {
         return r == 0 && v == 0 && b == 0;
     }
 
     /** Dit si les trois composantes sont des nombres finis. */
     public boolean estFinie() {
-        // un infini ou NaN, diminué de lui-même, n'est pas nul
+        // ∞ − ∞ et NaN − NaN valent NaN
         return r - r == 0 && v - v == 0 && b - b == 0;
     }
 
-    /** La plus grande des trois composantes. */
     public double max() {
         return Math.max(r, Math.max(v, b));
     }
 
     /**
-     * La couleur telle qu'un écran la veut : {@code 0xFFRRGGBB}. Chaque composante est limitée à [0, 1], puis arrondie
-     * au plus proche de 0..255 (la moitié vers le haut) ; NaN donne 0.
+     * Le code 0xFFRRGGBB de la couleur, pour l'écran. Chaque composante est limitée à [0, 1], puis arrondie au plus
+     * proche de 0..255 (la moitié vers le haut) ; NaN donne 0.
      */
     public int getCode() {
         return 0xFF000000 | octet(r) << 16 | octet(v) << 8 | octet(b);
     }
 
     private static int octet(double composante) {
+        // le plus grand nombre inférieur à 1/2 : avec 1/2, la somme pourrait s'arrondir à l'entier suivant
         return composante >= 1 ? 255 : composante > 0 ? (int) (255 * composante + 0x1.fffffffffffffp-2) : 0;
     }
 

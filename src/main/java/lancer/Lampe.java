@@ -1,6 +1,6 @@
 package lancer;
 
-/** Une lampe ponctuelle : elle éclaire autant dans toutes les directions, aussi fort de loin que de près. Immuable. */
+/** Une lampe ponctuelle. Sa lumière est la même dans toutes les directions et à toute distance. Immuable. */
 public class Lampe {
 
     private final Point position;

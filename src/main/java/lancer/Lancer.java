@@ -18,8 +18,8 @@ import lancer.fils.Fautes;
 import lancer.fils.Retenu;
 
 /**
- * L'algorithme : de la scène à l'image (cours, « Algorithme général »). Des fils se partagent l'image, pavé par pavé ;
- * elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
+ * L'algorithme qui fait une image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
+ * plusieurs fils se partagent ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
  */
 public final class Lancer implements Calcul {
 
@@ -27,7 +27,7 @@ public final class Lancer implements Calcul {
     private final Camera camera;
     private final Equipe equipe;
     private final Fautes fautes;
-    /** Le point de l'écran que l'on calcule, ou qu'on a calculé en dernier. */
+    /** Point de l'écran du calcul en cours ou, à défaut, du dernier calcul. */
     private double xe;
     private double ye;
     private Consumer<PixelFautif> siLent;
@@ -41,7 +41,7 @@ public final class Lancer implements Calcul {
         fautes = new Fautes(camera.getLargeur());
     }
 
-    /** Le lancer d'un fil de plus, avec sa propre vue de la scène. */
+    /** Le lancer d'un fil, avec sa propre scène. */
     private Lancer(Lancer autre) {
         scene = autre.scene.avec(autre.scene.getModele());
         camera = autre.camera;
@@ -69,13 +69,12 @@ public final class Lancer implements Calcul {
         partager(fils, true, null, toile, profondeur);
     }
 
-    /** Dessine tous les pixels, comme le veut l'échantillonnage de la scène. */
+    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
         partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
     }
 
-    /** Le brouillon d'un pavé. */
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
         for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
             int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
@@ -91,7 +90,6 @@ public final class Lancer implements Calcul {
         }
     }
 
-    /** Les pixels d'un pavé, un rayon au centre de chacun. */
     void TracerPixels(Pave pave, Toile toile, int profondeur) {
         for (int j = pave.j0; j < pave.j1; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
@@ -101,10 +99,11 @@ public final class Lancer implements Calcul {
     }
 
     /**
-     * La couleur vue à travers un point de l'écran ({@link Camera#getRayon}), non limitée.
+     * La couleur, non limitée, du point (xe, ye) de l'écran ({@link Camera#getRayon}).
      *
      * @param profondeur nombre de réflexions permises
-     * @throws PixelFautif si ce calcul échoue, ou n'est pas une couleur finie, et que c'est refusé
+     * @throws PixelFautif si le calcul échoue ou rend une couleur qui n'est pas finie, sauf si {@link Fautes} le
+     *     tolère
      * @throws CancellationException si {@link #arreter()} a été appelé
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
@@ -141,7 +140,7 @@ public final class Lancer implements Calcul {
         dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
     }
 
-    /** Le travail d'un fil : des pavés, vus à travers sa propre vue de la scène. */
+    /** Le travail d'un fil : il dessine des pavés, avec sa propre scène. */
     private final class Fil implements IntConsumer, Vue {
 
         private final Lancer sien;
@@ -161,7 +160,7 @@ public final class Lancer implements Calcul {
         @Override
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-            // un échantillonnage peut regarder sans passer par getCouleurPixel
+            // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
             sien.xe = pave.i0;
             sien.ye = pave.j0;
             if (brouillon) {
@@ -190,13 +189,13 @@ public final class Lancer implements Calcul {
         }
     }
 
-    /** {@inheritDoc} Un pixel. */
+    /** {@inheritDoc} C'est le rang du pixel. */
     @Override
     public long getLieu() {
         return (long) ye * camera.getLargeur() + (long) xe;
     }
 
-    /** {@inheritDoc} Les rayons de toutes sortes. */
+    /** {@inheritDoc} C'est le nombre de rayons de toutes sortes. */
     @Override
     public long getProgres(Thread fil) {
         return rayons();
@@ -218,27 +217,27 @@ public final class Lancer implements Calcul {
         }
     }
 
-    /** Fait dire ici le premier pixel qui dure dix secondes, pendant que les autres se dessinent. */
+    /** Appelle {@code siLent} pour le premier pixel qui dure dix secondes, pendant que d'autres fils avancent. */
     public void setSiLent(Consumer<PixelFautif> siLent) {
         this.siLent = siLent;
     }
 
-    /** Abandonne le dessin en cours, dans les 50 millisecondes, et tous les suivants. */
+    /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */
     public void arreter() {
         equipe.arreter();
     }
 
-    /** La part faite de l'image (ou du brouillon) en cours, de 0 à 1. */
+    /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
     public double getAvancement() {
         return (double) equipe.getFaites() / Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
     }
 
-    /** Les pixels qui ont échoué, s'ils sont tolérés. */
+    /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */
     public Fautes getFautes() {
         return fautes;
     }
 
-    /** Comptes du dernier dessin achevé, tous fils ensemble. */
+    /** Compteurs du dernier dessin achevé, sommés sur tous les fils. */
     public Compteurs getCompteurs() {
         return compteurs;
     }

@@ -3,12 +3,12 @@ package lancer;
 import lancer.contrat.Ecoute;
 
 /**
- * La lumière qu'un contact renvoie vers le rayon : une somme, noire au début. Elle dit chaque terme à qui écoute la
- * scène, s'il y a quelqu'un ; en copie, car un vecteur ou une couleur ne doit sinon vivre que dans les registres.
+ * La somme des lumières qu'un contact renvoie vers le rayon. Si la scène a une {@link Ecoute}, une copie de chaque
+ * terme y est notée (pourquoi une copie : docs/performance.md).
  */
 final class Lumiere {
 
-    /** Récit du point de l'écran ; d'ordinaire {@code null}. */
+    /** Détail du calcul pour l'inspecteur ; {@code null} pendant le dessin d'une image. */
     private final Ecoute ecoute;
     private final double seuil;
     private double r;
@@ -17,8 +17,8 @@ final class Lumiere {
 
     /**
      * @param N normale au contact
-     * @param R miroir du rayon incident
-     * @param seuil au-dessous duquel le produit des Ks ne vaut pas un reflet
+     * @param R direction réfléchie du rayon incident
+     * @param seuil plus petit produit des Ks pour lequel un rayon réfléchi est lancé
      */
     Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
         this.ecoute = ecoute;
@@ -29,11 +29,7 @@ final class Lumiere {
         }
     }
 
-    /**
-     * Dit si cette lampe est devant la surface.
-     *
-     * @param devant N·(lampe − contact), qui n'est pas normalisé : le signe seul compte
-     */
+    /** Dit si cette lampe est devant la surface. @param devant N·(lampe − contact), dont seul le signe compte */
     boolean estDevant(Lampe lampe, double devant) {
         if (ecoute != null) {
             ecoute.enCours().lampes.add(ecoute.enCours().suivre(new Ecoute.Eclairage(lampe, null, devant)));
@@ -41,7 +37,7 @@ final class Lumiere {
         return devant > 0;
     }
 
-    /** Apport d'une lampe de couleur KL si rien ne la cachait : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
+    /** Apport d'une lampe de couleur KL, si aucun objet ne la cache : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
         Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
@@ -55,7 +51,7 @@ final class Lumiere {
         return diffus.add(eclat, Ks, KL);
     }
 
-    /** Dit si un rayon réfléchi vaut d'être lancé : la plus grande composante du produit des Ks atteint le seuil. */
+    /** Dit si le rayon réfléchi doit être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
         if (ecoute != null) {
             ecoute.enCours().poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
@@ -63,7 +59,7 @@ final class Lumiere {
         return produitKs.max() >= seuil;
     }
 
-    /** Ajoute l'apport d'une lampe qui n'est pas cachée, ou, une fois pesé, ce que renvoie un reflet. */
+    /** Ajoute l'apport d'une lampe visible, ou la couleur du rayon réfléchi multipliée par Ks. */
     void ajouter(Couleur c) {
         if (ecoute != null) {
             ecoute.enCours().enCours.ajouts.add(new Couleur(c.r, c.v, c.b));

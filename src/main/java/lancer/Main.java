@@ -19,7 +19,7 @@ public class Main implements Toile, Lecture {
     private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    /** Ce qui se dessine, ou s'est dessiné en dernier. */
+    /** Le dessin en cours ou, à défaut, le dernier. */
     private volatile Dessin dessin;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
@@ -38,7 +38,7 @@ public class Main implements Toile, Lecture {
     }
 
     /**
-     * Le programme entier, sans quitter la machine virtuelle.
+     * Exécute le programme sans arrêter la machine virtuelle.
      *
      * @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur}
      */
@@ -61,7 +61,6 @@ public class Main implements Toile, Lecture {
         return 0;
     }
 
-    /** Ce qui se dessine, ou s'est dessiné en dernier. */
     protected Dessin getDessin() {
         return dessin;
     }
@@ -71,7 +70,7 @@ public class Main implements Toile, Lecture {
         return LecteurScene.lire(nomFichier, suivi);
     }
 
-    /** Dessine ceci, dont la scène est lue : le travail du SwingWorker de la fenêtre. */
+    /** Exécute ce dessin, dont la scène est déjà lue : c'est le travail du SwingWorker de la fenêtre. */
     protected void dessiner(Dessin voulu) {
         dessin = voulu;
         if (voulu.getVue() == null) {
@@ -81,11 +80,7 @@ public class Main implements Toile, Lecture {
         }
     }
 
-    /**
-     * Dessine la scène lue, brouillon puis image.
-     *
-     * @param largeur celle de l'image, en pixels
-     */
+    /** Dessine la scène lue : le brouillon, puis l'image. @param largeur celle de l'image, en pixels */
     public void doTracerImage(int largeur, int hauteur) {
         Lancer lancer = dessin.preparer(largeur, hauteur);
         lancer.getFautes().tolerer();
@@ -101,7 +96,6 @@ public class Main implements Toile, Lecture {
         }
     }
 
-    /** Dessine un pixel de l'image en cours. */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         dessin.getImage().drawPixel(coul, xe, ye);

@@ -2,8 +2,8 @@ package lancer;
 
 /**
  * Objet que rencontre un rayon : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
- * nouvelle n'a que deux méthodes à donner : {@link #getIntersectionDistance} et {@link #getNormale} ; une troisième,
- * {@link #getPointDeSurface}, lui évite les arrondis du contact.
+ * nouvelle définit {@link #getIntersectionDistance} et {@link #getNormale}. Elle peut aussi redéfinir
+ * {@link #getPointDeSurface}, qui corrige les arrondis du contact.
  */
 public abstract class Objet3D {
 
@@ -12,7 +12,7 @@ public abstract class Objet3D {
     private double ns = 1;
 
     /**
-     * Cherche où le rayon touche cet objet, et le note dans le rayon, à la place de ce qui y était (+∞ compris).
+     * Cherche le premier contact du rayon avec cet objet, et note la distance dans le rayon, même si elle est +∞.
      *
      * @return la plus petite distance strictement positive, +∞ s'il n'y en a pas
      */
@@ -21,15 +21,12 @@ public abstract class Objet3D {
     /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */
     public abstract Vecteur getNormale(Point contact);
 
-    /**
-     * Le point de la surface le plus proche d'un contact, que les arrondis en ont un peu écarté. Une forme qui ne sait
-     * pas mieux faire rend le contact lui-même.
-     */
+    /** Le point de la surface le plus proche d'un contact, écarté par un arrondi ; par défaut, le contact lui-même. */
     public Point getPointDeSurface(Point contact) {
         return contact;
     }
 
-    /** Le point de la surface le plus proche d'un contact à cette distance du départ de son rayon. */
+    /** Le même point, quand on connaît la distance du contact au départ de son rayon. */
     Point getPointDeSurface(Point contact, double distance) {
         return getPointDeSurface(contact);
     }
@@ -47,7 +44,7 @@ public abstract class Objet3D {
         Lumiere lumiere = scene.getLumiere(N, R);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-            // le signe de N·L se lit avant de normaliser : une lampe exactement sur le contact s'arrête ici aussi
+            // le signe de N·L suffit : une lampe exactement sur le contact n'a pas de direction L
             if (lumiere.estDevant(lampe, N.dot(versLampe))) {
                 Vecteur L = versLampe.normalized();
                 Couleur KL = lampe.getCouleur();
@@ -88,7 +85,7 @@ public abstract class Objet3D {
         this.Ks = Ks;
     }
 
-    /** Poli de la surface, dans [0, 1e9] : plus il est grand, plus le reflet d'une lampe est petit. */
+    /** Exposant ns du reflet des lampes, dans [0, 1e9] : plus il est grand, plus la tache brillante est petite. */
     public double getNs() {
         return ns;
     }

@@ -3,7 +3,6 @@ package lancer;
 /** Le point où un rayon touche un objet (cours, « Scène de sphères »). Immuable. */
 public class PointContact extends Point {
 
-    /** L'objet touché. */
     public final Objet3D objet;
 
     /** La distance du départ du rayon à ce point, en unités de la scène. */

@@ -1,9 +1,8 @@
 package lancer;
 
 /**
- * Une demi-droite (P, V), et le contact le plus proche trouvé sur elle jusqu'ici (cours, « Représentation des
- * rayons »). P et V ne changent pas ; le contact change pendant la recherche : un rayon appartient à un seul fil
- * d'exécution.
+ * Une demi-droite (P, V), et le contact le plus proche déjà trouvé sur elle (cours, « Représentation des rayons »). P
+ * et V ne changent pas. Le contact change pendant la recherche : un rayon appartient à un seul fil d'exécution.
  */
 public class Rayon {
 
@@ -25,8 +24,9 @@ public class Rayon {
     }
 
     /**
-     * Le rayon qui part de {@code p} dans la direction de {@code v}, que ce constructeur normalise.
+     * Le rayon qui part de {@code p} dans la direction de {@code v}.
      *
+     * @param v de longueur quelconque
      * @throws ArithmeticException si {@code v} est nul ou n'est pas fini
      */
     public Rayon(Point p, Vecteur v) {
@@ -70,21 +70,18 @@ public class Rayon {
         return objet;
     }
 
-    /** Le produit des Ks des objets qui ont réfléchi ce rayon : (1, 1, 1) pour un rayon neuf. */
+    /** Le produit des Ks des objets qui ont réfléchi ce rayon ; (1, 1, 1) avant toute réflexion. */
     public Couleur getProduitKs() {
         return produitKs;
     }
 
-    /** Retient ce contact à la place du précédent ; une distance +∞ veut dire « rien ». */
+    /** Retient ce contact à la place du précédent. Une distance +∞ signifie qu'il n'y a pas de contact. */
     public void setContact(Objet3D objet, double distance) {
         this.objet = distance == Constantes.INFINI ? null : objet;
         this.distance = distance;
     }
 
-    /**
-     * Le point de contact P + distance·V, ramené par l'objet sur sa surface ({@link Objet3D#getPointDeSurface}), ou
-     * {@code null} si la distance est infinie.
-     */
+    /** Le point de contact P + distance·V, ramené sur la surface ; {@code null} si la distance est infinie. */
     public PointContact calcContact() {
         return distance == Constantes.INFINI ? null
                 : new PointContact(objet.getPointDeSurface(P.add(distance, V), distance), objet, distance);

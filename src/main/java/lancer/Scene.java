@@ -12,19 +12,18 @@ import lancer.scene.SceneLue;
 import lancer.scene.SpheresConfondues;
 
 /**
- * Les objets, les lampes, et ce qu'un rayon y voit (cours, « Scène de sphères »). Une scène appartient à un seul fil :
- * {@link #avec} en donne une vue de plus, sur les mêmes objets.
+ * Les objets, les lampes, et ce qu'un rayon y rencontre (cours, « Scène de sphères »). Une scène appartient à un seul
+ * fil d'exécution ; {@link #avec} en crée une autre sur les mêmes objets.
  */
 public final class Scene {
 
-    /** Écart permis entre 1 et le carré de la longueur d'une direction, pour qu'une recherche y réponde. */
+    /** Écart permis entre 1 et le carré de la longueur d'une direction pour qu'une {@link Recherche} réponde. */
     private static final double UNITE = 1e-10;
 
-    /** Objets demandés, moins un, entre deux regards à l'interruption du fil : un dixième de milliseconde. */
+    /** Nombre d'intersections, moins un, entre deux lectures de l'interruption du fil (0,1 ms environ). */
     private static final long PAS = (1 << 14) - 1;
 
     private final List<Objet3D> objets;
-    /** Lampes, en tableau, que chaque contact parcourt. */
     final Lampe[] lampes;
     private final Modele modele;
     private final Compteurs compteurs = new Compteurs();
@@ -43,7 +42,7 @@ public final class Scene {
         this(new Scene(lue.objets, lue.lampes), lue.getModele());
     }
 
-    /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente est laissée de côté. */
+    /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
         this.objets = Collections.unmodifiableList(SpheresConfondues.sans(objets));
         this.lampes = lampes.toArray(new Lampe[0]);
@@ -56,7 +55,7 @@ public final class Scene {
         this.modele = modele.pourUnFil(compteurs);
     }
 
-    /** Une vue de plus sur cette scène, pour un fil, avec ses propres compteurs, dessinée selon ce modèle. */
+    /** La même scène pour un autre fil, avec ses propres compteurs, dessinée selon ce modèle. */
     public Scene avec(Modele autre) {
         return new Scene(this, autre);
     }
@@ -67,9 +66,9 @@ public final class Scene {
     }
 
     /**
-     * Le contact le plus proche sur ce rayon, qui le retient aussi ; ce que le rayon retenait avant n'a pas d'effet.
+     * Le contact le plus proche sur ce rayon. Le rayon le retient à la place du précédent.
      *
-     * @param saufLui l'objet d'où part le rayon, ou {@code null} : à un arrondi près, il se toucherait lui-même
+     * @param saufLui l'objet d'où part le rayon, ou {@code null} : un arrondi pourrait les faire se toucher
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
@@ -94,8 +93,8 @@ public final class Scene {
 
     /**
      * Dit si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
-     * portées »). Le rayon part de la lampe ; si elle est lointaine, chaque moitié du segment se demande de son bout,
-     * le seul d'où elle se voit sans arrondi.
+     * portées »). Le rayon d'ombre part de la lampe. Si elle est lointaine, un rayon part de chaque extrémité du
+     * segment et s'arrête au milieu : ainsi, les arrondis restent petits.
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe
@@ -128,12 +127,12 @@ public final class Scene {
         return false;
     }
 
-    /** Dit si une recherche répond à ce rayon : elle ne sait que les directions de longueur 1. */
+    /** Dit si une {@link Recherche} répond à ce rayon : elle suppose une direction de longueur 1. */
     private boolean seCherche(Vecteur V) {
         return modele.getRecherche() != null && Math.abs(V.x * V.x + V.y * V.y + V.z * V.z - 1) < UNITE;
     }
 
-    /** La distance où cet objet dit que ce rayon le rencontre. Le fil obéit de temps en temps. */
+    /** Distance du contact de cet objet sur ce rayon. L'interruption du fil est lue de temps en temps. */
     private double demander(Objet3D objet, Rayon rayon) {
         if ((++compteurs.testsSpheres & PAS) == 0) {
             Recherche.obeir();
@@ -141,7 +140,7 @@ public final class Scene {
         return Recherche.verifier(objet.getIntersectionDistance(rayon), objet);
     }
 
-    /** Dit si une coordonnée de cette lampe dépasse {@link Constantes#LOINTAINE} fois toutes celles du contact. */
+    /** Dit si une coordonnée de la lampe dépasse {@link Constantes#LOINTAINE} fois chaque coordonnée du contact. */
     public static boolean estLointaine(Lampe lampe, Point contact) {
         return plusGrande(lampe.getPosition()) > Constantes.LOINTAINE * plusGrande(contact);
     }
@@ -151,7 +150,7 @@ public final class Scene {
     }
 
     /**
-     * Couleur que voit un rayon, le premier comme un réfléchi : l'objet le plus proche ou le ciel, à travers l'air.
+     * Couleur que voit un rayon, initial ou réfléchi : celle de l'objet le plus proche ou du ciel, à travers l'air.
      *
      * @param saufLui l'objet d'où part le rayon, ou {@code null}
      * @param profondeur nombre de réflexions encore permises
@@ -166,7 +165,7 @@ public final class Scene {
         return vue;
     }
 
-    /** La somme des lumières d'un contact de normale N, où le rayon a R pour miroir : noire au début. */
+    /** La somme, encore noire, de la lumière d'un contact de normale N, où R est la direction réfléchie. */
     Lumiere getLumiere(Vecteur N, Vecteur R) {
         return new Lumiere(modele.getEcoute(), N, R, modele.getSeuil());
     }
@@ -181,12 +180,10 @@ public final class Scene {
         return Collections.unmodifiableList(Arrays.asList(lampes));
     }
 
-    /** Compteurs de ce fil. */
     public Compteurs getCompteurs() {
         return compteurs;
     }
 
-    /** Modèle selon lequel ce fil dessine. */
     public Modele getModele() {
         return modele;
     }

@@ -1,8 +1,8 @@
 package lancer;
 
 /**
- * Un fichier de scène qu'on ne peut pas utiliser. Le message tient en une ligne : le fichier, la ligne si elle est
- * connue, la section, la clé, ce qui ne va pas et ce qui est attendu.
+ * Un fichier de scène qui ne peut être utilisé. Le message tient en une ligne : le fichier, la ligne si elle est
+ * connue, la section, la clé, la faute et ce qui est attendu.
  */
 public class SceneFautive extends RuntimeException {
 

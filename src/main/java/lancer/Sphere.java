@@ -6,10 +6,10 @@ import lancer.precision.Norme;
 /** Une sphère (cours, « Intersection de rayons et de sphères »). Sa géométrie est immuable. */
 public class Sphere extends Objet3D {
 
-    /** La normale convenue au centre même : vers l'œil. */
+    /** Normale que {@link #getNormale} rend au centre, où aucune n'est définie. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    /** Rayon au-delà duquel ramener un contact proche sur la surface l'en écarterait. */
+    /** Rayon de sphère au-delà duquel corriger un contact proche l'éloignerait de la surface. */
     private static final double GEANTE = 1e8;
 
     private final Point centre;
@@ -28,7 +28,7 @@ public class Sphere extends Objet3D {
         return centre;
     }
 
-    /** Le demi-diamètre, en unités de la scène. */
+    /** Le rayon, en unités de la scène. */
     public double getRayon() {
         return rayon;
     }
@@ -43,10 +43,10 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * {@inheritDoc} C'est C + r·(X − C)/|X − C|, écrit X − e·(X − C) : à u près de chaque coordonnée, à moins de 4 u (r
-     * + |C|) de la surface, d'où que vienne le rayon (un contact calculé de loin, X = P + tV, en est à 2 u |X − P| ;
-     * idée de Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre, et ce qui n'est
-     * pas fini, restent où ils sont.
+     * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C). Soit u l'arrondi unité :
+     * l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. Celui de X = P + tV est
+     * de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre et un
+     * point qui n'est pas fini sont rendus tels quels.
      */
     @Override
     public Point getPointDeSurface(Point contact) {
@@ -63,16 +63,13 @@ public class Sphere extends Objet3D {
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
 
-    /** {@inheritDoc} D'une géante vue de plus près que son rayon, P + tV, à 2 u t près, est déjà le plus juste. */
+    /** {@inheritDoc} Si la sphère est géante et que t est inférieur à son rayon, P + tV est plus juste : à 2 u t. */
     @Override
     Point getPointDeSurface(Point contact, double distance) {
         return rayon > GEANTE && distance < rayon ? contact : getPointDeSurface(contact);
     }
 
-    /**
-     * {@inheritDoc} Au centre même (une sphère plus petite que ce que ses coordonnées distinguent), c'est par
-     * convention (0, 0, −1).
-     */
+    /** {@inheritDoc} Au centre, que peut atteindre un contact arrondi, la normale est par convention (0, 0, −1). */
     @Override
     public Vecteur getNormale(Point contact) {
         double k = 1 / rayon;

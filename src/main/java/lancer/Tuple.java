@@ -10,7 +10,6 @@ public class Tuple {
     public final double y;
     public final double z;
 
-    /** Le triplet nul. */
     public Tuple() {
         this(0, 0, 0);
     }
@@ -21,10 +20,7 @@ public class Tuple {
         this.z = z;
     }
 
-    /**
-     * Égalité stricte : même classe et mêmes composantes au sens de {@link Double#compare} (0.0 et −0.0 diffèrent,
-     * NaN est égal à lui-même). Pour comparer à une tolérance près, comparer les composantes.
-     */
+    /** Égalité stricte : même classe et mêmes composantes au sens de {@link Double#compare} (0.0 et −0.0 diffèrent). */
     @Override
     public boolean equals(Object autre) {
         if (autre == null || autre.getClass() != getClass()) {

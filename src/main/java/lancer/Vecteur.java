@@ -57,7 +57,7 @@ public class Vecteur extends Tuple {
         return dot(this);
     }
 
-    /** Longueur du vecteur, juste aussi là où son carré n'est pas représentable (1e-200, 1e200). */
+    /** Longueur du vecteur, juste même si son carré n'est pas représentable (composantes de 1e-200 ou 1e200). */
     public double norme() {
         double carre = x * x + y * y + z * z;
         return carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX ? Math.sqrt(carre)
@@ -65,9 +65,9 @@ public class Vecteur extends Tuple {
     }
 
     /**
-     * Le vecteur de même direction et de longueur 1 (à 4 unités du dernier chiffre près), qu'il soit court ou long.
+     * Le vecteur de même direction et de longueur 1, à 4 unités du dernier chiffre près.
      *
-     * @throws ArithmeticException si le vecteur est nul ou si une composante n'est pas finie : il n'a pas de direction
+     * @throws ArithmeticException si le vecteur est nul ou si une composante n'est pas finie
      */
     public Vecteur normalized() {
         double carre = x * x + y * y + z * z;
@@ -83,7 +83,7 @@ public class Vecteur extends Tuple {
         if (!(plusGrande > 0 && plusGrande <= Double.MAX_VALUE)) {
             throw new ArithmeticException("vecteur sans direction, impossible à normaliser : " + this);
         }
-        // une puissance de deux : exact, sauf composantes devenues négligeables
+        // une puissance de deux : la multiplication est exacte, sauf pour une composante négligeable
         int k = -Math.getExponent(plusGrande);
         return new Vecteur(Math.scalb(x, k), Math.scalb(y, k), Math.scalb(z, k)).normalized();
     }
@@ -112,7 +112,6 @@ public class Vecteur extends Tuple {
         return u.dot(v);
     }
 
-    /** Forme statique de {@link #normalized() v.normalized()}. */
     public static Vecteur normalize(Vecteur v) {
         return v.normalized();
     }

@@ -1,9 +1,7 @@
 /**
- * Le cours : ses classes, l'algorithme, le programme. C'est ici qu'un étudiant lit et modifie les équations.
+ * Les classes du cours : objets, éclairage, algorithme, programme. Un étudiant lit et modifie ici les équations. Ce
+ * paquet ne contient que les classes que le cours nomme, et celles qu'il faut pour suivre un rayon pas à pas.
  *
- * <p>N'y entre que ce que le cours nomme, ou ce qu'il faut rencontrer pour le suivre pas à pas ; tout autre souci a
- * son paquet.
- *
- * <p>Le module {@code correction} a un second programme du cours, écrit d'après le seul énoncé : un essai les compare.
+ * <p>Le module {@code correction} contient un second programme du cours, écrit d'après l'énoncé. Un test les compare.
  */
 package lancer;

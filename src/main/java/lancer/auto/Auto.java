@@ -17,12 +17,13 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit le réglage le moins cher qui tient l'erreur voulue, d'après des essais sur quelques pixels.
- * L'image dessinée est ensuite contrôlée sur d'autres pixels. Le choix dépend de la scène, de la taille et du souhait.
+ * {@code --auto} : choisit le réglage le moins cher dont l'erreur est celle voulue, d'après des essais sur quelques
+ * pixels. L'erreur de l'image dessinée est ensuite mesurée sur d'autres pixels. Le choix ne dépend que de la scène, de
+ * la taille et de l'erreur voulue.
  */
 public final class Auto {
 
-    /** Rayons permis aux essais, contrôle compris : le plus grand de ces trois nombres. */
+    /** Nombre de rayons permis aux essais et au contrôle : le plus grand de ces trois nombres. */
     private static final double RAYONS_MIN = 200_000;
     private static final double RAYONS_PAR_PIXEL = 4;
     private static final double PART_DU_DESSIN = 0.45;
@@ -31,12 +32,15 @@ public final class Auto {
     private static final double LIMITES = 0.35;
     private static final double REFERENCES = 0.55;
     private static final double CHOIX = 0.85;
-    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, et d'une scène à l'autre. */
+    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, puis d'une scène à l'autre. */
     private static final double DISPERSION = 0.35;
     private static final double DIVERSITE = 2;
-    /** Écarts types en dessous de l'erreur attendue : si elle dépasse encore l'erreur voulue, l'essai est inutile. */
+    /** L'essai est inutile si l'erreur attendue, moins ce nombre d'écarts types, dépasse l'erreur voulue. */
     private static final double SANS_ESSAI = 0.3;
-    /** Échantillonnage que rien ne décrit. */
+    /** Un essai chronométré est répété jusqu'à ce nombre de fois ou de rayons. */
+    private static final int REPETITIONS = 50;
+    private static final int RAYONS_CHRONOMETRES = 300_000;
+    /** Réglage d'une scène dont aucune variante ne propose de réglages. */
     private static final ReglagePropose ORDINAIRE = new ReglagePropose(null, 7, 1);
 
     private final double voulue;
@@ -45,7 +49,7 @@ public final class Auto {
     private final Limite[] limites;
     private final PixelsDEssai pixels;
     private final Map<ReglagePropose, Echantillonnage> proposes = new LinkedHashMap<>();
-    /** Les candidats essayés, du moins cher au plus juste à peu près. */
+    /** Les candidats essayés, à peu près du moins cher au plus juste. */
     public final List<Candidat> essayes = new ArrayList<>();
     /** Le candidat choisi, et le lancer qui dessine la scène avec lui, à sa profondeur. */
     public final Candidat choisi;
@@ -55,9 +59,9 @@ public final class Auto {
 
     /**
      * @param prepare la scène, prête à être dessinée
-     * @param voulue l'erreur, en niveaux ; 0 : aucune en particulier, tous les réglages sont essayés
-     * @param reflets leur nombre, {@code null} s'il est à choisir ; de même leur seuil
-     * @param variantes celles dont les réglages sont permis, chacune avec sa section
+     * @param voulue l'erreur voulue, en niveaux ; 0 pour essayer tous les réglages
+     * @param reflets nombre de réflexions ; {@code null} s'il est à choisir ; de même le seuil
+     * @param variantes celles dont les réglages sont essayés, chacune avec sa section
      * @param suivi appelé dans ce fil après chaque essai
      * @throws lancer.SceneFautive si une variante propose un réglage fautif
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
@@ -89,7 +93,7 @@ public final class Auto {
         lancer = new Lancer(prepare.getScene().avec(modele), prepare.getCamera());
     }
 
-    /** Les rayons qui restent à cette part des essais, pour un dessin à ce prix par pixel. */
+    /** Nombre de rayons encore permis pour cette part des essais, si le dessin a ce prix par pixel. */
     private double reste(double part, double prixDuDessin) {
         Camera camera = essais.prepare.getCamera();
         double parPixel = Math.max(RAYONS_PAR_PIXEL, PART_DU_DESSIN * prixDuDessin);
@@ -97,7 +101,7 @@ public final class Auto {
         return voulue == 0 ? Double.MAX_VALUE : part * permis - essais.rayons.get();
     }
 
-    /** Essaie du moins cher au plus juste, jusqu'au premier réglage qui promet l'erreur voulue. */
+    /** Essaie les réglages du moins cher au plus juste, jusqu'au premier dont l'erreur maximale est celle voulue. */
     private Candidat choisir(Consumer<Auto> suivi) {
         ReglagePropose avant = proposes.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;
@@ -113,7 +117,7 @@ public final class Auto {
                 }
             }
             Candidat essaye = essayer(propose, proposes.get(propose), ici,
-                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites));
+                    Limite.pour(voulue > 0 ? voulue : ici.plus(0), limites), 1);
             ici = essaye.estimation;
             essayes.add(essaye);
             suivi.accept(this);
@@ -124,32 +128,48 @@ public final class Auto {
         return essayes.stream().min(Comparator.comparingDouble(essaye -> essaye.erreur)).get();
     }
 
-    /** Candidat de ce réglage. Faute de rayons pour l'essayer, son erreur est celle que l'on attendait. */
+    /** Candidat de ce réglage. S'il ne reste pas assez de rayons pour l'essayer, son erreur est celle attendue. */
     private Candidat essayer(ReglagePropose propose, Echantillonnage echantillonnage, Estimation attendue,
-            Limite limite) {
+            Limite limite, int repetitions) {
         double promis = propose.prix * limite.rayons;
-        double rayons = essais.rayons.get();
-        double duree = essais.dureeNs.get();
-        pixels.dessiner(echantillonnage, limite, reste(CHOIX, promis));
+        double ns = chronometrer(echantillonnage, limite, reste(CHOIX, promis), repetitions);
         return new Candidat(propose.section, echantillonnage, limite, attendue.corrigee(pixels.erreur()),
-                pixels.mesure() ? pixels.prix() : promis,
-                (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons));
+                pixels.mesure() ? pixels.prix() : promis, ns);
     }
 
-    /** Candidat de ce dessin de la scène, avec cette section et tant de réflexions. Se demande après le choix. */
+    /** Dessine les pixels d'essai, et rend la durée moyenne d'un rayon dans un fil, en nanosecondes. */
+    private double chronometrer(Echantillonnage echantillonnage, Limite limite, double permis, int repetitions) {
+        double rayons = essais.rayons.get();
+        double duree = essais.dureeNs.get();
+        for (int k = 0; k < repetitions && essais.rayons.get() - rayons < RAYONS_CHRONOMETRES; k++) {
+            pixels.dessiner(echantillonnage, limite, permis);
+        }
+        return (essais.dureeNs.get() - duree) / (essais.rayons.get() - rayons);
+    }
+
+    /** Refait les essais une fois leur code compilé, les plus courts en dernier. Seules les durées changent. */
+    public void chronometrer() {
+        for (int k = essayes.size() - 1; k >= 0; k--) {
+            Candidat e = essayes.get(k);
+            essayes.set(k, new Candidat(e.section, e.echantillonnage, e.limite, e.estimation, e.prix,
+                    chronometrer(e.echantillonnage, e.limite, Double.MAX_VALUE, REPETITIONS)));
+        }
+    }
+
+    /** Candidat de ce dessin de la scène, avec cette section et ce nombre de réflexions. À appeler après le choix. */
     public Candidat evaluer(Section section, Lancer dessin, int reflets) {
         Modele modele = dessin.getScene().getModele();
         Limite presente = Limite.permises(reflets, modele.getSeuil())[0];
         presente.essayer(essais, pilote, Double.MAX_VALUE);
         return essayer(new ReglagePropose(section, ORDINAIRE.erreur, ORDINAIRE.prix), modele.getEchantillonnage(),
-                Estimation.INCONNUE, presente);
+                Estimation.INCONNUE, presente, REPETITIONS);
     }
 
     public long getRayonsDesEssais() {
         return essais.rayons.get();
     }
 
-    /** Toile qui dessine sur celle-ci, et retient de quoi contrôler l'image du candidat sur d'autres pixels. */
+    /** Toile qui dessine sur {@code toile}, et retient les pixels qui contrôlent l'image du candidat. */
     public Toile surveiller(Toile toile, Candidat candidat) {
         dessine = candidat;
         controle = new PixelsDEssai(essais, pilote, 0.5, voulue, reste(1, candidat.prix));
@@ -159,22 +179,22 @@ public final class Auto {
         };
     }
 
-    /** Moyenne de l'erreur attendue et de celle que mesure le contrôle : deux fois plus de pixels. */
+    /** Moyenne de l'erreur attendue et de l'erreur du contrôle, mesurées sur des pixels différents. */
     private Estimation mesuree() {
         return dessine.estimation.moyenne(controle.erreur());
     }
 
-    /** L'erreur de l'image, en niveaux, estimée des pixels d'essai et du contrôle. */
+    /** L'erreur de l'image, en niveaux, estimée sur les pixels d'essai et de contrôle. */
     public double getErreurMesuree() {
         return mesuree().plus(0);
     }
 
-    /** Écart possible de cette erreur, en niveaux, dix-neuf fois sur vingt ; jamais 0. */
+    /** Demi-largeur de l'intervalle de confiance à 95 % de cette erreur, en niveaux ; au moins 0,01. */
     public double getIncertitude() {
         return Math.max(0.01, mesuree().plus(2) - mesuree().plus(0));
     }
 
-    /** Verdict : l'erreur voulue est tenue, dépassée ou incertaine à un écart type près, et ce qui aiderait. */
+    /** Verdict à un écart type près : l'erreur voulue est tenue, dépassée ou incertaine. Un conseil suit. */
     public String getVerdict() {
         return mesuree().plus(1) <= voulue ? "erreur voulue tenue"
                 : "erreur voulue " + (mesuree().plus(-1) > voulue ? "dépassée : " : "incertaine : ")

@@ -6,23 +6,23 @@ import lancer.contrat.Section;
 /** Un réglage essayé : son échantillonnage, sa limite des reflets, son erreur attendue et son prix. Immuable. */
 public final class Candidat {
 
-    /** Écarts types entre l'erreur attendue et ses bornes : elle est entre elles neuf fois sur dix (loi normale). */
+    /** Nombre d'écarts types entre l'erreur attendue et ses bornes, où elle est neuf fois sur dix (loi normale). */
     static final double PRUDENCE = 1.64;
-    /** Réflexions, seuil des reflets, section de variante qui donne l'échantillonnage, ou null pour la scène. */
+    /** Réflexions, seuil des reflets, section de la variante d'échantillonnage, ou {@code null} sans section. */
     public final int reflets;
     public final double seuil;
     public final Section section;
-    /** L'erreur attendue, en niveaux, ses bornes, neuf fois sur dix, et les rayons attendus par pixel. */
+    /** L'erreur attendue, en niveaux, et ses bornes, justes neuf fois sur dix ; les rayons attendus par pixel. */
     public final double erreur;
     public final double auMoins;
     public final double auPlus;
     public final double prix;
-    /** Durée moyenne d'un rayon de l'essai dans un fil, en nanosecondes. Aucun choix n'en dépend ; NaN sans essai. */
+    /** Durée moyenne d'un rayon de l'essai, en nanosecondes ; NaN sans essai. Aucun choix n'en dépend. */
     public final double nsParRayon;
 
     final Estimation estimation;
     final Echantillonnage echantillonnage;
-    private final Limite limite;
+    final Limite limite;
 
     Candidat(Section section, Echantillonnage echantillonnage, Limite limite, Estimation estimation, double prix,
             double nsParRayon) {
@@ -39,7 +39,7 @@ public final class Candidat {
         this.nsParRayon = nsParRayon;
     }
 
-    /** Demande de ce réglage : la section à écrire dans la scène, et les options. */
+    /** Texte de ce réglage : la section à écrire dans la scène, et les options. */
     @Override
     public String toString() {
         return (section != null ? section.toString() : echantillonnage == null ? "un rayon par pixel"

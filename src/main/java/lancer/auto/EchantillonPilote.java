@@ -10,19 +10,19 @@ import lancer.Sphere;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 
-/** Un rayon par pixel dans de petits carreaux répartis sur l'image : les contrastes y annoncent où est l'erreur. */
+/** Un rayon par pixel dans de petits carreaux répartis sur l'image. Leurs contrastes annoncent où est l'erreur. */
 final class EchantillonPilote {
 
-    /** Côté d'un carreau et plus grand rayon d'un petit objet, en pixels. */
+    /** Côté d'un carreau, et plus grand rayon d'un petit objet, en pixels. */
     static final int COTE = 6;
     private static final double PETIT = 1;
 
     final int largeur;
-    /** Pixels, carreau après carreau ; la couleur de leur centre, sans limite ; son prix, tous rayons comptés. */
+    /** Pixels, carreau après carreau ; niveaux de leur centre, sans limite des reflets ; rayons moyens par pixel. */
     final int[] pixels;
     final double[][] niveaux;
     final double prix;
-    /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer : la scène les connaît. */
+    /** Pixels des objets si petits à l'écran qu'un rayon par pixel peut les manquer. */
     final BitSet petits = new BitSet();
 
     EchantillonPilote(Essais essais, double permis) {
@@ -31,7 +31,7 @@ final class EchantillonPilote {
         largeur = camera.getLargeur();
         essais.prepare.getScene().getObjets().stream().filter(Sphere.class::isInstance)
                 .forEach(boule -> marquer((Sphere) boule, camera));
-        // leur nombre, au plus, est la racine de celui des pixels
+        // leur nombre est au plus la racine du nombre de pixels
         int carreaux = (int) Math.sqrt((double) largeur * hauteur);
         int[] tous = IntStream.range(0, Math.min(carreaux, Pave.nombre(largeur, hauteur, COTE)))
                 .mapToObj(rang -> Pave.eparpille(rang, largeur, hauteur, COTE))
@@ -64,7 +64,6 @@ final class EchantillonPilote {
         }
     }
 
-    /** Les niveaux que cette vue donne au centre de ce pixel. */
     double[] centre(int pixel, Vue vue) {
         return niveaux(vue.couleur(pixel % largeur + 0.5, pixel / largeur + 0.5));
     }
@@ -75,7 +74,9 @@ final class EchantillonPilote {
                 .map(composante -> 255 * Math.max(0, Math.min(1, composante))).toArray();
     }
 
-    /** La moyenne de (x − a)(x − b). Elle estime sans biais l'écart de x, au carré, à la vérité commune de a et b. */
+    /**
+     * La moyenne de (x − a)(x − b) : estimation sans biais du carré de l'écart, si a et b le sont et sont indépendants.
+     */
     static double produit(double[] x, double[] a, double[] b) {
         return ((x[0] - a[0]) * (x[0] - b[0]) + (x[1] - a[1]) * (x[1] - b[1]) + (x[2] - a[2]) * (x[2] - b[2])) / 3;
     }

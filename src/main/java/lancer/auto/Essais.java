@@ -11,19 +11,19 @@ import lancer.Lancer;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 
-/** Essais d'une scène préparée : chaque rayon est compté. Les résultats ne dépendent pas du nombre de fils. */
+/** Essais d'une scène préparée. Chaque rayon est compté. Les résultats ne dépendent pas du nombre de fils. */
 final class Essais {
 
-    /** Profondeur et seuil d'un rayon dit sans limite. Sous ce produit des Ks, un reflet ne se voit plus. */
+    /** Profondeur et seuil d'un rayon sans limite : au-dessous de ce produit des Ks, un reflet est invisible. */
     static final int PROFONDEUR = 1000;
     static final double SANS_LIMITE = 1e-9;
-    /** Nombre des premiers essais, et part des rayons restants que leur prix permet d'engager. */
+    /** Nombre des premiers essais, et part des rayons restants que les suivants peuvent utiliser d'après leur prix. */
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 
     final Lancer prepare;
     private final int fils;
-    /** Rayons de toutes sortes lancés jusqu'ici, durée des essais dans tous les fils, et limite de ces rayons. */
+    /** Rayons de toutes sortes déjà lancés, durée des essais dans tous les fils, nombre maximal de rayons. */
     final AtomicLong rayons = new AtomicLong();
     final AtomicLong dureeNs = new AtomicLong();
     private long borne;
@@ -34,8 +34,10 @@ final class Essais {
     }
 
     /**
-     * Fait les essais de 0 à {@code nombre} − 1, ou les premiers que permettent ces rayons, et rend leur nombre. Le
+     * Exécute les essais de 0 à {@code nombre} − 1, ou seulement les premiers si les rayons permis ne suffisent pas. Le
      * prix de quelques essais fixe le nombre des suivants. Un essai interrompu faute de rayons ne compte pas.
+     *
+     * @return le nombre d'essais faits
      */
     int passer(int nombre, int reflets, double seuil, double permis, BiConsumer<Integer, Vue> essai) {
         long avant = rayons.get();

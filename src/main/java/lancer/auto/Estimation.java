@@ -1,6 +1,6 @@
 package lancer.auto;
 
-/** Le carré d'une erreur quadratique moyenne, en niveaux², qui s'estime sans biais, et sa variance. Immuable. */
+/** Le carré d'une erreur quadratique moyenne, estimé sans biais, en niveaux², et sa variance. Immuable. */
 final class Estimation {
 
     /** Une erreur qui n'est pas mesurée : elle est de 0 à 255. */
@@ -14,12 +14,12 @@ final class Estimation {
         this.variance = variance;
     }
 
-    /** L'erreur en niveaux, si le carré est plus grand de tant d'écarts types ; plus petit, s'ils sont négatifs. */
+    /** L'erreur en niveaux, si le carré s'écarte de l'estimation de ce nombre d'écarts types. */
     double plus(double ecartsTypes) {
         return Math.sqrt(Math.max(0, carre + ecartsTypes * Math.sqrt(variance)));
     }
 
-    /** Estimation d'un réglage dont l'erreur ordinaire est tant de fois celle-ci. @param dispersion de ce carré */
+    /** Estimation d'un réglage dont l'erreur est multipliée par {@code rapport}. @param dispersion de son carré */
     Estimation prolongee(double rapport, double dispersion) {
         double fois = rapport * rapport;
         return new Estimation(fois * carre, fois * fois * (variance + dispersion * dispersion * carre * carre));

@@ -3,17 +3,17 @@ package lancer.auto;
 import java.math.BigDecimal;
 import java.util.Arrays;
 
-/** Limite des reflets suivis, l'erreur qu'elle cause et son prix. */
+/** Limite des rayons réfléchis, avec l'erreur qu'elle cause et son prix. */
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
-    /** Nombre de pixels où les essayer, et part du carré de l'erreur visée que les reflets peuvent prendre. */
+    /** Nombre de pixels des essais, et part du carré de l'erreur voulue que les reflets peuvent prendre. */
     private static final int PIXELS = 500;
     private static final double PART = 0.15;
 
     final int reflets;
     final double seuil;
-    /** Le carré de l'erreur, en niveaux², et rayons de toutes sortes pour un rayon de l'écran, lui compris. */
+    /** Le carré de l'erreur, en niveaux², et le nombre de rayons de toutes sortes pour un rayon de l'écran. */
     private double carre;
     double rayons = 1;
 
@@ -28,9 +28,9 @@ final class Limite {
                 .mapToObj(s -> new Limite(reflets == null ? Essais.PROFONDEUR : reflets, s)).toArray(Limite[]::new);
     }
 
-    /** Essaie cette limite sur un rayon de quelques pixels de l'échantillon pilote, avec ces rayons au plus. */
+    /** Essaie cette limite sur quelques pixels de l'échantillon pilote, un rayon par pixel. */
     void essayer(Essais essais, EchantillonPilote pilote, double permis) {
-        // un pas impair change de place d'un carreau à l'autre
+        // un pas impair décale les pixels choisis d'un carreau à l'autre
         int pas = pilote.pixels.length / PIXELS | 1;
         double[] carres = new double[pilote.pixels.length / pas];
         double avant = essais.rayons.get();
@@ -42,7 +42,7 @@ final class Limite {
         rayons = (essais.rayons.get() - avant) / Math.max(1, faits);
     }
 
-    /** La limite la moins chère qui laisse à l'échantillonnage presque toute cette erreur ; sinon, la plus large. */
+    /** La limite la moins chère dont l'erreur est une petite part de {@code erreur} ou, à défaut, la plus large. */
     static Limite pour(double erreur, Limite... limites) {
         Limite choisie = limites[0];
         for (Limite limite : limites) {

@@ -15,17 +15,17 @@ import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 
 /**
- * Pixels où les réglages s'essaient. Leur probabilité d'être tirés croît avec leur contraste (tirage systématique à
- * probabilités inégales, Madow, 1949). Chaque mesure est divisée par cette probabilité : la somme est sans biais
- * (Horvitz et Thompson, 1952). Les pixels des petits objets forment une strate à part. Deux références indépendantes
- * donnent la couleur de chaque pixel. L'ordre des pixels est au hasard : les premiers suffisent si les rayons manquent.
+ * Pixels des essais. Leur probabilité d'être tirés croît avec leur contraste (tirage systématique à probabilités
+ * inégales, Madow, 1949). Chaque mesure est divisée par cette probabilité : la somme est sans biais (Horvitz et
+ * Thompson, 1952). Les pixels des petits objets forment une strate à part. Deux références indépendantes donnent la
+ * couleur de chaque pixel. L'ordre des pixels est au hasard : si les rayons manquent, les premiers suffisent.
  */
 final class PixelsDEssai {
 
-    /** Nombre de pixels à tirer : ceci, ou tant de fois la racine quatrième de ceux de l'image. */
+    /** Nombre de pixels à tirer : {@code TIRES}, ou {@code PAR_RACINE} fois la racine quatrième du nombre total. */
     private static final int TIRES = 170;
     private static final double PAR_RACINE = 13;
-    /** Part des petits objets parmi eux, au plus ; nombre de pixels dessinés en dessous duquel rien n'est mesuré. */
+    /** Part maximale des petits objets parmi eux ; nombre de pixels dessinés au-dessous duquel rien n'est estimé. */
     private static final double PETITS = 0.25;
     private static final int TIRES_MIN = 12;
 
@@ -34,11 +34,11 @@ final class PixelsDEssai {
     private final List<Pixel> pixels = new ArrayList<>();
     private final Map<Integer, Pixel> parRang = new HashMap<>();
     private final double image;
-    /** Nombre des premiers pixels qui ont leurs références, et de ceux qui sont aussi dessinés. */
+    /** Nombre des premiers pixels qui ont leurs références, et nombre de ceux qui sont aussi dessinés. */
     private final int justes;
     private int dessines;
 
-    /** Un pixel tiré, ses deux références et sa couleur dessinée, en niveaux, et les rayons que le dessin y lance. */
+    /** Un pixel tiré : ses deux références et sa couleur dessinée, en niveaux, et les rayons de son dessin. */
     private static final class Pixel {
         int rang;
         double probabilite;
@@ -49,7 +49,7 @@ final class PixelsDEssai {
         long lances;
     }
 
-    /** @param debut de 0 à 1 : chacun tire d'autres pixels @param erreur à mesurer, en niveaux @param permis rayons */
+    /** @param debut de 0 à 1, décale les pixels tirés @param erreur à mesurer, en niveaux @param permis rayons */
     PixelsDEssai(Essais essais, EchantillonPilote pilote, double debut, double erreur, double permis) {
         this.essais = essais;
         this.pilote = pilote;
@@ -77,7 +77,7 @@ final class PixelsDEssai {
         pixels.subList(0, justes).forEach(pixel -> parRang.put(pixel.rang, pixel));
     }
 
-    /** Tire tant de ces pixels, avec des probabilités proportionnelles à ces poids. */
+    /** Tire environ {@code combien} de ces pixels, avec des probabilités proportionnelles aux poids. */
     private void tirer(int[] parmi, double[] poids, double debut, int combien, double part) {
         double somme = Arrays.stream(poids).sum();
         double nombre = Arrays.stream(poids).filter(p -> p > 0).count();
@@ -104,7 +104,7 @@ final class PixelsDEssai {
         return EchantillonPilote.niveaux(somme.div(cote * cote));
     }
 
-    /** Retient cette couleur si ce pixel est tiré ; un autre fil peut en retenir une autre. */
+    /** Retient cette couleur si ce pixel est tiré. Plusieurs fils peuvent appeler cette méthode à la fois. */
     void retenir(Couleur couleur, int i, int j) {
         Pixel pixel = parRang.get(j * pilote.largeur + i);
         if (pixel != null) {
@@ -112,7 +112,7 @@ final class PixelsDEssai {
         }
     }
 
-    /** Dessine ces pixels, ou les premiers si ces rayons n'y suffisent pas. */
+    /** Dessine ces pixels, ou seulement les premiers si les rayons permis ne suffisent pas. */
     void dessiner(Echantillonnage echantillonnage, Limite limite, double permis) {
         Camera camera = essais.prepare.getCamera();
         Echantillonnage prepare = echantillonnage == null ? null
@@ -123,7 +123,7 @@ final class PixelsDEssai {
             int j = pixel.rang / pilote.largeur;
             Pave pave = Pave.autour(i, j, pilote.largeur, camera.getHauteur());
             pixel.lances = 0;
-            // les rayons des pixels voisins n'entrent pas dans le prix de celui-ci
+            // les rayons des pixels voisins n'entrent pas dans le prix de ce pixel
             Vue comptee = (xe, ye) -> {
                 long avant = vue.rayons();
                 Couleur couleur = vue.couleur(xe, ye);
@@ -139,18 +139,18 @@ final class PixelsDEssai {
         });
     }
 
-    /** Faux si trop peu de pixels sont dessinés pour estimer une erreur. */
+    /** Dit s'il y a assez de pixels dessinés pour estimer une erreur. */
     boolean mesure() {
         return dessines >= TIRES_MIN;
     }
 
-    /** Rayons de toutes sortes par pixel de l'image, estimés de ceux qu'a lancés {@link #dessiner}. */
+    /** Nombre de rayons de toutes sortes par pixel de l'image, estimé d'après {@link #dessiner}. */
     double prix() {
         return pixels.stream().limit(dessines).mapToDouble(pixel -> pixel.partDeLImage * pixel.lances).sum()
                 / pixels.stream().limit(dessines).mapToDouble(pixel -> pixel.partDeLImage).sum();
     }
 
-    /** Carré de l'erreur de l'image, estimé des pixels dessinés. */
+    /** Carré de l'erreur de l'image, estimé sur les pixels dessinés. */
     Estimation erreur() {
         if (!mesure()) {
             return Estimation.INCONNUE;

@@ -1,6 +1,5 @@
 /**
- * {@code --auto} essaie sur quelques pixels les réglages permis, en choisit un, puis mesure l'erreur de l'image.
- *
- * <p>Ce paquetage estime des erreurs et des prix. Il connaît les variantes par les réglages qu'elles proposent.
+ * {@code --auto} essaie des réglages sur quelques pixels, en choisit un, puis mesure l'erreur de l'image. Ce paquet ne
+ * connaît des variantes que les réglages qu'elles proposent.
  */
 package lancer.auto;

@@ -10,7 +10,7 @@ import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard pendant un travail qui dure ; rien si c'est bref. */
+/** Une barre sur l'erreur standard, si le travail dure. */
 public final class BarreProgression extends TimerTask {
 
     private static final int LARGEUR = 40;
@@ -18,7 +18,7 @@ public final class BarreProgression extends TimerTask {
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
 
-    /** Ce vers quoi va l'erreur standard, sur Linux : Java ne sait pas le dire. */
+    /** Lien de l'erreur standard sur Linux : Java ne sait pas si elle est un terminal. */
     private static final Path ERREUR_STANDARD = Paths.get("/proc/self/fd/2");
 
     private final DoubleSupplier avancement;
@@ -34,7 +34,7 @@ public final class BarreProgression extends TimerTask {
         horloge.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
-    /** Dit si l'erreur standard est un terminal : ailleurs, dans un fichier ou un tube, une barre se lirait. */
+    /** Dit si l'erreur standard est un terminal. La barre ne doit être écrite ni dans un fichier, ni dans un tube. */
     public static boolean surUnTerminal() {
         try {
             String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
@@ -56,7 +56,6 @@ public final class BarreProgression extends TimerTask {
         }
     }
 
-    /** Efface la barre, et rend la ligne au terminal. */
     public synchronized void finir() {
         horloge.cancel();
         effacee = true;

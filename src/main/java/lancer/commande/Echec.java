@@ -1,9 +1,9 @@
 package lancer.commande;
 
-/** Une demande qui ne peut être faite : un message d'une ligne, et un statut de sortie. */
+/** Échec du programme : un message d'une ligne, et un statut de sortie. */
 public final class Echec extends RuntimeException {
 
-    /** La machine n'a pas pu (disque, mémoire, écran), ou la demande était fausse (option, valeur, scène). */
+    /** Statuts : la machine a échoué (disque, mémoire, écran), ou la demande est fausse (option, valeur, scène). */
     public static final int PANNE = 1;
     public static final int DEMANDE = 2;
 

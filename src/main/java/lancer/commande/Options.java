@@ -11,14 +11,14 @@ import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** La ligne de commande, lue de gauche à droite : ce qui est demandé, ou un {@link Echec} qui dit pourquoi non. */
+/** La ligne de commande, lue de gauche à droite. Une demande fausse est refusée par un {@link Echec}. */
 public final class Options {
 
     private static final int COTE_MAX = 16384;
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    /** Chaque option qui a une valeur, ce qui en est attendu si elle manque, et si la valeur est impossible. */
+    /** Options à valeur : nom, attente si la valeur manque, attente si la valeur est impossible. */
     private static final String[][] A_VALEUR = {
         {"--image", "un fichier .png", "un fichier dont le nom finit par .png"},
         {"--lineaire", "un fichier .pfm", "un fichier dont le nom finit par .pfm"},
@@ -40,24 +40,23 @@ public final class Options {
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
-    /** Options sans effet sur l'image d'un seul pixel, qui ne s'écrit, ne se choisit ni ne se répète. */
+    /** Options incompatibles avec {@code --pixel}, qui n'écrit pas d'image. */
     private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
 
-    /** Une comparaison se fait à la taille de la référence, et n'écrit que l'image des différences. */
+    /** Options incompatibles avec {@code --comparer}, qui a la taille de la référence et n'écrit qu'un PNG. */
     private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
 
-    /** Noms des vues en fausses couleurs. */
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
-    /** Une vue s'écrit dans un PNG. */
+    /** Options incompatibles avec {@code --vue}, qui n'écrit qu'un PNG. */
     private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};
 
-    /** Demandes d'un texte, sans rien dessiner ; la première rencontrée l'emporte. */
+    /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
     public boolean version;
 
-    /** Fichiers à écrire, {@code null} si non demandés. */
+    /** Fichiers à écrire, ou {@code null}. */
     public String image;
     public String lineaire;
 
@@ -67,13 +66,13 @@ public final class Options {
     public double seuil = Constantes.SEUIL;
     public Etape etape = Etape.REFLETS;
 
-    /** La vue en fausses couleurs à écrire, {@code null} si c'est l'image. */
+    /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
     public String vue;
     public int fils = Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors());
     public int repeter = 1;
     public boolean statistiques;
 
-    /** Vrai si la couleur d'un seul pixel est demandée, dont voici la colonne et la ligne. */
+    /** Dit si un seul pixel est demandé ; sa colonne et sa ligne. */
     public boolean pixel;
     public int pixelX;
     public int pixelY;
@@ -81,26 +80,26 @@ public final class Options {
     /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
     public boolean simple;
 
-    /** Vrai si le programme doit choisir ses réglages, pour une erreur voulue, en niveaux. */
+    /** Dit si le programme choisit ses réglages ; erreur voulue, en niveaux. */
     public boolean auto;
     public double erreurVoulue;
 
-    /** L'image à laquelle comparer, ou null ; l'écart permis, en niveaux ; la part, de 0 à 1, qui peut le dépasser. */
+    /** Image de référence, ou {@code null} ; écart permis, en niveaux ; part des pixels, de 0 à 1, qui le passe. */
     public String comparer;
     public double tolerance;
     public double part;
 
-    /** Les variantes présentes à débrancher, et la scène, {@code null} si aucune n'est nommée. */
+    /** Les variantes à débrancher, et la scène, {@code null} si aucune n'est nommée. */
     public List<String> sans = Collections.emptyList();
     public String scene;
 
-    /** Chaque option donnée, et sa valeur : vide si elle n'en prend pas, ou si elle est oubliée. */
+    /** Chaque option donnée, et sa valeur, vide si elle n'en a pas. */
     private final Map<String, String> donnees = new HashMap<>();
 
     private Options() {
     }
 
-    /** @throws Echec si un argument ne va pas */
+    /** @throws Echec si un argument est refusé */
     public static Options lire(String... arguments) {
         Options options = new Options();
         options.separer(arguments);
@@ -122,7 +121,7 @@ public final class Options {
         return "lancer " + (version != null ? version : "(non empaqueté)");
     }
 
-    /** Vrai si ce qui est demandé, un fichier, un pixel, une comparaison, se fait sans fenêtre. */
+    /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
     public boolean sansFenetre() {
         return versFichier() || pixel || comparer != null;
     }
@@ -135,12 +134,12 @@ public final class Options {
         return donnees.containsKey(nom);
     }
 
-    /** Vrai si ce nom est celui d'une image à comparer, et non d'une scène. */
+    /** Dit si ce nom est celui d'une image à comparer, et non d'une scène. */
     public static boolean estImage(String nom) {
         return finit(nom, ".png") || finit(nom, ".pfm");
     }
 
-    /** Le nom est jugé tel quel : ce qu'il y a au bout d'un lien ne compte pas. */
+    /** Examine le nom donné, et non le fichier où mène un lien. */
     private static boolean finit(String nom, String fin) {
         return Texte.minuscules(nom).endsWith(fin);
     }
@@ -156,7 +155,7 @@ public final class Options {
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
             if (aValeur(nom) != null) {
-                // « --image --fils 2 » : un oubli, pas un fichier nommé « --fils »
+                // dans « --image --fils 2 », le nom du fichier a été oublié
                 if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
                     valeur = arguments[++k];
                 }
@@ -243,7 +242,7 @@ public final class Options {
             boolean pourCent = portion.endsWith("%");
             String nombre = pourCent ? portion.substring(0, portion.length() - 1) : portion;
             part = Nombre.lire(nombre);
-            // 0.7 % est 0.007 même : une division l'arrondirait autrement
+            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
             part = pourCent && part >= 0 && part <= 100 ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
         }
         exiger(part >= 0 && part <= 1, "--part");
@@ -293,7 +292,7 @@ public final class Options {
         }
     }
 
-    /** La valeur donnée à cette option, {@code null} si elle n'est pas demandée. */
+    /** La valeur de cette option, {@code null} si l'option n'est pas donnée. */
     private String valeur(String nom) {
         String valeur = donnees.get(nom);
         if (valeur != null && valeur.isEmpty()) {
@@ -316,9 +315,9 @@ public final class Options {
         return n;
     }
 
-    /** L'entier écrit, aussi grand soit-il ; ni positif ni nul si ce n'en est pas un. */
+    /** L'entier écrit, quelle que soit sa taille ; -1 si le texte n'en est pas un. */
     private static double chiffres(String texte) {
-        // une expression régulière coûterait cher au démarrage
+        // pas d'expression régulière : voir docs/performance.md
         for (char c : texte.toCharArray()) {
             if (c < '0' || c > '9') {
                 return -1;

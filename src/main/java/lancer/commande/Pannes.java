@@ -10,13 +10,13 @@ import lancer.SceneFautive;
 import lancer.contrat.PixelFautif;
 import lancer.texte.Texte;
 
-/** Messages et statuts du programme qui n'a pas pu, et sa façon de parler : une ligne, quoi qu'elle contienne. */
+/** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */
 public final class Pannes {
 
     private Pannes() {
     }
 
-    /** Dit cette panne en une ligne. @return le statut de sortie */
+    /** Écrit cette panne en une ligne. @return le statut de sortie */
     public static int dire(Throwable panne, PrintStream erreur) {
         avertir(Collections.singletonList(message(panne)), erreur);
         return panne instanceof Echec ? ((Echec) panne).code
@@ -28,7 +28,7 @@ public final class Pannes {
             return panne.getMessage();
         }
         if (panne instanceof OutOfMemoryError) {
-            // la même erreur de Java dit deux manques
+            // Java lève la même erreur pour deux manques
             return String.valueOf(panne.getMessage()).contains("native thread")
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
@@ -42,13 +42,13 @@ public final class Pannes {
         }
     }
 
-    /** Répond sur la sortie standard. @throws Echec si elle n'a pu être écrite */
+    /** Écrit une réponse sur la sortie standard. @throws Echec si elle n'a pu être écrite */
     public static void repondre(String texte, PrintStream sortie) {
         sortie.println(texte);
         verifier(sortie);
     }
 
-    /** Répond par des lignes en UTF-8, que la console en soit ou non. @throws Echec comme {@link #repondre} */
+    /** Écrit des lignes en UTF-8, quel que soit le codage de la console. @throws Echec comme {@link #repondre} */
     public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
         String fin = System.lineSeparator();
         byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
@@ -56,14 +56,14 @@ public final class Pannes {
         verifier(sortie);
     }
 
-    /** @throws Echec si la sortie standard n'a pu être écrite : un {@code PrintStream} ne le dit pas de lui-même */
+    /** @throws Echec si l'écriture a échoué : un {@code PrintStream} ne lève pas d'exception */
     private static void verifier(PrintStream sortie) {
         if (sortie.checkError()) {
             throw Echec.panne("sortie standard : écriture impossible");
         }
     }
 
-    /** Ligne qui dit le pixel, {@link Texte#cause} de son échec dans ces classes, et la commande pour le revoir. */
+    /** Message d'un pixel qui échoue : le pixel, la {@link Texte#cause} dans ces classes, la commande qui le montre. */
     public static String duPixel(PixelFautif panne, String[] classes, String options, String scene, int largeur,
             int hauteur) {
         return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
@@ -71,7 +71,7 @@ public final class Pannes {
                 + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
     }
 
-    /** La commande qui dessine cette scène. @param options celles que disent ses réglages, d'abord {@code avant} */
+    /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */
     public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
         boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
         String chemin = System.getProperty("java.class.path");

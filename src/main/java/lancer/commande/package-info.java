@@ -1,6 +1,2 @@
-/**
- * La ligne de commande : ce qui est demandé, l'aide, et ce que dit le programme quand il ne peut pas.
- *
- * <p>Rien n'y entre qui lise une scène ou dessine.
- */
+/** La ligne de commande : options, aide, messages, statuts de sortie. Ce paquet ne lit pas de scène, ne dessine pas. */
 package lancer.commande;

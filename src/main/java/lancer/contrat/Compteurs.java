@@ -1,14 +1,14 @@
 package lancer.contrat;
 
-/** Comptes d'un fil qui dessine. Chaque fil a les siens, additionnés à la fin. */
+/** Compteurs d'un fil. Ceux de tous les fils sont additionnés à la fin du dessin. */
 public final class Compteurs {
 
-    /** Rayons partis de l'écran, rayons d'ombre (une lampe est-elle cachée d'un contact ?), rayons réfléchis. */
+    /** Rayons partis de l'écran, rayons d'ombre, rayons réfléchis. */
     public long primaires;
     public long ombre;
     public long reflechis;
 
-    /** Intersections calculées, et celles que leur forme directe laissait en doute, sauf dans les boucles du cours. */
+    /** Intersections calculées ; parmi elles, sauf par les boucles du cours, celles dont la forme directe doute. */
     public long testsSpheres;
     public long testsPrecis;
 
@@ -26,7 +26,7 @@ public final class Compteurs {
         pixelsRaffines += autres.pixelsRaffines;
     }
 
-    /** Le nombre de sphères et de cases examinées. */
+    /** Le nombre d'examens de sphères, de nœuds et de cases. */
     public long examens() {
         return testsSpheres + noeudsVisites;
     }

@@ -5,20 +5,20 @@ import lancer.Camera;
 import lancer.Objet3D;
 
 /**
- * Points de l'écran dont viennent les couleurs d'un pavé, s'il y faut plus que le centre de chaque pixel : un pavé
- * entier, où des voisins partagent des points. Appelé par tous les fils à la fois, un échantillonnage n'a pas d'état.
+ * Choix des points de l'écran dont un pavé prend les couleurs, au lieu du seul centre de chaque pixel. Les pixels
+ * voisins d'un pavé partagent des points. Tous les fils appellent le même objet, qui n'a pas d'état.
  */
 public interface Echantillonnage {
 
     /**
-     * Dessine au moins ces pixels du pavé, chacun une fois. Sa couleur ne dépend que du pavé et de la vue.
+     * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue.
      *
-     * @param voulus une partie du pavé, ou lui-même
-     * @return le nombre de pixels qu'il a fallu raffiner, 0 si cela n'a pas de sens
+     * @param voulus une partie du pavé, ou tout le pavé
+     * @return le nombre de pixels raffinés, 0 si l'échantillonnage n'en raffine pas
      */
     int tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
 
-    /** Échantillonnage pour ces objets, vus de cette caméra : demandé à chaque dessin ; lui-même si rien n'y change. */
+    /** L'échantillonnage d'un dessin de ces objets, vus par cette caméra ; par défaut, le même. */
     default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
         return this;
     }

@@ -4,8 +4,8 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 
 /**
- * Façon de dessiner une scène : l'air, le reflet des lampes, l'échantillonnage, que des variantes peuvent changer,
- * chacun une fois ; la recherche et le seuil des reflets ; et qui écoute.
+ * Façon de dessiner une scène. Des variantes peuvent changer l'air, le reflet des lampes ou l'échantillonnage, chacun
+ * une seule fois. S'y ajoutent la recherche, le seuil des reflets et l'{@link Ecoute}.
  */
 public final class Modele {
 
@@ -31,7 +31,7 @@ public final class Modele {
         avecOmbres = autre.avecOmbres;
     }
 
-    /** Modèle d'un fil de plus, identique, dont la recherche comptera dans {@code compteurs}. */
+    /** Le même modèle pour un fil, dont la recherche compte dans {@code compteurs}. */
     public Modele pourUnFil(Compteurs compteurs) {
         Modele sien = new Modele(this);
         sien.recherche = recherche == null ? null : recherche.pourUnFil(compteurs);
@@ -46,7 +46,7 @@ public final class Modele {
         return autre;
     }
 
-    /** Modèle identique, dont le calcul se dit à {@code ecoute}. */
+    /** Modèle identique, dont le calcul est noté dans {@code ecoute}. */
     public Modele ecoute(Ecoute ecoute) {
         Modele autre = new Modele(this);
         autre.ecoute = ecoute;
@@ -71,12 +71,11 @@ public final class Modele {
         this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
     }
 
-    /** Ôte le reflet des lampes, quel qu'il soit. */
     public void oterSpecularite() {
         specularite = new Specularite.Aucune();
     }
 
-    /** Faux si toute lampe devant un contact l'éclaire. */
+    /** Dit si un objet peut cacher une lampe. */
     public boolean avecOmbres() {
         return avecOmbres;
     }
@@ -95,7 +94,7 @@ public final class Modele {
         this.echantillonnage = libre(this.echantillonnage, null, echantillonnage, "l'échantillonnage");
     }
 
-    /** Recherche qui répond aux rayons ; {@code null} : les boucles du cours. */
+    /** Recherche des contacts ; {@code null} : les boucles du cours. */
     public Recherche getRecherche() {
         return recherche;
     }
@@ -104,17 +103,17 @@ public final class Modele {
         this.recherche = recherche;
     }
 
-    /** Un reflet est suivi si le produit des Ks, en sa plus grande composante, atteint ce seuil. */
+    /** Plus petite valeur de la plus grande composante du produit des Ks pour laquelle un rayon réfléchi est lancé. */
     public double getSeuil() {
         return seuil;
     }
 
-    /** @param seuil fini, positif ou nul ; 0 : toujours suivre */
+    /** @param seuil fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
     public void setSeuil(double seuil) {
         this.seuil = seuil;
     }
 
-    /** Auditeur de la scène qui calcule ; d'ordinaire {@code null}. */
+    /** Détail du calcul pour l'inspecteur ; {@code null} pendant un dessin. */
     public Ecoute getEcoute() {
         return ecoute;
     }
@@ -130,7 +129,7 @@ public final class Modele {
         return nouveau;
     }
 
-    /** Le nom de la classe, sans ce que Java ajoute à celui d'une lambda. */
+    /** Le nom de la classe, sans le suffixe que Java donne à une lambda. */
     public static String nom(Object contrat) {
         return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
     }

@@ -1,12 +1,12 @@
 package lancer.contrat;
 
-/** Un rectangle de pixels, confié tout entier à un fil. Immuable. */
+/** Un rectangle de pixels, que dessine un seul fil. Immuable. */
 public final class Pave {
 
-    /** Côté d'un pavé du dessin, en pixels ; les pavés du bord sont plus petits. */
+    /** Côté d'un pavé du dessin, en pixels ; les pavés du bord peuvent être plus petits. */
     public static final int COTE = 32;
 
-    /** Première colonne et première ligne, puis celles qui suivent les dernières. */
+    /** Première colonne, première ligne ; dernière colonne et dernière ligne, plus un. */
     public final int i0;
     public final int j0;
     public final int i1;
@@ -24,22 +24,22 @@ public final class Pave {
         return enColonnes(largeur, cote) * enColonnes(hauteur, cote);
     }
 
-    /** Pavé de rang {@code k} parmi ceux de ce côté, dans l'ordre de la lecture. */
+    /** Pavé de rang {@code k} parmi ceux de ce côté, ligne par ligne. */
     public static Pave deRang(int k, int largeur, int hauteur, int cote) {
         int i0 = k % enColonnes(largeur, cote) * cote;
         int j0 = k / enColonnes(largeur, cote) * cote;
         return new Pave(i0, j0, Math.min(i0 + cote, largeur), Math.min(j0 + cote, hauteur));
     }
 
-    /** Pavé du dessin où est ce pixel. */
+    /** Pavé du dessin qui contient ce pixel. */
     public static Pave autour(int x, int y, int largeur, int hauteur) {
         return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
     }
 
-    /** Le k-ième pavé de ce côté, dans un ordre qui saute d'un bout à l'autre : les premiers ressemblent à l'image. */
+    /** Le k-ième pavé dans un ordre dispersé : les premiers sont répartis sur toute l'image. */
     public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
         int nombre = nombre(largeur, hauteur, cote);
-        // environ la part d'or, et premier avec le nombre : chaque pavé une fois
+        // proche du nombre d'or, et premier avec le nombre de pavés : chaque pavé vient une fois
         int pas = Math.max(1, (int) (nombre * 0.618));
         while (pgcd(pas, nombre) > 1) {
             pas++;

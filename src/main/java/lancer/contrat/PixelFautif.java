@@ -4,15 +4,15 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import lancer.Couleur;
 
-/** Un pixel n'a pu être calculé : une classe de la scène, ou une variante, échoue ou ne répond pas un nombre. */
+/** Échec du calcul d'un pixel : une exception, un calcul trop long, ou une couleur qui n'est pas finie. */
 public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
-    /** Pile de la première cause de chaque classe : une fois le code compilé, Java n'en donne plus aux suivantes. */
+    /** Pile de la première cause de chaque classe : voir docs/performance.md, « Exceptions sans pile ». */
     private static final Map<Class<?>, StackTraceElement[]> PILES = new ConcurrentHashMap<>();
 
-    /** Colonne et ligne, depuis le haut à gauche, et le point de l'écran qui n'a pu être vu, en pixels. */
+    /** Colonne et ligne du pixel, puis point de l'écran, en pixels depuis la gauche et depuis le haut. */
     public final int x;
     public final int y;
     public final double xe;
@@ -28,7 +28,7 @@ public final class PixelFautif extends RuntimeException {
         y = (int) ye;
     }
 
-    /** La pile de sa cause ; à défaut, celle de la première de même classe. */
+    /** La pile de la cause ou, si elle est vide, celle de la première cause de même classe. */
     @Override
     public StackTraceElement[] getStackTrace() {
         StackTraceElement[] pile = getCause().getStackTrace();

@@ -1,9 +1,9 @@
 package lancer.contrat;
 
-/** Un réglage qu'une variante propose à {@code --auto}, et ce qu'il donne sur une scène ordinaire. Immuable. */
+/** Un réglage qu'une variante propose à {@code --auto}, avec son effet sur une scène ordinaire. Immuable. */
 public final class ReglagePropose {
 
-    /** Les valeurs du réglage, son erreur ordinaire, en niveaux, et son prix, en fois celui d'un rayon par pixel. */
+    /** La section du réglage, son erreur ordinaire, en niveaux, et son prix : 1 est celui d'un rayon par pixel. */
     public final Section section;
     public final double erreur;
     public final double prix;

@@ -2,13 +2,13 @@ package lancer.contrat;
 
 import lancer.Vecteur;
 
-/** Le reflet d'une lampe (cours, « Éclairement spéculaire »), sans état : tous les fils le demandent à la fois. */
+/** Le reflet d'une lampe (cours, « Éclairement spéculaire »). Tous les fils appellent le même objet, sans état. */
 public interface Specularite {
 
     /** Le reflet de la base : max(0, R·L)^ns. */
     Specularite PHONG = new Phong();
 
-    /** Exposant au-delà duquel la puissance entière perdrait plus de chiffres qu'elle ne gagnerait de temps. */
+    /** Exposant au-delà duquel la puissance par carrés successifs perd trop de chiffres. */
     int EXPOSANT_ENTIER_MAX = 1024;
 
     /**
@@ -17,15 +17,15 @@ public interface Specularite {
      * @param V direction du rayon incident
      * @param N normale au contact, vers l'extérieur
      * @param L direction de la lampe ; N·L est strictement positif
-     * @param R miroir de V
-     * @param ns poli de la surface, dans [0, 1e9]
-     * @return dans [0, 1], fini
+     * @param R direction réfléchie
+     * @param ns exposant de la surface, dans [0, 1e9]
+     * @return dans [0, 1]
      */
     double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns);
 
     /**
-     * Puissance max(0, cosinus)^exposant, le cosinus ne comptant, malgré les arrondis, jamais pour plus de 1 ; 0^0 = 1.
-     * L'exposant est positif ou nul ; petit et entier, il se fait par carrés, à quelques unités du dernier chiffre.
+     * Puissance max(0, cosinus)^exposant, où un cosinus supérieur à 1 par arrondi compte pour 1 ; 0^0 = 1. L'exposant
+     * est positif ou nul. S'il est entier et petit, le calcul se fait par carrés, à quelques unités du dernier chiffre.
      */
     static double puissance(double cosinus, double exposant) {
         if (!(cosinus > 0 && cosinus < 1)) {
@@ -44,22 +44,20 @@ public interface Specularite {
         return resultat;
     }
 
-    /** Base de la {@link #puissance} qu'est cet éclat, pour l'inspecteur ; NaN : il n'en dit rien. */
+    /** Base de la {@link #puissance}, pour l'inspecteur, comme les deux méthodes suivantes ; NaN s'il n'y en a pas. */
     default double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
         return Double.NaN;
     }
 
-    /** Exposant de la {@link #puissance} qu'est cet éclat. */
     default double exposant(double ns) {
         return ns;
     }
 
-    /** Nom de la base de la {@link #puissance} qu'est cet éclat. */
     default String nomDeLaBase() {
         return "R·L";
     }
 
-    /** Pas de reflet : l'éclairement de Lambert seul. */
+    /** Aucun reflet : l'éclairement de Lambert seul. */
     final class Aucune implements Specularite {
 
         @Override

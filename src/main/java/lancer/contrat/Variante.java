@@ -4,9 +4,9 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Une variante du programme, dans un module à côté de la base. Elle met en œuvre un contrat ({@link Atmosphere},
- * {@link Specularite} ou {@link Echantillonnage}) et se fait connaître par une ligne du fichier
- * {@code META-INF/services/lancer.contrat.Variante}, où {@link java.util.ServiceLoader} la trouve.
+ * Une variante du programme, dans un module à côté de la base. Elle réalise un contrat ({@link Atmosphere},
+ * {@link Specularite} ou {@link Echantillonnage}). Sa classe est nommée dans le fichier
+ * {@code META-INF/services/lancer.contrat.Variante}, que lit {@link java.util.ServiceLoader}.
  */
 public interface Variante {
 
@@ -14,23 +14,23 @@ public interface Variante {
     String getSection();
 
     /**
-     * Pose ce que fait la variante.
+     * Applique la variante à un modèle.
      *
      * @param valeurs sa section, vide si la scène n'en a pas : chaque clé a donc une valeur par défaut. Une clé que
-     *     cette méthode ne demande pas est refusée ensuite, comme inconnue.
+     *     cette méthode ne lit pas est refusée comme inconnue.
      * @param modele celui d'une scène qui vient d'être lue
-     * @throws lancer.SceneFautive si une valeur ne va pas
+     * @throws lancer.SceneFautive si une valeur est refusée
      */
     void installer(Section valeurs, Modele modele);
 
-    /** Les clés de sa section que la fenêtre laisse régler ; sans elles, la variante s'y branche et s'y débranche. */
+    /** Les clés que la fenêtre peut régler. Même sans clé, la fenêtre peut brancher et débrancher la variante. */
     default List<Parametre> getParametres() {
         return Collections.emptyList();
     }
 
     /**
-     * Les réglages entre lesquels {@code --auto} peut choisir là où la scène n'a pas de section de cette variante, du
-     * moins cher au plus juste, faits de {@code sienne} par {@link Section#sansFichier}.
+     * Les réglages que {@code --auto} essaie si la scène n'a pas de section de cette variante, du moins cher au plus
+     * juste. Ils sont créés à partir de {@code sienne} par {@link Section#sansFichier}.
      */
     default List<ReglagePropose> getReglagesProposes(Section sienne) {
         return Collections.emptyList();

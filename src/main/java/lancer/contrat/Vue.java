@@ -2,26 +2,26 @@ package lancer.contrat;
 
 import lancer.Couleur;
 
-/** Ce que voit un fil à travers l'écran : d'un point de l'écran à sa couleur. Une vue appartient à un seul fil. */
+/** La fonction qui donne la couleur d'un point de l'écran à un échantillonnage. Une vue appartient à un seul fil. */
 public interface Vue {
 
-    /** La couleur, non limitée, de ce point, en pixels depuis la gauche et le haut ; le centre du pixel i : i + 0,5. */
+    /** La couleur, non limitée, du point (xe, ye), en pixels depuis la gauche et le haut ({@link lancer.Camera}). */
     Couleur couleur(double xe, double ye);
 
-    /** Note ces rayons, lancés par ce fil sans passer par cette vue. */
+    /** Compte ces rayons, que le fil a lancés sans passer par cette vue. */
     default void noter(Compteurs compteurs) {
     }
 
-    /** Les rayons de toutes sortes lancés jusqu'ici par ce fil ; 0 s'ils ne sont pas comptés. */
+    /** Le nombre de rayons de toutes sortes que ce fil a lancés ; 0 s'ils ne sont pas comptés. */
     default long rayons() {
         return 0;
     }
 
-    /** Dit, à qui écoute, un terme du pixel en cours : tant de fois cette couleur, objet même que rend la vue. */
+    /** Note pour l'inspecteur un terme du pixel : {@code poids} fois cette couleur, l'objet même que la vue a rendu. */
     default void compter(Couleur couleur, double poids, Couleur terme) {
     }
 
-    /** Dit, à qui écoute, que le pixel en cours est cette somme, divisée par ce nombre. */
+    /** Note pour l'inspecteur que le pixel en cours est cette somme divisée par ce nombre. */
     default void diviser(Couleur somme, double nombre) {
     }
 }

@@ -1,8 +1,6 @@
 /**
- * Les promesses qui se remplacent sans toucher aux classes du cours : l'air, le reflet des lampes, où regarder dans un
- * pixel, la recherche du contact ; et par quoi une variante ou une forme se fait connaître.
- *
- * <p>N'y entrent que des promesses, et la plus simple façon de tenir chacune. Un contrat parle des
- * classes du cours ; il ne connaît ni fenêtre, ni fichier, ni recherche rapide.
+ * Les interfaces que d'autres classes peuvent réaliser sans changer celles du cours : l'air, le reflet des lampes,
+ * l'échantillonnage, la recherche du contact. S'y ajoutent celles qui déclarent une variante ou une forme. Ce paquet
+ * n'en contient que la réalisation la plus simple. Il ne connaît ni fenêtre, ni fichier.
  */
 package lancer.contrat;

@@ -36,12 +36,12 @@ import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /**
- * Ce qui se dessine : une scène, ses réglages, une taille, puis l'image et le lancer qui la fait. Un fil lit, prépare
- * et dessine, dans cet ordre ; d'autres regardent où il en est. Chaque dessin a son image.
+ * Un dessin : une scène, ses réglages, une taille, puis l'image et le lancer qui la dessine. Un fil lit, prépare et
+ * dessine, dans cet ordre ; les autres fils lisent l'avancement. Chaque dessin a sa propre image.
  */
 public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
-    /** Taille d'image au-delà de laquelle la fenêtre ne garde pas les couleurs non limitées : 48 Mo. */
+    /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
     private static final double NS_PAR_MS = 1e6;
@@ -54,7 +54,6 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     public final int hauteur;
     private volatile SceneLue lue;
     private volatile ReglagesDessin reglages;
-    /** La scène ainsi réglée. */
     private volatile Scene scene;
     private volatile ImageMemoire image;
     private volatile ImageMemoire apercu;
@@ -70,7 +69,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     private long preparationNs;
     private long construitNs;
 
-    /** Un dessin de cette scène, qui est à lire. @param erreur où dire ce qui ne l'arrête pas */
+    /** Un dessin de cette scène, qui n'est pas encore lue. @param erreur sortie des avertissements */
     public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
         this.options = options;
         this.lecture = lecture;
@@ -80,12 +79,12 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         this.hauteur = hauteur;
     }
 
-    /** Un dessin de cette autre scène, qui est à lire. */
+    /** Un dessin d'une autre scène, qui n'est pas encore lue. */
     public Dessin pour(String autreFichier, int autreLargeur, int autreHauteur) {
         return new Dessin(options, lecture, erreur, autreFichier, autreLargeur, autreHauteur);
     }
 
-    /** Un dessin de la même scène à cette taille ; elle est lue si elle l'était. */
+    /** Un dessin de la même scène à cette taille. La scène n'est pas relue. */
     public Dessin avec(int autreLargeur, int autreHauteur) {
         Dessin autre = pour(fichier, autreLargeur, autreHauteur);
         autre.lue = lue;
@@ -94,7 +93,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return autre;
     }
 
-    /** Un dessin de cette autre scène lue du même fichier, à la même taille. */
+    /** Un dessin, à la même taille, de cette autre version de la scène. */
     public Dessin avec(SceneLue autreLue) {
         Dessin autre = avec(largeur, hauteur);
         autre.lue = autreLue;
@@ -102,13 +101,13 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return autre;
     }
 
-    /** Fait dessiner cette vue. @param avant ce à quoi « difference » se compare, ou {@code null} */
+    /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
         reference = avant;
     }
 
-    /** Vue en fausses couleurs demandée ; {@code null} pour l'image. */
+    /** Nom de la vue en fausses couleurs ; {@code null} pour l'image. */
     public String getVue() {
         return vue;
     }
@@ -116,7 +115,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     /**
      * Lit la scène.
      *
-     * @throws SceneFautive si elle ne peut être utilisée
+     * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws CancellationException si ce fil a été interrompu
      */
     public void lire() {
@@ -135,17 +134,12 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }.faire("lecture");
     }
 
-    /**
-     * Règle la scène lue.
-     *
-     * @throws SceneFautive si ces réglages ne vont pas
-     */
+    /** Applique ces réglages à la scène lue. @throws SceneFautive si un réglage est refusé */
     public void regler(ReglagesDessin voulus) {
         scene = scene.avec(voulus.getModele());
         reglages = voulus;
     }
 
-    /** Note la part faite de la lecture, ou de la préparation, de 0 à 1. */
     @Override
     public void accept(double part) {
         avancement = part;
@@ -177,7 +171,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return lancer;
     }
 
-    /** Fait ceci comme une préparation. */
+    /** Exécute ce travail sous la même surveillance qu'une préparation. */
     void preparer(Runnable travail) {
         new Prealable() {
             @Override
@@ -187,7 +181,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }.faire("préparation");
     }
 
-    /** Dessine une petite image, un rayon par pixel, à montrer pendant que le brouillon se dessine. */
+    /** Dessine une petite image, un rayon par pixel, que la fenêtre montre pendant le brouillon. */
     public void apercevoir(int colonnes, int lignes, int fils) {
         Dessin petit = avec(colonnes, lignes);
         Modele modele = scene.getModele();
@@ -198,7 +192,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         apercu = petit.image;
     }
 
-    /** La petite image qui précède le brouillon ; {@code null} s'il n'y en a pas, ou plus besoin. */
+    /** La petite image qui précède le brouillon ; {@code null} si elle n'existe pas ou si le brouillon est fini. */
     public ImageMemoire getApercu() {
         return brouillonFait ? null : apercu;
     }
@@ -217,7 +211,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }
     }
 
-    /** Ce qui précède le dessin, dans un fil à part : une classe qui ne rend pas la main ne retient que lui. */
+    /** Travail qui précède le dessin. Il a son propre fil : une classe qui ne finit pas ne bloque que ce fil. */
     private abstract class Prealable implements IntConsumer, Calcul {
 
         void faire(String nom) {
@@ -234,20 +228,20 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }
     }
 
-    /** Dit qu'un pixel est lent : le dessin continue. */
+    /** Avertit qu'un pixel est lent ; le dessin continue. */
     @Override
     public void accept(PixelFautif lent) {
         lenteur = nommer(lent).getMessage();
         Pannes.avertir(Collections.singletonList(lenteur), erreur);
     }
 
-    /** Phrase qui dit le premier pixel lent ; {@code null} s'il n'y en a pas. */
+    /** Phrase qui nomme le premier pixel lent ; {@code null} s'il n'y en a pas. */
     public String getLenteur() {
         return lenteur;
     }
 
     /**
-     * Prépare une scène pour une image de cette taille, comme tout dessin du programme.
+     * Prépare une scène pour une image de cette taille, comme le font la fenêtre et la ligne de commande.
      *
      * @param simple vrai pour les boucles du cours
      */
@@ -257,7 +251,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return new Lancer(scene, camera);
     }
 
-    /** Donne à la scène la recherche qui lui va. @return ce qui l'a fait écarter ; {@code null} si rien */
+    /** Choisit la recherche de la scène. @return la raison de son refus par le sondage ; {@code null} sans refus */
     private static String chercher(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
         RechercheRapide recherche = simple || !Preparation.estUtile(scene, camera) ? null
                 : Preparation.pour(scene, camera, suivi);
@@ -270,7 +264,6 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return scene.getModele().getRecherche() == null ? 0 : scene.getModele().getRecherche().getConstructionNs();
     }
 
-    /** Note que chaque pixel de l'image a une couleur. */
     public void finirBrouillon() {
         brouillonFait = true;
         if (entracte != null) {
@@ -278,7 +271,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }
     }
 
-    /** Fait faire ceci entre le brouillon et l'image ; à demander avant de dessiner. */
+    /** Appelle {@code entracte} entre le brouillon et l'image ; à demander avant de dessiner. */
     public void setEntracte(Runnable entracte) {
         this.entracte = entracte;
     }
@@ -287,66 +280,65 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return brouillonFait;
     }
 
-    /** La scène lue, ainsi réglée ; {@code null} tant qu'elle ne l'est pas. */
+    /** La scène lue et réglée ; {@code null} avant la lecture. */
     public Scene getScene() {
         return scene;
     }
 
-    /** Ce que le fichier dit ; {@code null} tant qu'il n'est pas lu. */
+    /** Le contenu du fichier ; {@code null} avant la lecture. */
     public SceneLue getLue() {
         return lue;
     }
 
-    /** Réglages de la scène lue. */
     public ReglagesDessin getReglages() {
         return reglages;
     }
 
-    /** L'image ; {@code null} tant que la scène n'est pas préparée. */
+    /** L'image ; {@code null} avant la préparation. */
     public ImageMemoire getImage() {
         return image;
     }
 
-    /** Ce qui dessine l'image ; {@code null} tant que la scène n'est pas préparée. */
+    /** Le lancer qui dessine l'image ; {@code null} avant la préparation. */
     public Lancer getLancer() {
         return lancer;
     }
 
-    /** Raison pour laquelle les boucles du cours remplacent la recherche rapide, en une phrase, ou {@code null}. */
+    /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
         return ecart;
     }
 
-    /** La part faite de la lecture, de la préparation, puis, le brouillon étant fait, de l'image, de 0 à 1. */
+    /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
     public double getAvancement() {
         return lancer == null ? avancement : lancer.getAvancement();
     }
 
-    /** Dit, si c'est le cas, que la recherche rapide ne répondait pas comme les classes du cours. */
+    /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
         if (ecart != null) {
             Pannes.avertir(Collections.singletonList(ecart), erreur);
         }
     }
 
-    /** Les rayons et le temps de ce dessin achevé. */
+    /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
-        // l'espace fine des nombres français manque à bien des polices
+        // l'espace fine insécable manque à beaucoup de polices
         String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
                 .replace('\u202F', '\u00A0');
         return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
     }
 
     /**
-     * Texte de {@code --statistiques} : comptes d'un dessin, et temps. Toujours avec un point décimal, sans
+     * Texte de {@code --statistiques} : compteurs d'un dessin, et temps. Les nombres ont un point décimal, sans
      * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
      *
-     * @param acheve ce qui a dessiné l'image
+     * @param acheve le lancer qui a dessiné l'image
      * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
     public String statistiques(Lancer acheve, long... tracesNs) {
         Compteurs c = acheve.getCompteurs();
-        // au début, la machine virtuelle compile encore : la médiane de la seconde moitié
+        // la première moitié des dessins s'exécute avant la fin de la compilation : voir docs/performance.md
         double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
@@ -357,9 +349,9 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 
-    /** Échec à dire d'un pixel de la scène lue qui n'a pu être calculé. */
+    /** L'échec qui nomme un pixel de la scène lue dont le calcul a échoué. */
     public Echec nommer(PixelFautif panne) {
-        // une classe qui retient un fil pourrait retenir aussi celui-ci
+        // ce fil ne doit appeler aucune classe de la scène : elle pourrait ne pas finir
         String[] classes = panne.getCause() instanceof Retenu
                 ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : classes(scene);
         return Echec.panne(Pannes.duPixel(panne, classes, reglages.getOptions(), fichier,
@@ -367,12 +359,13 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     }
 
     /**
-     * Classes où situer un échec, par ordre de préférence : objets, air et reflet ; le cours ; l'échantillonnage, qui
-     * demande chaque couleur, et se trouve donc dans toutes les piles ; ce qui n'est pas de Java.
+     * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
+     * puis celles du cours. L'échantillonnage, présent dans toutes les piles, vient ensuite, puis toute classe hors de
+     * Java.
      */
     static String[] classes(Scene scene) {
         Modele modele = scene.getModele();
-        // ce que la base met à la place d'une variante n'est pas en cause
+        // les contrats par défaut de la base ne peuvent être la cause de l'échec
         String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
                 scene.getObjets().stream()).map(Modele::nom).distinct()
                 .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));

@@ -21,22 +21,22 @@ import lancer.scene.Services;
 import lancer.texte.Texte;
 
 /**
- * Réglages d'une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa
- * section. Le fichier de la scène n'en est pas changé. Immuable.
+ * Réglages d'une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa section.
+ * Le fichier de la scène reste inchangé. Immuable.
  */
 public final class ReglagesDessin {
 
     private final Etape etape;
     private final int reflets;
     private final double seuil;
-    /** Section du fichier de chaque variante présente, de ligne 0 s'il ne l'a pas. */
+    /** Section du fichier pour chaque variante présente ; sa ligne est 0 si le fichier n'en a pas. */
     private final Map<Variante, Section> lues;
     /** Sections qui remplacent celles du fichier, par type. */
     private final Map<String, Section> changees;
     /** Types des variantes débranchées, quelle que soit leur casse. */
     private final SortedSet<String> debranchees;
 
-    /** Réglages de la ligne de commande et du fichier ; {@code null} si ceux-ci le sont. */
+    /** Réglages de la ligne de commande et du fichier ; {@code null} si ces réglages-ci en viennent. */
     private final ReglagesDessin initiaux;
 
     private ReglagesDessin(Etape etape, int reflets, double seuil, Map<Variante, Section> lues,
@@ -50,14 +50,14 @@ public final class ReglagesDessin {
         this.initiaux = initiaux;
     }
 
-    /** Réglages de la ligne de commande et du fichier, dont voici la section de chaque variante présente. */
+    /** Réglages de la ligne de commande et du fichier. @param lues la section de chaque variante présente */
     ReglagesDessin(Map<Variante, Section> lues, Options options) {
         this(options.etape, options.reflets, options.seuil, lues, new HashMap<>(),
                 new TreeSet<>(String.CASE_INSENSITIVE_ORDER), null);
         debranchees.addAll(options.sans);
     }
 
-    /** @throws Echec si une variante que la ligne de commande débranche n'existe pas */
+    /** @throws Echec si {@code --sans} nomme une variante qui n'existe pas */
     void verifier(Options options) {
         for (String type : options.sans) {
             if (!Services.varianteConnue(type)
@@ -81,7 +81,7 @@ public final class ReglagesDessin {
         return etape;
     }
 
-    /** Le nombre de réflexions que permet l'étape du cours. */
+    /** Le nombre de réflexions, compte tenu de l'étape du cours. */
     public int getProfondeur() {
         return etape == Etape.REFLETS ? reflets : 0;
     }
@@ -95,7 +95,7 @@ public final class ReglagesDessin {
         return lues.keySet();
     }
 
-    /** La variante de cette section : chaque lecture en fait une neuve. */
+    /** La variante de cette section. Chaque lecture de la scène crée de nouvelles variantes. */
     public Variante getVariante(String section) {
         return lues.keySet().stream().filter(presente -> presente.getSection().equals(section)).findFirst().get();
     }
@@ -104,12 +104,12 @@ public final class ReglagesDessin {
         return !debranchees.contains(variante.getSection());
     }
 
-    /** La section avec laquelle cette variante dessine, ou dessinerait. */
+    /** La section de cette variante, branchée ou non. */
     public Section getSection(Variante variante) {
         return changees.getOrDefault(variante.getSection(), lues.get(variante));
     }
 
-    /** Section avec laquelle cette variante dessine, valeurs par défaut écrites, sauf celle d'une couleur. */
+    /** La section de cette variante, valeurs par défaut comprises, sauf celle d'une couleur. */
     public Section getSectionEntiere(Variante variante) {
         Section entiere = getSection(variante);
         for (Parametre parametre : variante.getParametres()) {
@@ -120,7 +120,7 @@ public final class ReglagesDessin {
         return entiere;
     }
 
-    /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé en tient lieu. */
+    /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé le remplace. */
     public String getValeur(Variante variante, Parametre parametre) {
         Section section = getSection(variante);
         String donnee = section.valeur(parametre.cle);
@@ -136,28 +136,26 @@ public final class ReglagesDessin {
         return essayees;
     }
 
-    /** Section entière de la première variante que des essais règlent ; {@code null} s'il n'y en a pas. */
+    /** Section entière de la première variante dont des essais choisissent les valeurs ; {@code null} sinon. */
     public Section getSectionEssayee() {
         return getEssayees().keySet().stream().map(this::getSectionEntiere).findFirst().orElse(null);
     }
 
-    /** Les sections à mettre dans le fichier pour dessiner ainsi, à la place des siennes. */
+    /** Les sections qui, écrites dans le fichier à la place des siennes, donneraient ces réglages. */
     public List<Section> getSectionsChangees() {
         return lues.keySet().stream().filter(this::estBranchee).map(Variante::getSection).map(changees::get)
                 .filter(Objects::nonNull).collect(Collectors.toList());
     }
 
-    /** Réglages identiques, à tant de réflexions et à ce seuil. */
+    /** Réglages identiques, sauf ceux que donnent les arguments, comme les trois méthodes suivantes. */
     public ReglagesDessin avec(int autresReflets, double autreSeuil) {
         return new ReglagesDessin(etape, autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
     }
 
-    /** Réglages identiques, à cette étape du cours. */
     public ReglagesDessin avec(Etape autre) {
         return new ReglagesDessin(autre, reflets, seuil, lues, changees, debranchees, initiaux());
     }
 
-    /** Réglages identiques, cette variante étant branchée ou non. */
     public ReglagesDessin avec(Variante variante, boolean branchee) {
         SortedSet<String> autres = new TreeSet<>(debranchees);
         if (branchee) {
@@ -168,7 +166,6 @@ public final class ReglagesDessin {
         return new ReglagesDessin(etape, reflets, seuil, lues, changees, autres, initiaux());
     }
 
-    /** Réglages identiques, cette variante étant réglée par cette section. */
     public ReglagesDessin avec(Variante variante, Section section) {
         Map<String, Section> autres = new HashMap<>(changees);
         autres.put(variante.getSection(), section);
@@ -176,10 +173,10 @@ public final class ReglagesDessin {
     }
 
     /**
-     * Réglages identiques pour une scène qui vient d'être lue : une section du fichier n'est remplacée que si elle est
-     * restée celle qu'on avait remplacée.
+     * Réglages identiques pour une scène qui vient d'être relue. Une section changée dans la fenêtre est gardée si
+     * celle du fichier est la même qu'avant.
      *
-     * @param luesApres réglages de cette scène
+     * @param luesApres réglages de la scène relue
      */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
         Map<String, Section> gardees = new HashMap<>(changees);
@@ -193,10 +190,10 @@ public final class ReglagesDessin {
     }
 
     /**
-     * Le modèle d'une scène dessinée ainsi, où chaque variante branchée est installée. La section du fichier d'une
-     * variante débranchée doit aller aussi.
+     * Le modèle qu'appliquent ces réglages : chaque variante branchée y est installée. La section d'une variante
+     * débranchée est vérifiée aussi, si elle vient du fichier.
      *
-     * @throws lancer.SceneFautive si une section ne va pas
+     * @throws lancer.SceneFautive si une section est refusée
      */
     public Modele getModele() {
         Modele modele = new Modele();
@@ -217,7 +214,7 @@ public final class ReglagesDessin {
         return modele;
     }
 
-    /** Les options à donner au programme pour dessiner ainsi ; vide, ou un blanc puis ce texte. */
+    /** Les options de la ligne de commande qui donnent ces réglages, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getOptions() {
         return (etape == Etape.REFLETS ? "" : " --etape " + etape)
                 + (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
@@ -225,7 +222,7 @@ public final class ReglagesDessin {
                 + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
     }
 
-    /** Texte à lire : {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
+    /** Texte lisible, par exemple {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
         StringBuilder s = new StringBuilder(etape != Etape.REFLETS ? "étape " + etape

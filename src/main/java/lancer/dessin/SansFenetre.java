@@ -33,8 +33,8 @@ import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /**
- * Travail sans fenêtre : une image dans des fichiers, vérifiés avant de dessiner, et ce qu'il y a à en dire ; un pixel
- * expliqué ; une comparaison.
+ * Les travaux sans fenêtre : écrire une image dans des fichiers, expliquer un pixel, comparer deux images. Les fichiers
+ * de sortie sont vérifiés avant le dessin.
  */
 public final class SansFenetre {
 
@@ -55,11 +55,11 @@ public final class SansFenetre {
     }
 
     /**
-     * Fait ce que demandent ces options.
+     * Exécute la demande de ces options.
      *
-     * @param dessin ce qui se dessine, qui est à lire
-     * @param toile où : les pixels y sont ceux de l'image du dessin
-     * @return le statut de sortie ; que des images diffèrent n'est pas une panne
+     * @param dessin le dessin demandé, dont la scène n'est pas encore lue
+     * @param toile surface dont les pixels sont ceux de l'image du dessin
+     * @return le statut de sortie : 1 si les images comparées diffèrent
      */
     public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
@@ -105,15 +105,15 @@ public final class SansFenetre {
         if (auto != null) {
             Pannes.avertir(rapport(auto, essais), erreur);
         }
-        // en dernier : si quelque chose a échoué, c'est la seule ligne à lire
+        // les avertissements n'ont de sens que si le reste a réussi
         Pannes.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
     }
 
     /**
-     * Les fichiers demandés, chacun à son format.
+     * Les fichiers demandés, chacun avec son format.
      *
-     * @throws Echec si l'un ne pourra être écrit, ou écraserait un de ceux qui sont lus, ou l'autre
+     * @throws Echec si un fichier ne peut être écrit, ou s'il écraserait un fichier lu ou l'autre fichier écrit
      */
     private Map<Ecriture, Ecriture.Format> fichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
@@ -139,7 +139,7 @@ public final class SansFenetre {
         return fichiers;
     }
 
-    /** Dessine autant de fois que demandé. @return le temps de chaque dessin, en nanosecondes */
+    /** Dessine {@code --repeter} fois. @return le temps de chaque dessin, en nanosecondes */
     private long[] tracer(Lancer lancer, Toile surveillee, int reflets) {
         long[] traces = new long[options.repeter];
         BarreProgression barre = !BarreProgression.surUnTerminal() ? null
@@ -157,7 +157,7 @@ public final class SansFenetre {
         return traces;
     }
 
-    /** Trois lignes : ce que {@code --auto} a choisi, ce qui en était attendu, et ce qu'il en est. */
+    /** Trois lignes : le réglage que {@code --auto} a choisi, l'erreur attendue, l'erreur mesurée. */
     private List<String> rapport(Auto auto, double essais) {
         Candidat choisi = auto.choisi;
         int nombre = auto.essayes.size();
@@ -171,7 +171,7 @@ public final class SansFenetre {
                         essais, auto.getVerdict()));
     }
 
-    /** Nombres écrits toujours avec un point, quelle que soit la langue. */
+    /** Met en forme avec un point décimal, quelle que soit la langue de la machine. */
     private static String texte(String format, Object... valeurs) {
         return String.format(Locale.ROOT, format, valeurs);
     }
@@ -205,7 +205,7 @@ public final class SansFenetre {
         Pannes.avertir(dessin.getLue().avertissements, erreur);
     }
 
-    /** Compare, et écrit l'image des différences si elle est demandée. @return le statut de sortie */
+    /** Compare deux images, et écrit celle des différences si elle est demandée. @return le statut de sortie */
     private int comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;

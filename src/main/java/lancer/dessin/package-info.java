@@ -1,6 +1,5 @@
 /**
- * Chemin du fichier de scène à l'image : lire, régler, préparer, dessiner, pour la fenêtre et la ligne de commande.
- *
- * <p>N'y entre rien qui sache ce qu'est un octet d'image, ni une fenêtre.
+ * Les étapes communes à la fenêtre et à la ligne de commande : lire une scène, la régler, la préparer, la dessiner. Ce
+ * paquet ne connaît ni les formats de fichiers d'images, ni la fenêtre.
  */
 package lancer.dessin;

@@ -9,21 +9,21 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 
-/** L'apparence de toutes les fenêtres : celle de FlatLaf, claire ou sombre ; celle de Java si FlatLaf est absent. */
+/** L'apparence de toutes les fenêtres : FlatLaf, clair ou sombre, ou l'apparence de Java si FlatLaf est absent. */
 final class Apparence {
 
     private static final String SOMBRE = "sombre";
 
-    /** Java écrit sur l'erreur standard s'il ne peut garder une préférence : cela n'empêche rien. */
+    /** Java avertit sur l'erreur standard s'il ne peut garder une préférence : ce message est inutile. */
     private static final Logger MUET = Logger.getLogger("java.util.prefs");
 
     private Apparence() {
     }
 
-    /** Pose l'apparence choisie la dernière fois ; à appeler avant de créer le premier composant. */
+    /** Applique l'apparence choisie la dernière fois ; à appeler avant de créer le premier composant. */
     static void preparer() {
         MUET.setLevel(Level.OFF);
-        // FlatLaf chercherait sinon une bibliothèque du système, que l'archive n'a pas
+        // sinon, FlatLaf chercherait une bibliothèque du système, absente de l'archive
         System.setProperty("flatlaf.useNativeLibrary", "false");
         UIManager.put("swing.boldMetal", false);
         UIManager.put("MenuItem.acceleratorDelimiter", "+");
@@ -34,7 +34,7 @@ final class Apparence {
         return preferences().getBoolean(SOMBRE, false);
     }
 
-    /** Change l'apparence des fenêtres ouvertes, et de celles des prochaines fois. */
+    /** Change l'apparence des fenêtres ouvertes, et celle des prochains lancements. */
     static void changer(boolean sombre) {
         preferences().putBoolean(SOMBRE, sombre);
         poser(sombre);
@@ -51,11 +51,11 @@ final class Apparence {
         try {
             UIManager.setLookAndFeel("com.formdev.flatlaf." + (sombre ? "FlatDarkLaf" : "FlatLightLaf"));
         } catch (ReflectiveOperationException | UnsupportedLookAndFeelException | LinkageError e) {
-            // celle de Java, déjà en place
+            // l'apparence de Java est déjà en place
         }
     }
 
-    /** La couleur de ce nom dans FlatLaf, sinon celle-ci, que toutes les apparences ont. */
+    /** La couleur {@code nom} de FlatLaf ou, à défaut, la couleur {@code partout}, que toute apparence définit. */
     static Color couleur(String nom, String partout) {
         Color couleur = UIManager.getColor(nom);
         return couleur == null ? UIManager.getColor(partout) : couleur;

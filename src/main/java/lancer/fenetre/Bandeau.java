@@ -21,11 +21,11 @@ import javax.swing.UIManager;
 import javax.swing.border.Border;
 import lancer.texte.Texte;
 
-/** Messages de la fenêtre, par-dessus le bas de l'image : la faute de la scène, tant qu'elle y est, puis les autres. */
+/** Messages de la fenêtre, sur le bas de l'image : d'abord la faute de la scène, puis les autres. */
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
 
-    /** Ce dont il se dit quelque chose, dans l'ordre où cela se lit ; un avis s'efface de lui-même. */
+    /** Sujets des messages, dans leur ordre d'affichage ; un avis s'efface au bout de quelques secondes. */
     enum Sujet { SCENE, DESSIN, DISQUE, AVIS }
 
     private static final int DUREE_AVIS_MS = 8000;
@@ -71,18 +71,18 @@ final class Bandeau extends JTextArea {
         return etiquette;
     }
 
-    /** Fait de ce texte une étiquette de plusieurs lignes. */
+    /** Donne à ce texte l'aspect d'une étiquette de plusieurs lignes. */
     private static void donnerALire(JTextArea texte) {
         texte.setEditable(false);
         texte.setFocusable(false);
         texte.setLineWrap(true);
         texte.setWrapStyleWord(true);
-        // un fichier déposé ici l'est sur la fenêtre
+        // un fichier déposé sur ce texte doit aller à la fenêtre
         texte.setTransferHandler(null);
         texte.setCursor(Cursor.getDefaultCursor());
     }
 
-    /** Dit ceci à la place de ce qui se disait du même sujet, une ligne ou plusieurs ; vide : plus rien. */
+    /** Remplace le message de ce sujet, d'une ou de plusieurs lignes ; un message vide l'efface. */
     void dire(Sujet sujet, String message) {
         dits.put(sujet, message);
         dits.values().removeIf(String::isEmpty);

@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import lancer.image.ImageMemoire;
 
-/** Le bas de la fenêtre : un filet qui avance pendant un dessin, le pixel sous la souris, puis ce qui se voit. */
+/** Le bas de la fenêtre : l'avancement du dessin, le pixel sous la souris, un résumé de l'image. */
 @SuppressWarnings("serial")
 final class BarreEtat extends JPanel {
 
@@ -19,7 +19,7 @@ final class BarreEtat extends JPanel {
     private static final int FILET = 3;
     private static final int POUR_MILLE = 1000;
 
-    /** Le plus long texte d'un pixel achevé fait la largeur voulue de la fenêtre. */
+    /** Le plus long texte possible, qui fixe la largeur de la barre. */
     private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
     private final JLabel resume = new JLabel(" ");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
@@ -29,7 +29,7 @@ final class BarreEtat extends JPanel {
         super(new BorderLayout(MARGE, 0));
         pixel.setName("pixel");
         resume.setName("resume");
-        // un nom de fichier qui commence par <html> se lit tel quel
+        // un nom de fichier qui commence par <html> doit être affiché tel quel
         resume.putClientProperty("html.disable", true);
         avancement.setName("avancement");
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
@@ -42,7 +42,7 @@ final class BarreEtat extends JPanel {
         textes.add(resume, BorderLayout.PAGE_END);
         add(avancement, BorderLayout.PAGE_START);
         add(textes, BorderLayout.CENTER);
-        // la moindre largeur est celle du texte d'un pixel, et un long résumé se coupe
+        // la largeur minimale est celle du texte d'un pixel : un résumé plus long est coupé
         Dimension voulue = getPreferredSize();
         setPreferredSize(voulue);
         pixel.setText(" ");
@@ -59,7 +59,7 @@ final class BarreEtat extends JPanel {
         resume.setToolTipText(texte);
     }
 
-    /** Résumé de l'image montrée, et de ce qu'elle a coûté. @param reduction le rapport de sa taille à l'écran */
+    /** Résumé de l'image et de son coût. @param reduction rapport de sa taille à l'écran à sa taille réelle */
     static String resume(ImageMemoire image, double reduction) {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
@@ -67,7 +67,7 @@ final class BarreEtat extends JPanel {
         return image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + image.legende;
     }
 
-    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si ce n'est peut-être pas sa couleur */
+    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
         pastille.setOpaque(ou != null);
         pastille.repaint();
@@ -82,7 +82,7 @@ final class BarreEtat extends JPanel {
                 code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF);
         float[] lineaire = image.lineaire;
         if (lineaire != null) {
-            // avec un point, comme dans les fichiers de scène
+            // point décimal, comme dans les fichiers de scène
             texte += String.format(Locale.ROOT, " " + image.sens, lineaire[3 * k], lineaire[3 * k + 1],
                     lineaire[3 * k + 2]);
         }

@@ -25,12 +25,12 @@ import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
- * La vie d'un dessin dans la fenêtre, jusqu'à sa fin, son arrêt ou sa panne. La scène montrée le reste tant que rien ne
- * se voit d'une autre. {@link Tracage} travaille ailleurs ; ici, tout s'appelle dans le fil des événements.
+ * Suite des dessins de la fenêtre : début, fin, arrêt, panne. La scène montrée reste la même jusqu'à la première image
+ * d'une autre scène. {@link Tracage} calcule dans un autre fil ; tout est appelé ici dans le fil des événements.
  */
 final class Controleur {
 
-    /** Temps laissé au premier brouillon avant d'en montrer un morceau ; plus grande image d'avant qui se garde. */
+    /** Durée, en nanosecondes, avant de montrer une partie du brouillon ; plus grande image « avant » gardée. */
     private static final long PATIENCE_NS = 300_000_000;
     private static final int PIXELS_GARDES = 16_000_000;
 
@@ -43,31 +43,31 @@ final class Controleur {
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
 
-    // ce qui suit se lit de toute la fenêtre, et ne s'écrit qu'ici
-    /** Le fichier du titre, de F5 et de la surveillance : la scène montrée, ou la première si elle est fautive. */
+    // ces champs sont lus par toute la fenêtre, et modifiés ici seulement
+    /** Le fichier du titre et de la surveillance : celui de la scène montrée ou, à défaut, de la première. */
     String fichier;
-    /** Le dernier dessin commencé, et le premier de la scène montrée ; {@code null} s'il n'y en a pas. */
+    /** Le dernier dessin commencé, et le premier dessin de la scène montrée, ou {@code null}. */
     Tracage courant;
     Tracage adopte;
-    /** Les réglages de la scène montrée, que son dessin soit achevé ou non ; {@code null} avant la première. */
+    /** Les réglages de la scène montrée, même si son dessin n'est pas achevé ; {@code null} avant la première. */
     ReglagesDessin reglages;
-    /** Vrai tant qu'un dessin est en cours, lecture et préparation comprises, et que {@link #finir} n'est pas passé. */
+    /** Vrai pendant un dessin, lecture et préparation comprises, jusqu'à l'appel de {@link #finir}. */
     boolean enCours;
-    /** Le dessin dont l'image se voit, brouillon au moins : ce qui s'inspecte, s'agrandit, s'enregistre, se compare. */
+    /** Le dessin dont l'image ou le brouillon est montré : celui que l'on inspecte et que l'on enregistre. */
     Dessin montre;
-    /** La scène montrée, telle qu'elle est lue ou qu'on l'a déplacée ; {@code null} avant la première. */
+    /** La scène montrée, avec les déplacements ; {@code null} avant la première. */
     Dessin source;
-    /** La vue en fausses couleurs qui remplace l'image ; {@code null} : aucune. */
+    /** La vue en fausses couleurs montrée à la place de l'image, ou {@code null}. */
     String vue;
-    /** L'image qui était achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou trop grande. */
+    /** L'image achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou si elle est trop grande. */
     ImageMemoire avant;
 
     private final Deque<Dessin> avantDeplacements = new ArrayDeque<>();
     private ImageMemoire complete;
-    /** Vrai si d'autres réglages attendent que le brouillon en cours se soit vu. */
+    /** Vrai si de nouveaux réglages attendent la fin du brouillon en cours. */
     private boolean enAttente;
 
-    /** @param premier dessin, dont sont faits ceux d'autres scènes @param programme qui dessine, dans ce fil-là */
+    /** @param premier modèle des dessins d'autres scènes @param programme exécute un dessin, dans le fil des dessins */
     Controleur(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
             Supplier<Dimension> taille) {
         this.premier = premier;
@@ -80,7 +80,7 @@ final class Controleur {
                 () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
     }
 
-    /** Un fil à part, où les tâches attendent leur tour ; oisif il s'en va, et ne retient jamais le programme. */
+    /** Un fil unique, où les tâches attendent leur tour. Il se termine quand il n'a plus de tâche. */
     static ExecutorService unFil(String nom) {
         ThreadPoolExecutor seul = new ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(),
                 tache -> {
@@ -92,30 +92,30 @@ final class Controleur {
         return seul;
     }
 
-    /** Donne une tâche à ce fil ; si elle échoue sans qu'on l'ait arrêtée, {@code siPanne} l'apprend, sur le sien. */
+    /** Confie une tâche à ce fil. Si elle échoue, {@code siPanne} reçoit le message, dans le fil des événements. */
     static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siPanne) {
         return fil.submit(() -> {
             try {
                 tache.run();
             } catch (CancellationException e) {
-                // ce qu'elle calculait n'est plus demandé
+                // le résultat de cette tâche n'est plus demandé
             } catch (RuntimeException | Error e) {
                 EventQueue.invokeLater(() -> siPanne.accept(Pannes.message(e)));
             }
         });
     }
 
-    /** Appelle {@code siChange} chaque fois qu'un dessin commence, s'achève ou s'arrête, et qu'une scène est lue. */
+    /** Appelle {@code siChange} quand un dessin commence, s'achève ou s'arrête, et quand une scène est lue. */
     void prevenir(Runnable siChange) {
         prevenus.add(siChange);
     }
 
-    /** La commande qui dessine la scène montrée avec ces réglages, sections changées mises dans son fichier. */
+    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
     String getCommande() {
         return Pannes.commande("", reglages.getOptions(), fichier, taille.get().width, taille.get().height);
     }
 
-    /** L'image montrée si elle est achevée, qu'une autre se prépare ou non ; {@code null} sinon. */
+    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
     ImageMemoire getImageComplete() {
         return complete == panneau.montree ? complete : null;
     }
@@ -128,7 +128,7 @@ final class Controleur {
         suivre(tracage);
     }
 
-    /** Lit cette scène et la dessine ; ce qui se dessinait est abandonné. */
+    /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
         retenir();
         lancer(premier.pour(scene, taille.get().width, taille.get().height), false);
@@ -138,14 +138,14 @@ final class Controleur {
         ouvrir(fichier);
     }
 
-    /** Le fichier de la scène montrée a changé ; une autre scène qui se lit passe avant. */
+    /** Relit la scène montrée, dont le fichier a changé, sauf si une autre scène est en cours de lecture. */
     private void suivreFichier() {
         if (!enCours || !courant.aLire || courant.dessin.fichier.equals(fichier)) {
             relire();
         }
     }
 
-    /** Dessine la scène montrée avec ces réglages. @param suite si ce geste continue : « avant » reste avant lui */
+    /** Dessine la scène montrée avec ces réglages. @param suite vrai si le geste continue : « avant » ne change pas */
     void dessiner(ReglagesDessin voulus, boolean suite) {
         reglages = voulus;
         if (!suite) {
@@ -158,13 +158,13 @@ final class Controleur {
         }
     }
 
-    /** Remplace l'image par cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
+    /** Montre cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
     void voir(String voulue) {
         vue = voulue;
         redessiner(false);
     }
 
-    /** Remplace un objet ou une lampe de la scène montrée, en mémoire seulement. @param suite si ce geste continue */
+    /** Remplace un objet ou une lampe de la scène, en mémoire seulement. @param suite vrai si le geste continue */
     void deplacer(Object ancien, Object nouveau, boolean suite) {
         if (!suite) {
             avantDeplacements.push(source);
@@ -173,7 +173,6 @@ final class Controleur {
         dessiner(reglages, suite);
     }
 
-    /** Défait le dernier déplacement. */
     void defaire() {
         if (estDeplacee()) {
             source = avantDeplacements.pop();
@@ -208,12 +207,12 @@ final class Controleur {
     }
 
     private void redessiner(boolean geste) {
-        // une scène qui se lit, et ne se voit pas encore, passe avant
+        // une scène en cours de lecture passe avant la scène montrée
         boolean autre = enCours && courant.aLire && courant != adopte;
         lancer((autre ? courant.dessin : source).avec(taille.get().width, taille.get().height), geste);
     }
 
-    /** L'image achevée devient celle d'avant ; une trop grande ne se garde pas, et une vue n'en est pas une. */
+    /** L'image achevée devient l'image « avant », sauf si elle est trop grande ou si c'est une vue. */
     private void retenir() {
         if (complete == null || complete.sens.equals(ImageMemoire.COULEUR)) {
             avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
@@ -224,7 +223,7 @@ final class Controleur {
         return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
     }
 
-    /** @param geste vrai s'il peut continuer : l'image ne vient qu'un moment après le brouillon */
+    /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
     private void lancer(Dessin dessin, boolean geste) {
         enAttente = false;
         if (dessins.isShutdown()) {
@@ -254,7 +253,7 @@ final class Controleur {
         observer();
     }
 
-    /** Regarde où en est le dessin en cours, et le montre ; à appeler souvent. */
+    /** Lit l'état du dessin en cours et le montre ; à appeler souvent. */
     void observer() {
         boolean fini = courant.isDone();
         if (panneau.peinte) {
@@ -263,12 +262,12 @@ final class Controleur {
         Dessin dessin = courant.dessin;
         if (courant.aLire && dessin.getLue() != null && !courant.lueDite) {
             courant.lueDite = true;
-            // il n'y a plus de faute, même si l'image se fait attendre
+            // la scène n'a plus de faute, même si son image n'est pas encore montrée
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
         ImageMemoire image = dessin.getImage();
         if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
-                // à défaut d'image, un morceau de brouillon vaut mieux que du gris
+                // sans image, une partie du brouillon est montrée
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
             panneau.montree = image;
             panneau.repaint();
@@ -293,7 +292,7 @@ final class Controleur {
         }
     }
 
-    /** La scène que ce dessin a lue, s'il en a lu une, devient celle qui est montrée. */
+    /** Si ce dessin a lu une scène, elle devient la scène montrée. */
     private void adopter() {
         if (courant.aLire && courant != adopte) {
             adopte = courant;
@@ -319,7 +318,7 @@ final class Controleur {
         Fautes fautes = courant.dessin.getLancer() == null ? null : courant.dessin.getLancer().getFautes();
         if (courant.isAcheve()) {
             complete = montre.getImage();
-            // les sections laissées de côté, sans le reste de leur avertissement
+            // les sections ignorées, sans le reste de leur avertissement
             String ignorees = String.join("\n", montre.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
             complete.legende = montre.getCout() + ", " + (vue == null ? "" : "vue " + vue + ", ")
@@ -344,12 +343,12 @@ final class Controleur {
         prevenus.forEach(Runnable::run);
     }
 
-    /** Phrase qui dit combien de pixels de l'image montrée n'ont pu être calculés ; {@code null} si aucun. */
+    /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
         return montre == null ? null : montre.getLancer().getFautes().enMots();
     }
 
-    /** La scène montrée reste ; si c'est elle qui est devenue fautive, elle reste aussi surveillée. */
+    /** Refuse la scène lue. La scène montrée reste ; si c'est son fichier qui est fautif, il reste surveillé. */
     private void refuser(String message) {
         panneau.bandeau.dire(Sujet.SCENE, message);
         if (fichier == null || courant.dessin.fichier.equals(fichier)) {
@@ -357,7 +356,7 @@ final class Controleur {
             surveillance.suivre(fichier, courant.version);
         }
         if (adopte != null && getImageComplete() == null) {
-            // la faute a interrompu un dessin de la scène d'avant : c'est lui, la dernière bonne image
+            // la faute a interrompu le dessin de la scène d'avant : il est repris
             retenir();
             redessiner(false);
         }

@@ -24,28 +24,28 @@ import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
 
-/** Les dialogues, en français même là où Java ne l'est pas, et le tableau des touches. */
+/** Les dialogues et le tableau des touches, en français quelle que soit la langue de Java. */
 final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
-    /** Place qu'un dialogue laisse, sur un petit écran, à son propre cadre. */
+    /** Place laissée au cadre d'un dialogue sur un petit écran. */
     private static final int BORDS = 40;
 
-    /** Vrai tant qu'un choix de fichier est à l'écran : une touche qui se répète en ouvrirait un autre par-dessus. */
+    /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
     private static boolean ouvert;
 
     private Dialogues() {
     }
 
-    /** Pose, avant le premier dialogue, ses textes : selon Java, il en manque en français. */
+    /** Donne aux dialogues leurs textes : certaines versions de Java ne les ont pas en français. */
     private static void traduire() {
         for (String[] texte : lire("dialogues.txt")) {
             UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);
         }
     }
 
-    /** Les lignes d'un fichier de textes, chacune deux colonnes que sépare une tabulation. */
+    /** Les lignes d'un fichier de textes, en deux colonnes que sépare une tabulation. */
     private static String[][] lire(String fichier) {
         try (BufferedReader texte = new BufferedReader(new InputStreamReader(
                 Dialogues.class.getResourceAsStream(fichier), StandardCharsets.UTF_8))) {
@@ -59,7 +59,7 @@ final class Dialogues {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
 
-    /** Le tableau des touches : il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
+    /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
     static JDialog touches(JFrame cadre) {
         JLabel table = new JLabel("<html><table>" + Arrays.stream(lire("touches.txt"))
                 .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
@@ -76,7 +76,7 @@ final class Dialogues {
         return touches;
     }
 
-    /** @param actuelle la scène déjà ouverte, dont le dossier est proposé, ou {@code null} */
+    /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
         traduire();
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
@@ -92,7 +92,7 @@ final class Dialogues {
                 .filter(File::isDirectory).findFirst().orElse(new File("").getAbsoluteFile());
     }
 
-    /** Le fichier où enregistrer l'image, qui finit par .png et peut être remplacé ; {@code null} : aucun. */
+    /** Le fichier PNG où enregistrer l'image, remplacement confirmé ; {@code null} si l'utilisateur renonce. */
     static File choisirImage(Component parent, File proposee) {
         traduire();
         JFileChooser choix = new JFileChooser(proposee.getParentFile());
@@ -128,7 +128,7 @@ final class Dialogues {
             return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
         } finally {
             ouvert = false;
-            // certains bureaux ne rendent pas le clavier à la fenêtre quand un dialogue se ferme
+            // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
             parent.requestFocus();
         }
     }

@@ -18,21 +18,20 @@ import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/** L'image achevée, vers le presse-papiers, ou vers un fichier PNG, le même qu'avec {@code --image}. */
+/** Copie l'image achevée dans le presse-papiers, ou l'enregistre en PNG comme {@code --image}. */
 final class Enregistrement {
 
     private static final DirectColorModel SANS_ALPHA = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Controleur controleur;
     private final Bandeau bandeau;
-    /** Un fil qui retient le programme : fermer la fenêtre laisse finir d'écrire. */
+    /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    /** Propositions du prochain dialogue : le dossier du dernier enregistrement, ou le fichier qui a échoué. */
+    /** Valeurs proposées par le prochain dialogue : dernier dossier, ou fichier dont l'écriture a échoué. */
     private File dossier = new File("").getAbsoluteFile();
     private File echoue;
 
-    /** @param bandeau où dire ce qu'il en est */
     Enregistrement(Controleur controleur, Bandeau bandeau) {
         this.controleur = controleur;
         this.bandeau = bandeau;
@@ -41,7 +40,7 @@ final class Enregistrement {
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
-            // sur le tableau même des codes, qui ne change plus : d'une grande image, une copie prendrait du temps
+            // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
             BufferedImage copie = new BufferedImage(SANS_ALPHA, Raster.createPackedRaster(
                     new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur, image.largeur,
                     SANS_ALPHA.getMasks(), null), false, null);
@@ -65,7 +64,7 @@ final class Enregistrement {
         }
     }
 
-    /** L'image achevée ; à défaut, dit pourquoi elle n'est pas enregistrée, ou copiée. */
+    /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
         ImageMemoire image = controleur.getImageComplete();
         String faute = controleur.direFautes();
@@ -77,7 +76,6 @@ final class Enregistrement {
         return faute == null ? image : null;
     }
 
-    /** Demande où l'écrire, et n'écrase pas la scène. */
     void enregistrer() {
         ImageMemoire image = imageOuAvis("enregistrée");
         if (image == null) {
@@ -103,7 +101,7 @@ final class Enregistrement {
         try {
             ecriture.epargner(FichierScene.trouver(scene), "la scène elle-même");
         } catch (SceneFautive e) {
-            // effacée depuis qu'elle a été lue
+            // le fichier de la scène a été effacé depuis sa lecture
         }
         ecriture.ecrire(image, new FichierPng());
         EventQueue.invokeLater(() -> {

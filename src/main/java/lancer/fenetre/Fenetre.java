@@ -47,20 +47,20 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
 /**
- * La fenêtre : son cadre, sa taille, ses touches, et ce qui s'y lit du dessin que mène {@link Controleur}. Le fil des
- * événements ne calcule, ne lit, n'écrit ni n'attend : une horloge lui fait regarder où en est le dessin.
+ * La fenêtre : cadre, taille, touches, menus, et affichage du dessin que dirige {@link Controleur}. Le fil des
+ * événements ne fait ni calcul, ni lecture, ni écriture, ni attente : une horloge lui fait lire l'état du dessin.
  */
 @SuppressWarnings("serial")
 public final class Fenetre {
 
-    /** Temps entre deux regards sur le dessin en cours, et sans changement de taille avant de redessiner. */
+    /** Temps entre deux lectures de l'état du dessin, et temps sans changement de taille avant de redessiner. */
     private static final int PERIODE_MS = 33;
     private static final int REPOS_MS = 200;
 
     final JFrame cadre = new Cadre();
     final Controleur controleur;
     private final String programme;
-    /** La taille de l'image que dit la ligne de commande. */
+    /** La taille de l'image demandée par la ligne de commande. */
     private final Dimension demandee;
     private final Runnable fin;
     private final PanneauImage panneau;
@@ -69,11 +69,11 @@ public final class Fenetre {
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final KeyEventPostProcessor renvoi = this::renvoyer;
-    /** Actions des caractères, quelles que soient les touches qui les font. */
+    /** Action de chaque caractère, quelle que soit la touche qui le donne. */
     private final Map<Character, Runnable> caracteres = new HashMap<>();
     private JMenuItem remplir;
     private JCheckBoxMenuItem plein;
-    /** Place du cadre avant le plein écran. */
+    /** Position du cadre avant le plein écran. */
     private Rectangle place;
     private final Onglets onglets;
     private final Prise prise;
@@ -105,7 +105,7 @@ public final class Fenetre {
         caracteres.put('-', () -> dessin.changer(false));
         menus.add(new MenuScenes(controleur).menu);
         JMenu aide = menus.add(Menus.menu("Aide"));
-        // A est à Affichage
+        // A est la lettre d'Affichage
         aide.setMnemonic(KeyEvent.VK_I);
         Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
             touches = touches == null ? Dialogues.touches(cadre) : touches;
@@ -163,14 +163,14 @@ public final class Fenetre {
         return menu;
     }
 
-    /** @param premier le dessin qu'il y a déjà à montrer, ou {@code null} */
+    /** @param premier le dessin déjà commencé, ou {@code null} */
     void commencer(Tracage premier) {
         cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         cadre.pack();
         Rectangle ecran = Dialogues.ecran();
-        // la place du panneau est à droite, s'il y en a
+        // les panneaux s'ouvrent à droite de l'image
         cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth() - Onglets.LARGEUR) / 2),
                 ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
         ecouter();
@@ -219,7 +219,7 @@ public final class Fenetre {
         cadre.addComponentListener(tailleEtPlace);
     }
 
-    /** Un cadre qui tient dans l'écran : rapetissé après coup, il reprend parfois la taille d'avant. */
+    /** Un cadre qui tient dans l'écran. Le réduire après coup ne suffit pas : il reprend parfois sa taille d'avant. */
     private static final class Cadre extends JFrame {
 
         @Override
@@ -261,10 +261,10 @@ public final class Fenetre {
         boolean entre = plein.isSelected();
         GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
         place = entre ? cadre.getBounds() : place;
-        // un cadre garde sa barre de titre, même en plein écran, et n'en change que fermé
+        // la barre de titre ne peut être ôtée qu'à un cadre fermé
         cadre.dispose();
         cadre.setUndecorated(entre);
-        // cachés, des menus ne répondraient plus à leurs touches
+        // des menus cachés ne répondraient plus à leurs touches
         cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
         barre.setVisible(!entre);
         ecran.setFullScreenWindow(entre ? cadre : null);
@@ -311,7 +311,7 @@ public final class Fenetre {
         }
     }
 
-    /** Un caractère dont rien n'a été fait est pour le cadre, quelle que soit la touche qui l'écrit. */
+    /** Exécute l'action d'un caractère qu'aucun composant n'a utilisé. */
     private boolean renvoyer(KeyEvent e) {
         if (e.getID() == KeyEvent.KEY_PRESSED && !e.isConsumed() && cadre.isFocused()
                 && !e.isAltDown() && !e.isControlDown() && !e.isMetaDown()
@@ -321,7 +321,7 @@ public final class Fenetre {
         return false;
     }
 
-    /** Termine : plus aucun dessin, plus de fenêtre, et les images en train de s'écrire le seront jusqu'au bout. */
+    /** Arrête les dessins, ferme la fenêtre, et laisse finir les écritures en cours. */
     private void fermer() {
         if (cadre.isDisplayable()) {
             abandonner();
@@ -329,11 +329,11 @@ public final class Fenetre {
         }
     }
 
-    /** Ferme la fenêtre, sans finir le programme : sa scène est refusée. */
+    /** Ferme la fenêtre sans finir le programme : la première scène est refusée. */
     void abandonner() {
         horloge.stop();
         controleur.terminer();
-        // ce que calcule un onglet s'arrête avec lui
+        // fermer l'onglet arrête son calcul
         onglets.fermer();
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
         cadre.dispose();
@@ -351,11 +351,11 @@ public final class Fenetre {
         decrire();
     }
 
-    /** Charge les icônes, entre lesquelles le bureau choisit, et que la première image n'a pas à attendre. */
+    /** Charge les icônes dans un autre fil, pour ne pas retarder la première image. */
     private void donnerIcones() {
         if (cadre.getIconImages().isEmpty()) {
             new Thread(() -> {
-                // la scène du cours, que « make images » dessine
+                // les icônes montrent la scène du cours ; « make images » les refait
                 List<Image> icones = Stream.of("16", "32", "48", "128").map(cote ->
                         new ImageIcon(Fenetre.class.getResource("icone-" + cote + ".png")).getImage())
                         .collect(Collectors.toList());
@@ -380,7 +380,7 @@ public final class Fenetre {
         montrerPixel();
     }
 
-    /** Dit ce qu'a coûté l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
+    /** Affiche le coût de l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : controleur.enCours ? null : controleur.getImageComplete();

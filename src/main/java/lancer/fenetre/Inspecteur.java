@@ -50,7 +50,7 @@ import lancer.inspection.Noeud;
 import lancer.inspection.Recit;
 import lancer.texte.Nombre;
 
-/** Explication d'un pixel, qu'elle suit d'un dessin à l'autre tant qu'elle se voit ; un fil à part la calcule. */
+/** Explication d'un pixel, calculée dans un autre fil. Tant qu'elle est visible, chaque dessin la met à jour. */
 @SuppressWarnings("serial")
 final class Inspecteur extends JPanel {
 
@@ -64,7 +64,7 @@ final class Inspecteur extends JPanel {
         @Override
         public void updateUI() {
             super.updateUI();
-            // ses touches sont celles de la fenêtre : les flèches mènent le pixel, les chiffres isolent un rebond
+            // les flèches déplacent le pixel et les chiffres choisissent un rebond : l'arbre n'a aucune touche
             SwingUtilities.replaceUIInputMap(this, WHEN_FOCUSED, null);
             SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
             for (KeyListener frappe : getKeyListeners()) {
@@ -80,19 +80,19 @@ final class Inspecteur extends JPanel {
     private Inspection enCours;
     private Inspection montree;
     private Point pixel;
-    /** Caméra de l'image dont c'est un pixel ; {@code null} : celle qui est montrée. */
+    /** Caméra de l'image où le pixel a été choisi ; {@code null} : celle de l'image montrée. */
     private Camera camera;
     private int rang = Inspection.AU_CENTRE;
-    /** Le numéro du seul rebond que montrent les figures ; 0 : tous. */
+    /** Numéro du seul rebond que montrent les figures ; 0 pour tous. */
     int rebond;
     private String fichier;
     private Noeud recit;
-    /** Le même, tous chiffres écrits. */
+    /** Les mêmes lignes, nombres entiers compris. */
     private List<String> lignes = Collections.emptyList();
-    /** Ce qui a été ouvert ou fermé, par son sujet. */
+    /** État ouvert ou fermé de chaque nœud, par sujet. */
     private final Map<String, Boolean> ouverts = new HashMap<>();
 
-    /** @param caracteres où mettre ce qu'il fait d'un caractère */
+    /** @param caracteres reçoit les actions des caractères de ce panneau */
     Inspecteur(Controleur controleur, PanneauImage panneau, Map<Character, Runnable> caracteres) {
         super(new BorderLayout(MARGE, MARGE));
         this.controleur = controleur;
@@ -109,7 +109,7 @@ final class Inspecteur extends JPanel {
         ascenseur.setPreferredSize(TAILLE);
         vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
-        // le récit d'abord : un écran dense n'est parfois haut que de quatre cents points
+        // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
         partage.setResizeWeight(0.8);
         partage.setBorder(null);
         add(verdict, BorderLayout.PAGE_START);
@@ -157,7 +157,7 @@ final class Inspecteur extends JPanel {
         }
     }
 
-    /** Explique ce pixel, tout de suite ou dès que cela se verra. */
+    /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
     void montrer(Point voulu) {
         rebond = voulu.equals(pixel) ? rebond : 0;
         pixel = voulu;
@@ -179,7 +179,7 @@ final class Inspecteur extends JPanel {
         calculer();
     }
 
-    /** Ne montre plus dans les figures que ce rebond ; tous, si c'est déjà lui ou s'il n'existe pas. */
+    /** Ne montre que ce rebond dans les figures ; les montre tous si c'est déjà lui ou s'il n'existe pas. */
     private void isoler(int numero) {
         rebond = numero == rebond || !isShowing() ? 0 : numero;
         calculer();
@@ -209,7 +209,7 @@ final class Inspecteur extends JPanel {
         panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }
 
-    /** Explique le pixel de l'image montrée, par ce qui l'a dessinée ; ce qui se lit est gris en attendant. */
+    /** Explique le pixel de l'image montrée. L'explication d'avant est grisée pendant le calcul. */
     private void calculer() {
         Dessin montre = controleur.montre;
         if (enCours != null) {
@@ -224,7 +224,7 @@ final class Inspecteur extends JPanel {
             recit = null;
             rebond = 0;
         }
-        // d'une image d'une autre taille, le même endroit
+        // même endroit dans une image d'une autre taille
         double fois = camera == null ? 1 : (double) montre.getImage().largeur / camera.getLargeur();
         camera = montre.getLancer().getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
@@ -240,7 +240,7 @@ final class Inspecteur extends JPanel {
             nouvelle.faireOuEchouer(voulu);
             List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
-            int garde = seul > nouvelle.getEtapes().size() ? 0 : seul;
+            int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> {
                 if (nouvelle == enCours) {
@@ -259,7 +259,7 @@ final class Inspecteur extends JPanel {
         parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, arbre.isExpanded(chemin)));
         arbre.setModel(new DefaultTreeModel(branche(recit)));
         ouvrir();
-        boolean connue = nouvelle.getEtapes().stream().allMatch(etape -> etape.inconnue().estNoire());
+        boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
         verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
                 : comparer(nouvelle.getCouleur()))
                 + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur.")
@@ -278,7 +278,7 @@ final class Inspecteur extends JPanel {
         return (Noeud) ((DefaultMutableTreeNode) branche).getUserObject();
     }
 
-    /** Donne à faire ceux des nœuds qui ont des enfants, un parent avant ses enfants. */
+    /** Appelle {@code geste} pour chaque nœud qui a des enfants, un parent avant ses enfants. */
     private void parcourir(BiConsumer<Noeud, TreePath> geste) {
         DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
         List<?> branches = racine == null ? Collections.emptyList() : Collections.list(racine.preorderEnumeration());
@@ -289,11 +289,11 @@ final class Inspecteur extends JPanel {
         }
     }
 
-    /** Ouvre ce qui doit l'être, et choisit le rebond isolé. */
+    /** Ouvre ou ferme chaque nœud selon son état, et sélectionne le rebond choisi. */
     private void ouvrir() {
         parcourir((noeud, chemin) -> {
             boolean ouvert = ouverts.getOrDefault(noeud.sujet, !noeud.replie);
-            // Java ouvre tout ce qui est au-dessus d'un nœud que l'on ouvre ou ferme
+            // Java ouvre tous les parents d'un nœud que l'on ouvre ou que l'on ferme
             if (chemin.getPathCount() == 1 || arbre.isExpanded(chemin.getParentPath())) {
                 basculer(chemin, ouvert);
             }
@@ -304,7 +304,7 @@ final class Inspecteur extends JPanel {
                 .forEach(arbre::setSelectionPath);
     }
 
-    /** Ouvre tout ce qui se replie, ou le replie. */
+    /** Ouvre tous les nœuds ou, s'ils sont ouverts, les remet dans leur état initial. */
     private void deplier() {
         boolean[] tout = {true};
         parcourir((noeud, chemin) -> tout[0] &= !noeud.replie || !arbre.isExpanded(chemin));
@@ -312,7 +312,7 @@ final class Inspecteur extends JPanel {
         ouvrir();
     }
 
-    /** Une ligne : sa couleur, son texte, et ce qui s'y lisait s'il a changé. */
+    /** Une ligne de l'arbre : une pastille de sa couleur, son texte, et sa valeur d'avant si elle a changé. */
     private final class Rendu extends DefaultTreeCellRenderer {
 
         @Override
@@ -320,7 +320,7 @@ final class Inspecteur extends JPanel {
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
             boolean change = noeud.avant != null || !ouvert && noeud.aChange();
-            // entre le fond et celui de ce qui est choisi : lisible dans un thème clair comme dans un sombre
+            // entre le fond et celui de la sélection : lisible dans un thème clair comme dans un sombre
             Color fond = tree.getBackground();
             Color choix = getBackgroundSelectionColor();
             setBackgroundNonSelectionColor(!change || choix == null ? null

@@ -18,7 +18,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 
-/** Le menu des réglages du dessin : réflexions et variantes, sans jamais toucher au fichier de la scène. */
+/** Le menu des réglages du dessin : réflexions, étapes, variantes. Il ne modifie jamais le fichier de la scène. */
 final class MenuDessin {
 
     static final Integer[] REFLEXIONS = {0, 1, 2, 5, 10};
@@ -32,13 +32,12 @@ final class MenuDessin {
     private final Controleur controleur;
     private final JMenuItem arreter;
 
-    /** @param variantes les noms de celles qui sont présentes */
     MenuDessin(Controleur controleur, List<String> variantes) {
         this.controleur = controleur;
         JMenuItem relire = Menus.article(menu, "Relire la scène et redessiner", Menus.touche(KeyEvent.VK_F5),
                 controleur::relire);
         controleur.prevenir(() -> relire.setEnabled(controleur.fichier != null));
-        // la touche est liée ailleurs : Java l'afficherait « Escape »
+        // la touche Échap est liée ailleurs : Java l'afficherait en anglais
         arreter = Menus.article(menu, "Arrêter (Échap)", null, controleur::arreter);
         menu.addSeparator();
         for (int n : REFLEXIONS) {
@@ -92,7 +91,7 @@ final class MenuDessin {
         }
     }
 
-    /** Les sections à mettre dans le fichier de scène, et la commande, qui dessinent la même image. */
+    /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     private void copier() {
         String sections = controleur.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())

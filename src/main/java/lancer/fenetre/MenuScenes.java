@@ -14,7 +14,7 @@ import javax.swing.JMenu;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/** Le menu des scènes : celles du dossier de la scène montrée. */
+/** Le menu des scènes du dossier de la scène montrée. */
 final class MenuScenes {
 
     private static final int SCENES_MAX = 40;
@@ -22,7 +22,7 @@ final class MenuScenes {
     final JMenu menu = Menus.menu("Scènes");
     private final Controleur controleur;
     private final ExecutorService fil = Controleur.unFil("lancer-scenes");
-    /** Le dessin qui a lu la scène montrée, {@code null} s'il n'y en a pas encore. */
+    /** Le dessin qui a lu la scène montrée, ou {@code null}. */
     private Tracage montree;
     private List<File> voisines;
     private int rang;
@@ -37,7 +37,7 @@ final class MenuScenes {
         });
     }
 
-    /** Lit le dossier de la scène qu'a lue ce dessin ; jamais avant la première image. */
+    /** Lit le dossier de la scène de ce dessin, après l'affichage de la première image. */
     private void lister(Tracage tracage) {
         montree = tracage;
         Controleur.confier(fil, () -> {

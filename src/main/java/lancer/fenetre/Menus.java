@@ -11,7 +11,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.KeyStroke;
 
-/** Outils pour faire des menus, où chaque article se choisit aussi par une lettre que ses voisins n'ont pas. */
+/** Création des menus. Chaque article a une lettre que les autres articles de son menu n'ont pas. */
 final class Menus {
 
     private Menus() {
@@ -23,9 +23,9 @@ final class Menus {
         return menu;
     }
 
-    /** La touche Ctrl, ou Commande sur un Mac, et une autre. */
+    /** La combinaison de Ctrl, ou de Commande sur un Mac, et de cette touche. */
     static KeyStroke ctrl(int touche) {
-        // la forme en Ex est de Java 10
+        // getMenuShortcutKeyMaskEx n'existe que depuis Java 10
         return KeyStroke.getKeyStroke(touche, Toolkit.getDefaultToolkit().getMenuShortcutKeyMask());
     }
 
@@ -33,7 +33,7 @@ final class Menus {
         return KeyStroke.getKeyStroke(touche, 0);
     }
 
-    /** @param touche celle qui le choisit sans le menu, ou {@code null} */
+    /** @param touche son raccourci, ou {@code null} */
     static JMenuItem article(JMenu menu, String nom, KeyStroke touche, Runnable action) {
         return article(menu, new JMenuItem(nom), touche, action);
     }
@@ -44,18 +44,17 @@ final class Menus {
         return choix;
     }
 
-    /** Lie une touche à ce qui n'a pas d'article ; à la racine du cadre, elle manquerait à un menu ouvert. */
+    /** Lie une touche à une action sans article. Liée à la racine du cadre, la touche manquerait à un menu ouvert. */
     static void lier(JFrame cadre, KeyStroke touche, Runnable action) {
         JComponent contenu = (JComponent) cadre.getContentPane();
         contenu.registerKeyboardAction(e -> action.run(), touche, JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
-    /** Un article grisé tant qu'aucune scène n'est montrée. */
+    /** Ajoute un article, grisé tant qu'aucune scène n'est montrée. */
     static void siScene(Controleur controleur, JMenu menu, String nom, KeyStroke touche, Runnable action) {
         siScene(controleur, article(menu, nom, touche, action));
     }
 
-    /** Grise cet article tant qu'aucune scène n'est montrée. */
     static <T extends JMenuItem> T siScene(Controleur controleur, T article) {
         article.setEnabled(false);
         controleur.prevenir(() -> article.setEnabled(controleur.reglages != null));
@@ -63,7 +62,7 @@ final class Menus {
     }
 
     static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
-        // un nom de fichier qui commence par <html> se lit tel quel
+        // un nom de fichier qui commence par <html> doit être affiché tel quel
         article.putClientProperty("html.disable", true);
         article.updateUI();
         article.setMnemonic(lettreLibre(menu, article.getText()));

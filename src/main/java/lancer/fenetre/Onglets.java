@@ -16,7 +16,7 @@ import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 
-/** Le panneau à droite de l'image : un onglet pour chaque question. Le contenu d'un onglet est fait à sa demande. */
+/** Les onglets à droite de l'image. Le contenu d'un onglet est créé quand il est demandé. */
 @SuppressWarnings("serial")
 final class Onglets extends JSplitPane {
 
@@ -25,14 +25,14 @@ final class Onglets extends JSplitPane {
 
     private final JFrame cadre;
     private final Map<String, Supplier<JComponent>> contenus;
-    /** Les onglets, faits quand l'un d'eux est demandé, et l'apparence qu'ils ont. */
+    /** Les onglets, créés à la première demande, et l'apparence qui leur est appliquée. */
     private JTabbedPane onglets;
     private LookAndFeel apparence;
-    /** Largeur du panneau la dernière fois qu'il était ouvert, et ce que le cadre y a gagné. */
+    /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
     private int largeur = LARGEUR;
     private int gagne;
 
-    /** @param image ce qui est toujours à gauche @param contenus ce que montre chaque onglet, dans l'ordre */
+    /** @param image composant de gauche, toujours visible @param contenus contenu de chaque onglet, dans l'ordre */
     Onglets(JFrame cadre, JComponent image, Map<String, Supplier<JComponent>> contenus) {
         super(HORIZONTAL_SPLIT, image, null);
         this.cadre = cadre;
@@ -61,14 +61,14 @@ final class Onglets extends JSplitPane {
         Box bout = Box.createHorizontalBox();
         bout.add(Box.createHorizontalGlue());
         bout.add(fermer);
-        // FlatLaf le pose au bout des onglets
+        // FlatLaf place ce composant au bout des onglets
         faits.putClientProperty("JTabbedPane.trailingComponent", bout);
         contenus.keySet().forEach(nom -> faits.addTab(nom, new JPanel(new BorderLayout())));
         faits.addChangeListener(e -> remplir());
         return faits;
     }
 
-    /** Les flèches et Ctrl sont pour l'image, non pour passer d'un onglet à l'autre ou déplacer la séparation. */
+    /** Ôte les touches de Swing : les flèches et Ctrl servent à l'image, et non à changer d'onglet. */
     @Override
     public void updateUI() {
         super.updateUI();
@@ -87,13 +87,13 @@ final class Onglets extends JSplitPane {
         return getRightComponent() != null;
     }
 
-    /** Montre cet onglet ; le cadre s'élargit vers la droite autant que l'écran le permet, l'image ne bouge pas. */
+    /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
     JComponent montrer(int rang) {
         onglets = onglets == null ? faire() : onglets;
         onglets.setSelectedIndex(rang);
         if (!estOuvert()) {
             if (apparence != UIManager.getLookAndFeel()) {
-                // changée pendant que le panneau était fermé
+                // l'apparence a changé pendant que le panneau était fermé
                 apparence = UIManager.getLookAndFeel();
                 SwingUtilities.updateComponentTreeUI(onglets);
             }
@@ -105,7 +105,7 @@ final class Onglets extends JSplitPane {
             setDividerSize(BARRE);
             setDividerLocation(getWidth() - largeur - BARRE);
             cadre.validate();
-            // ce que le cadre gagne, quand le bureau le lui donne, est pour l'image
+            // la largeur gagnée par le cadre est donnée à l'image
             cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
             cadre.validate();
             setDividerLocation(getWidth() - largeur - BARRE);

@@ -16,41 +16,41 @@ import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
 import lancer.scene.Services;
 
-/** Chemin de la commande à la fenêtre : lire la première scène, s'assurer d'un écran, et commencer à dessiner. */
+/** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
 
-    /** Temps laissé à une scène pour se lire, ou se refuser, avant qu'une fenêtre ne s'ouvre pour le dire. */
+    /** Temps laissé à la lecture de la première scène avant l'ouverture de la fenêtre. */
     private static final long PATIENCE_MS = 400;
 
     private Ouverture() {
     }
 
     /**
-     * Ouvre la fenêtre sur la scène demandée, et revient une fois celle-ci lue.
+     * Ouvre la fenêtre sur la scène demandée, et revient après la lecture de cette scène.
      *
-     * @param dessin le premier, qui est à lire, s'il a un fichier
-     * @param erreur où dire ce que cette première scène a de laissé de côté
-     * @param fin ce que fait sa fermeture, dans un autre fil
-     * @throws lancer.SceneFautive si la scène ne peut être utilisée ; rien n'est ouvert
+     * @param dessin le premier dessin ; s'il a un fichier, sa scène n'est pas encore lue
+     * @param erreur sortie des avertissements de la première scène
+     * @param fin appelé à la fermeture de la fenêtre, dans un autre fil
+     * @throws lancer.SceneFautive si la scène ne peut être utilisée ; aucune fenêtre n'est alors ouverte
      * @throws Echec s'il n'y a pas d'écran
      */
     public static Fenetre ouvrir(Options options, Dessin dessin, Consumer<Dessin> programme, PrintStream erreur,
             Runnable fin) {
-        // avant qu'AWT ne se charge : ce que Java écrit lui-même, des touches des menus aux dialogues
+        // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         if (!ecranPresent()) {
             if (dessin.fichier != null) {
-                // ce que la scène a de fautif d'abord
+                // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
             throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
-        // un seul fil, donc une image à la fois : la suivante attend là que celle qu'on abandonne ait fini d'écrire
+        // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
         Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null,
                 PanneauImage.dans(Dialogues.ecran().getSize(), dessin.largeur, dessin.hauteur), options.fils);
         if (premier != null) {
-            // sans attendre la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+            // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
             dessin.setEntracte(premier::attendreDEtreVu);
             dessins.execute(premier);
             premier.attendreLecture(PATIENCE_MS);
@@ -85,11 +85,11 @@ public final class Ouverture {
         try {
             boolean present = !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-            // dès ce fil : le bureau reconnaît la fenêtre à la classe d'où part celui qui ouvre l'écran
+            // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
             Toolkit.getDefaultToolkit();
             return present;
         } catch (HeadlessException | AWTError | LinkageError e) {
-            // un DISPLAY sans serveur derrière, ou un Java sans ses bibliothèques d'écran
+            // DISPLAY sans serveur, ou Java sans bibliothèques graphiques
             return false;
         }
     }

@@ -27,8 +27,8 @@ import lancer.image.ImageMemoire;
 import lancer.image.Reduction;
 
 /**
- * L'image sur un gris neutre, pixel pour pixel ; réduite, ses proportions gardées, là où la place manque. Les places et
- * la souris sont en pixels de l'écran, plusieurs par point s'il est dense.
+ * L'image sur un gris neutre. Si la place manque, elle est réduite dans ses proportions. Les positions sont en pixels
+ * de l'écran, et non en points : un écran dense a plusieurs pixels par point.
  */
 @SuppressWarnings("serial")
 final class PanneauImage extends JPanel {
@@ -36,18 +36,18 @@ final class PanneauImage extends JPanel {
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
     private static final int TREMBLEMENT = 4;
-    /** Lignes et colonnes d'une image en cours dont un pixel réduit est la moyenne. */
+    /** Nombre de lignes et de colonnes qui donnent un pixel réduit, tant que l'image n'est pas achevée. */
     private static final int LIGNES_REGARDEES = 4;
 
     final Bandeau bandeau = new Bandeau();
-    /** L'image montrée, {@code null} avant la première ; celle d'avant, tant qu'on la tient à la place des autres. */
+    /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
     ImageMemoire tenue;
-    /** Une petite image, le temps que le brouillon se dessine. */
+    /** Une petite image, montrée pendant le calcul du brouillon. */
     ImageMemoire apercu;
-    /** Ce qui peut se prendre, par-dessus l'image. */
+    /** Dessine les objets à prendre, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    /** L'image réduite à sa place, et ce dont elle dépend. */
+    /** L'image réduite ; l'image d'origine ; vrai si l'image d'origine était achevée. */
     private BufferedImage reduite;
     private ImageMemoire reduiteDe;
     private boolean reduiteAchevee;
@@ -58,16 +58,16 @@ final class PanneauImage extends JPanel {
     private Point souris;
     private Point appui = new Point();
     private Point suivi;
-    /** Ligne qui se lit sur le haut de l'image. */
+    /** Ligne de texte en haut de l'image. */
     String ligne = "";
     boolean peinte;
 
-    /** Grossissement de la loupe, 0 sans elle, et le point de l'image qu'elle met au milieu, en parts de ses côtés. */
+    /** Grossissement de la loupe, 0 sans loupe ; point de l'image au milieu, en parts de ses côtés. */
     private int loupe;
     private double centreX = 0.5;
     private double centreY = 0.5;
 
-    /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique quand on clique sur l'image montrée */
+    /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique appelé après un clic sur l'image */
     PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
         this.siBouge = siBouge;
         this.siClique = siClique;
@@ -85,7 +85,7 @@ final class PanneauImage extends JPanel {
         addMouseWheelListener(suiveur);
     }
 
-    /** Suit la souris ; la molette, et un bouton tenu, mènent la loupe. */
+    /** Suit la souris. La molette règle la loupe, et un bouton tenu la déplace. */
     private final class Suiveur extends MouseAdapter {
 
         private void placer(MouseEvent e) {
@@ -99,12 +99,12 @@ final class PanneauImage extends JPanel {
             appui = e.getPoint();
         }
 
-        /** Un clic ; AWT n'en voit plus si le bouton est tenu et que la main tremble, ne fût-ce que d'un pixel. */
+        /** Un clic. AWT n'en signale pas si la souris bouge d'un seul pixel pendant l'appui. */
         @Override
         public void mouseReleased(MouseEvent e) {
             placer(e);
             int numero = dessus == null ? 0 : dessus.numeroEn(souris);
-            // le second clic d'un double clic dirait un autre pixel, si le panneau a réduit l'image entre les deux
+            // le premier clic a pu réduire l'image : le second désignerait un autre pixel
             if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT || e.isShiftDown()
                     || e.getClickCount() > 1) {
                 return;
@@ -146,13 +146,13 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** Oublie où est la souris : sortie, ou la fenêtre a bougé sous elle, qui n'en dit rien. */
+    /** Oublie la position de la souris : elle est sortie, ou la fenêtre s'est déplacée. */
     void perdreSouris() {
         souris = null;
         siBouge.run();
     }
 
-    /** Dit ceci en une ligne sur le haut de l'image. @param texte vide pour ne plus rien dire */
+    /** Affiche une ligne en haut de l'image. @param texte vide pour l'effacer */
     void dire(String texte) {
         ligne = texte;
         repaint();
@@ -173,19 +173,18 @@ final class PanneauImage extends JPanel {
         return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
     }
 
-    /** La plus grande taille de ces proportions qui tienne ici. */
     Dimension getTailleMax(int largeur, int hauteur) {
         return dans(getLibre(), largeur, hauteur);
     }
 
-    /** La plus grande taille de ces proportions qui tienne dans cette place. */
+    /** La plus grande taille de ces proportions qui tient dans cette place. */
     static Dimension dans(Dimension libre, int largeur, int hauteur) {
         double rapport = Math.min((double) libre.width / largeur, (double) libre.height / hauteur);
         return new Dimension(Math.max(1, (int) Math.round(rapport * largeur)),
                 Math.max(1, (int) Math.round(rapport * hauteur)));
     }
 
-    /** Place de cette image ; à la loupe, elle déborde. */
+    /** Position de l'image à l'écran ; à la loupe, elle déborde. */
     private Rectangle getPlace(ImageMemoire image) {
         Dimension libre = getLibre();
         Dimension max = getTailleMax(image.largeur, image.hauteur);
@@ -194,13 +193,13 @@ final class PanneauImage extends JPanel {
         return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
     }
 
-    /** Le rapport de la taille à laquelle l'image est montrée à la sienne, du côté où il est le plus petit. */
+    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
     double getReduction(ImageMemoire image) {
         Rectangle place = getPlace(image);
         return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
-    /** Agrandit deux fois plus, ou deux fois moins, comme la molette, sans perdre de vue le pixel suivi. */
+    /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
     void approcher(boolean plus) {
         grossir(plus);
         suivre(suivi);
@@ -210,7 +209,7 @@ final class PanneauImage extends JPanel {
         if (montree == null) {
             return;
         }
-        // une image qui ne tient qu'en réduction passe d'abord à sa taille, un pixel pour un
+        // une image réduite passe d'abord à sa taille, un pixel pour un pixel
         Dimension max = getTailleMax(montree.largeur, montree.hauteur);
         int premiere = montree.largeur > max.width || montree.hauteur > max.height ? 1 : 2;
         int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : loupe <= premiere ? 0 : loupe / 2;
@@ -227,7 +226,7 @@ final class PanneauImage extends JPanel {
         }
     }
 
-    /** Garde ce pixel de l'image en vue à la loupe ; {@code null} : plus aucun. */
+    /** Garde ce pixel de l'image visible à la loupe ; {@code null} pour aucun. */
     void suivre(Point pixel) {
         suivi = pixel;
         if (loupe > 0 && suivi != null) {
@@ -246,7 +245,7 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
-    /** Peint ceci par-dessus l'image, à l'écran seulement ; un clic sur un numéro va à {@code siChoisi}. */
+    /** Peint cette figure par-dessus l'image. Un clic sur un de ses numéros appelle {@code siChoisi}. */
     void superposer(Figure figure, IntConsumer siChoisi) {
         dessus = figure;
         siNumero = siChoisi;
@@ -257,7 +256,7 @@ final class PanneauImage extends JPanel {
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
         Graphics2D g2 = (Graphics2D) g.create();
-        // défait l'agrandissement d'un écran dense : l'image a déjà ses pixels
+        // annule l'agrandissement d'un écran dense : l'image est déjà en pixels
         AffineTransform t = g2.getTransform();
         g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                 Math.round(t.getTranslateY())));
@@ -279,13 +278,13 @@ final class PanneauImage extends JPanel {
     }
 
     private static BufferedImage image(int[] codes, int largeur) {
-        // sur le tableau même des codes : rien n'est copié
+        // l'image partage le tableau des codes, sans copie
         DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
         return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
                 codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
     }
 
-    /** Peint les pixels qui sont en vue : l'image entière, à la loupe, AWT ne saurait la peindre. */
+    /** Peint seulement les pixels visibles : AWT ne peut peindre une image entière très agrandie. */
     private void peindre(Graphics2D g, ImageMemoire image) {
         if (image == null) {
             return;
@@ -305,7 +304,7 @@ final class PanneauImage extends JPanel {
                 de.x, de.y, a.x + 1, a.y + 1, null);
     }
 
-    /** L'image à la taille de sa place, chaque pixel en étant une moyenne : exacte une fois l'image achevée. */
+    /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
         boolean achevee = image.legende != null;
         if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
@@ -317,7 +316,7 @@ final class PanneauImage extends JPanel {
         return reduite;
     }
 
-    /** Le bandeau recouvre le bas de l'image, sans la pousser ; plus haut qu'elle, c'est sa fin qui ne se voit pas. */
+    /** Le bandeau couvre le bas de l'image sans la déplacer ; s'il est trop haut, sa fin est coupée. */
     @Override
     public void doLayout() {
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
@@ -325,14 +324,14 @@ final class PanneauImage extends JPanel {
         bandeau.setBounds(0, Math.max(0, getHeight() - hauteur), getWidth(), hauteur);
     }
 
-    /** Le pixel de l'image montrée sous la souris, ou le plus près du milieu ; {@code null} s'il n'y en a pas. */
+    /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
         boolean sous = souris != null && montree != null && getPlace(montree).contains(souris);
         return montree == null ? null
                 : getPixel(montree, sous ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
-    /** Le pixel de cette image qui est sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas dessiné. */
+    /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
     Point getPixelSouris(ImageMemoire image) {
         if (souris == null || image == null || !getPlace(image).contains(souris)) {
             return null;
@@ -341,14 +340,14 @@ final class PanneauImage extends JPanel {
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
     }
 
-    /** Où se peint ce point de l'image montrée, en pixels de l'écran. */
+    /** Position à l'écran de ce point de l'image montrée, en pixels de l'écran. */
     Point2D placeDe(double xe, double ye) {
         Rectangle place = getPlace(montree);
         return new Point2D.Double(place.x + xe * place.width / montree.largeur,
                 place.y + ye * place.height / montree.hauteur);
     }
 
-    /** Le point de l'image montrée qui se peint sous cet événement, en pixels de l'image. */
+    /** Le point de l'image montrée sous cet événement, en pixels de l'image. */
     Point2D pointDe(MouseEvent e) {
         AffineTransform ecran = getEchelle();
         Rectangle place = getPlace(montree);

@@ -25,25 +25,25 @@ import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 import lancer.texte.Nombre;
 
-/** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres : l'image suit ce qu'on y change. */
+/** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres. Un changement redessine l'image. */
 @SuppressWarnings("serial")
 final class PanneauReglages extends JScrollPane {
 
     private static final int MARGE = 8;
     private static final int CENT = 100;
 
-    /** Deux pas d'une glissière plus rapprochés que cela, au clavier, sont d'un même geste. */
+    /** Temps maximal entre deux changements au clavier d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
 
     private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
     private final List<Runnable> ajustements = new ArrayList<>();
-    /** Vrai pendant que le panneau se met où sont les réglages : ce n'est pas l'utilisateur. */
+    /** Vrai pendant que le panneau lui-même change ses composants : l'utilisateur n'a rien changé. */
     private boolean miseAJour;
     private Parametre dernier;
     private long dernierNs;
 
-    /** Panneau à créer quand une scène est lue. */
+    /** À créer quand une scène est lue. */
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
@@ -53,7 +53,7 @@ final class PanneauReglages extends JScrollPane {
                 n -> controleur.dessiner(controleur.reglages.avec(n, controleur.reglages.getSeuil()), false));
         int ligne = 2;
         for (Variante presente : controleur.reglages.getVariantes()) {
-            // chaque lecture en fait une neuve
+            // chaque lecture de la scène crée de nouvelles variantes
             Supplier<Variante> variante = () -> controleur.reglages.getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
@@ -67,7 +67,7 @@ final class PanneauReglages extends JScrollPane {
                 ajouter(variante, parametre, ligne++);
             }
         }
-        // en haut de l'onglet, et non en son milieu
+        // la grille est placée en haut de l'onglet
         JPanel haut = new JPanel(new BorderLayout());
         haut.add(grille, BorderLayout.PAGE_START);
         setViewportView(haut);
@@ -76,7 +76,6 @@ final class PanneauReglages extends JScrollPane {
         controleur.prevenir(this::montrer);
     }
 
-    /** Un choix dans une liste, qui suit les réglages. */
     private <T> void choisir(String nom, int ligne, T[] valeurs, Supplier<T> actuelle, Consumer<T> siChoisie) {
         JComboBox<T> choix = new JComboBox<>(valeurs);
         choix.setName(nom);
@@ -158,7 +157,7 @@ final class PanneauReglages extends JScrollPane {
 
     private JSlider glissiere(Supplier<Variante> variante, Parametre parametre) {
         JSlider glissiere = new Glissiere(parametre);
-        // sans écart, les flèches du clavier n'y feraient rien
+        // sans cet écart, les flèches du clavier n'auraient pas d'effet
         glissiere.setMinorTickSpacing(1);
         glissiere.setSnapToTicks(true);
         glissiere.addChangeListener(e -> regler(variante, parametre, parametre.getValeur(glissiere.getValue()),
@@ -172,7 +171,7 @@ final class PanneauReglages extends JScrollPane {
         return glissiere;
     }
 
-    /** Une glissière qui dit à un lecteur d'écran la valeur du paramètre, et non le numéro de son cran. */
+    /** Une glissière qui donne à un lecteur d'écran la valeur du paramètre, et non le numéro du cran. */
     private static final class Glissiere extends JSlider {
 
         Glissiere(Parametre parametre) {
@@ -202,7 +201,7 @@ final class PanneauReglages extends JScrollPane {
             controleur.dessiner(reglages.avec(variante.get(),
                     section.avec(parametre.cle, voulue, parametre.autre)), suite);
         } else if (!miseAJour && !glisse) {
-            // lâchée : le geste est fini
+            // la glissière est lâchée : le geste est fini
             dernier = null;
         }
     }

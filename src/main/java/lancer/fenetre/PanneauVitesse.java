@@ -21,7 +21,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.image.ImageMemoire;
 
-/** Les réglages que {@code --auto} essaierait sur la scène montrée, essayés dans un fil à part tant qu'il se voit. */
+/** Les réglages que {@code --auto} essaierait sur la scène montrée, essayés tant que cet onglet est visible. */
 @SuppressWarnings("serial")
 final class PanneauVitesse extends JPanel {
 
@@ -29,15 +29,15 @@ final class PanneauVitesse extends JPanel {
 
     private final Controleur controleur;
     private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
-    /** Le point où mènent la souris et les flèches, en mots. */
+    /** Texte du point que désignent la souris ou les flèches. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
     private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
     private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
     private Future<?> essais;
-    /** La scène essayée, telle que rien de ce panneau ne la change ; {@code null} s'il n'y en a pas. */
+    /** Ce dont dépendent les essais en cours ; {@code null} sans essai. */
     private List<Object> essayee;
     private Auto auto;
-    /** Le point dessiné, s'il n'est pas encore mesuré. */
+    /** Le réglage dessiné, tant que son erreur n'est pas mesurée. */
     private Candidat voulu;
 
     PanneauVitesse(Controleur controleur) {
@@ -52,7 +52,7 @@ final class PanneauVitesse extends JPanel {
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
         controleur.prevenir(this::suivre);
-        // rien ne s'essaie pendant que l'onglet est caché
+        // aucun essai quand l'onglet est caché
         addHierarchyListener(e -> suivre());
     }
 
@@ -84,7 +84,7 @@ final class PanneauVitesse extends JPanel {
         }
         graphique.repaint();
         if (auto != null && !graphique.aUnPresent()) {
-            // changés au clavier, ou par F2
+            // les réglages ont été changés ailleurs que dans ce graphique
             List<Object> memeScene = essayee;
             Auto fait = auto;
             auto = null;
@@ -102,10 +102,10 @@ final class PanneauVitesse extends JPanel {
         }
     }
 
-    /** Données dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
+    /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
     private List<Object> scene(Dessin dessin) {
         ReglagesDessin reglages = dessin.getReglages();
-        // un fichier relu sans avoir changé donne les mêmes objets
+        // un fichier relu sans changement garde les essais
         List<Object> scene = new ArrayList<>(Arrays.asList(controleur.estDeplacee() ? dessin.getScene().getObjets()
                 : dessin.fichier + " " + controleur.adopte.version,
                 dessin.getImage().largeur, dessin.getImage().hauteur));
@@ -115,7 +115,6 @@ final class PanneauVitesse extends JPanel {
         return scene;
     }
 
-    /** Dit si l'image montrée est dessinée avec ce réglage. */
     private boolean estPresent(Candidat reglage) {
         ReglagesDessin presents = controleur.montre.getReglages();
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
@@ -129,11 +128,12 @@ final class PanneauVitesse extends JPanel {
             Auto fait = new Auto(montre.getLancer(), 0, null, null, controleur.fils,
                     montre.getReglages().getEssayees(),
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
+            fait.chronometrer();
             evaluer(scene, fait, montre);
         }, panne -> etat.setText("Essais impossibles : " + panne));
     }
 
-    /** Met sur le graphique, depuis le fil des essais, le point des réglages de ce dessin. */
+    /** Ajoute au graphique, depuis le fil des essais, le point des réglages de ce dessin. */
     private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
         montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée)."
                 + (montre.getReglages().getVariantes().isEmpty()
@@ -142,7 +142,7 @@ final class PanneauVitesse extends JPanel {
                         montre.getReglages().getProfondeur()));
     }
 
-    /** Montre, depuis le fil des essais, ce qu'ils disent, si personne n'a changé de scène entre-temps. */
+    /** Montre, depuis le fil des essais, leurs résultats, si la scène n'a pas changé depuis. */
     private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
         List<Candidat> essayes = new ArrayList<>(enCours.essayes);
         EventQueue.invokeLater(() -> {
@@ -163,7 +163,7 @@ final class PanneauVitesse extends JPanel {
             reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }
         voulu = reglage;
-        // comparé à des réglages qui ne seront plus les présents
+        // ce texte compare aux réglages qui vont changer
         point.setText(" ");
         controleur.dessiner(reglages, false);
     }

@@ -31,29 +31,29 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
 
-/** Une sphère, ou une lampe, que prend la souris avec Maj : elle se déplace en mémoire, et l'image la suit. */
+/** Déplacement, avec Maj et la souris, d'une sphère ou d'une lampe. Il se fait en mémoire, et l'image le suit. */
 @SuppressWarnings("serial")
 final class Prise extends MouseAdapter {
 
-    /** Part de la distance à l'œil que gagne un cran de la molette. */
+    /** Rapport des distances à l'œil avant et après un cran de la molette. */
     private static final double CRAN = 1.04;
     private static final int RAYON_ETOILE = 9;
     private static final int BRANCHES = 4;
     private static final Color LAMPE = new Color(0xFFE040);
-    /** Deux touches, ou deux crans, plus rapprochés que cela sont d'un même geste. */
+    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
-    /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 : rien n'est pris. */
+    /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 si rien n'est pris. */
     private int rang = -1;
     private boolean estLampe;
-    /** Point de l'image d'où part un geste de la souris, et position de ce qui est pris à ce moment. */
+    /** Point de l'image au début du geste de la souris, et position de l'objet pris à ce moment. */
     private Point2D depart;
     private Point origine;
     private long dernierNs;
     private boolean etoiles;
-    /** Ce qui a lu la scène dont quelque chose est pris. */
+    /** Le dessin qui a lu la scène de l'objet pris. */
     private Tracage lue;
 
     Prise(Controleur controleur, PanneauImage panneau) {
@@ -68,7 +68,7 @@ final class Prise extends MouseAdapter {
         for (int[] s : sens) {
             panneau.getInputMap().put(KeyStroke.getKeyStroke(s[0], InputEvent.SHIFT_DOWN_MASK), s);
             panneau.getActionMap().put(s, new AbstractAction() {
-                /** Sans prise, la touche reste à ce qu'elle fait d'autre. */
+                /** Si rien n'est pris, la touche garde son autre action. */
                 @Override
                 public boolean isEnabled() {
                     return estPris();
@@ -128,7 +128,7 @@ final class Prise extends MouseAdapter {
         }
     }
 
-    /** Prend la lampe, sinon la sphère, que montre ce point de l'image ; dit pourquoi, si rien ne se prend. */
+    /** Prend la lampe ou, à défaut, la sphère visible en ce point de l'image. Un avis explique un refus. */
     private boolean prendre(Point2D ou) {
         for (int k = 0; k < getLue().lampes.size(); k++) {
             Point2D etoile = etoile(getLue().lampes.get(k));
@@ -186,7 +186,7 @@ final class Prise extends MouseAdapter {
         }
     }
 
-    /** Cette position, de tant de pixels plus à droite et plus bas, dans le plan parallèle à l'écran. */
+    /** Cette position, déplacée de {@code dx} et {@code dy} pixels dans le plan parallèle à l'écran. */
     private Point deplacee(Point p, double dx, double dy) {
         double pixels = getCamera().projeter(p).z;
         return p.add(new Vecteur(dx / pixels, -dy / pixels, 0));
@@ -206,7 +206,7 @@ final class Prise extends MouseAdapter {
         panneau.repaint();
     }
 
-    /** Où se voit cette lampe sur l'écran ; {@code null} si elle est derrière l'œil. */
+    /** Position de cette lampe à l'écran ; {@code null} si elle est derrière l'œil. */
     private Point2D etoile(Lampe lampe) {
         Point vue = getCamera().projeter(lampe.getPosition());
         return vue.z > 0 && !Double.isInfinite(vue.z) ? panneau.placeDe(vue.x, vue.y) : null;

@@ -14,10 +14,10 @@ import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
 
-/** Un dessin pour la fenêtre, loin du fil des événements : lire la scène s'il le faut, la préparer, la dessiner. */
+/** Travail d'un dessin de la fenêtre, dans un autre fil : lire la scène si besoin, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
-    /** Temps après lequel un brouillon jamais vu n'arrête plus l'image, et un dessin à venir dit ce qu'il attend. */
+    /** Attente maximale de l'affichage du brouillon, et attente d'un dessin avant de dire pourquoi il attend. */
     private static final long PATIENCE_MS = 2000;
 
     /** Temps laissé à un geste pour continuer. */
@@ -27,24 +27,24 @@ final class Tracage extends SwingWorker<Void, Void> {
     final boolean aLire;
     private final Consumer<Dessin> programme;
     private final ReglagesDessin voulus;
-    /** La taille où l'image sera montrée. */
+    /** La taille de l'image à l'écran. */
     private final Dimension place;
     private final int fils;
     private final long debut = System.nanoTime();
-    /** La version de ce fichier qui est lue, ou dont la lecture a échoué. */
+    /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
-    /** Vrai une fois dit que la scène est lue sans faute, et qu'un pixel est lent. */
+    /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
     boolean lueDite;
     boolean lenteurDite;
     private volatile long fin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
-    /** Ouvert quand le brouillon se voit : la suite peut se dessiner. */
+    /** Ouvert quand le brouillon est affiché : l'image peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
 
     /**
-     * @param voulus ses réglages, {@code null} pour ceux de la ligne de commande et du fichier
-     * @param place la taille où l'image sera montrée, en pixels
+     * @param voulus les réglages, {@code null} pour ceux de la ligne de commande et du fichier
+     * @param place la taille de l'image à l'écran, en pixels
      */
     Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus, Dimension place, int fils) {
         this.place = place;
@@ -55,7 +55,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         aLire = dessin.getLue() == null;
     }
 
-    /** Attend que la scène soit lue, ou sa lecture abandonnée, tant de millisecondes au plus ; lance son refus. */
+    /** Attend la fin ou l'échec de la lecture, {@code ms} millisecondes au plus ; lève l'exception de l'échec. */
     void attendreLecture(long ms) {
         try {
             lue.await(ms, TimeUnit.MILLISECONDS);
@@ -70,7 +70,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
     }
 
-    /** Attend que le brouillon se voie : la fenêtre qui s'ouvre a d'abord besoin de la machine. */
+    /** Attend l'affichage du brouillon : l'ouverture de la fenêtre a d'abord besoin des processeurs. */
     void attendreDEtreVu() {
         try {
             vue.await(PATIENCE_MS, TimeUnit.MILLISECONDS);
@@ -79,7 +79,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
     }
 
-    /** Attend un moment, le brouillon fait : le geste qui continue n'aura pas d'image à interrompre. */
+    /** Attend un peu après le brouillon : si le geste continue, il n'y a pas d'image à interrompre. */
     void attendreLaSuite() {
         try {
             Thread.sleep(GESTE_MS);
@@ -100,7 +100,7 @@ final class Tracage extends SwingWorker<Void, Void> {
                 if (voulus != null) {
                     dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
                 }
-                // le brouillon d'une image bien plus grande que sa place se ferait attendre
+                // si l'image est bien plus grande que sa place, son brouillon est long
                 if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
                     dessin.apercevoir(place.width, place.height, fils);
                 }
@@ -134,13 +134,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         return (fin != 0 ? fin : System.nanoTime()) - debut;
     }
 
-    /** La part faite de l'image, ou de ce qui la précède, de 0 à 1. */
+    /** La part faite de l'image ou des étapes qui la précèdent, de 0 à 1. */
     double getAvancement() {
         return dessin.getLancer() == null || dessin.isBrouillonFait() ? dessin.getAvancement() : 0;
     }
 
     String getEtat() {
-        // le temps du dessin se lit avec ce qu'il a coûté ; celui-ci compte aussi l'attente et la lecture
+        // le résumé donne le temps du dessin seul ; ce temps compte aussi l'attente et la lecture
         return isAcheve() ? "terminé"
                 : getPanne() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
                 : (getPanne() != null ? "échec" : getEtape())

@@ -1,7 +1,6 @@
 /**
- * L'image dans une fenêtre Swing : dessin, progression, menus, fichiers ouverts et surveillés. Le seul paquet qui
- * connaisse Swing et AWT. Ce qui se voit est dans {@code Fenetre}, la vie d'un dessin dans {@code Controleur}.
- *
- * <p>N'y entre rien qui calcule une couleur ; jamais chargé avec {@code --image}.
+ * La fenêtre Swing : image, avancement, menus, fichiers ouverts et surveillés. Seul ce paquet connaît Swing et AWT.
+ * {@code Fenetre} contient l'affichage, et {@code Controleur} la suite des dessins. Avec {@code --image}, ce paquet
+ * n'est jamais chargé.
  */
 package lancer.fenetre;

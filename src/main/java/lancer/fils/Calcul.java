@@ -2,20 +2,20 @@ package lancer.fils;
 
 import lancer.texte.Texte;
 
-/** Un calcul que fait un fil, tel qu'un autre fil le voit. */
+/** Un calcul qu'exécute un fil et qu'observe un autre fil. */
 public interface Calcul {
 
-    /** Noms des classes du programme qui ne sont ni au cours, ni à une variante, ni à une forme. */
+    /** Noms des classes du programme qui n'appartiennent ni au cours, ni à une variante, ni à une forme. */
     String DU_PROGRAMME = "(lancer\\.(rapide|scene|dessin|fils|texte|fenetre)|org\\.ini4j)\\..*";
 
-    /** Ce qui se calcule : le rang d'un pixel, par exemple. */
+    /** Repère de ce qui est calculé, par exemple le rang d'un pixel. */
     default long getLieu() {
         return 0;
     }
 
     /**
-     * Un nombre qui change tant que ce calcul avance. Par défaut, il change tant que le haut de la pile est du
-     * programme, et non d'une classe du cours, d'une forme ou d'une variante.
+     * Un nombre qui change tant que le calcul avance. Par défaut, il change tant que la première classe de la pile,
+     * hors celles de Java, n'est ni du cours, ni d'une forme, ni d'une variante.
      */
     default long getProgres(Thread fil) {
         for (StackTraceElement pas : fil.getStackTrace()) {
@@ -26,12 +26,12 @@ public interface Calcul {
         return System.nanoTime();
     }
 
-    /** L'échec à dire de ce calcul, qui retient son fil. */
+    /** L'échec à lever si ce calcul retient son fil. */
     default RuntimeException nommer(Retenu cause) {
         return cause;
     }
 
-    /** Dit, une fois, que ce calcul est lent, alors que d'autres fils avancent. */
+    /** Méthode appelée une fois si ce calcul est lent pendant que d'autres fils avancent. */
     default void ralentir(Retenu cause) {
     }
 }

@@ -7,22 +7,22 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
 /**
- * Fils qui se partagent des tâches numérotées : chacun prend la première que personne n'a prise, jusqu'à la
- * dernière. Le premier échec les arrête tous. Une équipe fait un travail à la fois.
+ * Des fils qui se partagent des tâches numérotées : chaque fil prend la première tâche libre. Le premier échec les
+ * arrête tous. Une équipe fait un travail à la fois.
  *
- * <p>Un fil qui n'avance pas pendant dix secondes est retenu. Quand tous ceux qui restent le sont, l'équipe échoue sans
- * les attendre : ils ne retiennent pas la machine virtuelle.
+ * <p>Un fil qui n'avance pas pendant dix secondes est retenu. Si tous les fils restants sont retenus, l'équipe échoue
+ * sans les attendre. Ils n'empêchent pas l'arrêt du programme.
  */
 public final class Equipe {
 
-    /** Pile d'un fil, en octets : mille réflexions sont permises, de deux appels chacune. */
+    /** Pile d'un fil, en octets : mille réflexions sont permises, et chacune demande deux appels. */
     private static final long PILE = 16 << 20;
 
-    /** Temps après lequel un fil qui n'avance pas est retenu ; et celui où l'on attend de savoir s'il est le seul. */
+    /** Durée d'immobilité après laquelle un fil est retenu, et durée au-dessous de laquelle il avance. */
     private static final long PATIENCE_NS = 10_000_000_000L;
     private static final long DOUTE_NS = 3_000_000_000L;
 
-    /** Temps entre deux regards aux fils, en millisecondes. */
+    /** Temps entre deux observations des fils, en millisecondes. */
     private static final long PERIODE_MS = 1000;
 
     private final String nom;
@@ -32,7 +32,7 @@ public final class Equipe {
     private volatile boolean arretee;
     private volatile Throwable echec;
     private boolean lenteurDite;
-    /** Le temps passé à regarder les fils, et l'instant du dernier regard. */
+    /** Temps total d'observation, et instant de la dernière observation. */
     private long horloge;
     private long dernierRegard = System.nanoTime();
 
@@ -42,11 +42,11 @@ public final class Equipe {
     }
 
     /**
-     * Fait les tâches de 0 à {@code nombre} − 1, et rend la main quand aucun fil n'y travaille plus.
+     * Exécute les tâches de 0 à {@code nombre} − 1, et attend la fin des fils.
      *
-     * @param ouvriers ce que fait chaque fil d'une tâche
-     * @param calculs où l'on voit si le fil de même rang avance
-     * @throws CancellationException si {@link #arreter()} a été appelé, ou le fil appelant interrompu (il le reste)
+     * @param ouvriers le travail de chaque fil sur une tâche
+     * @param calculs le calcul observé de chaque fil
+     * @throws CancellationException après {@link #arreter()}, ou si le fil appelant est interrompu (il le reste)
      */
     public void faire(int nombre, List<? extends IntConsumer> ouvriers, List<? extends Calcul> calculs) {
         suivante.set(0);
@@ -63,7 +63,7 @@ public final class Equipe {
                 }
             }
         } catch (RuntimeException | Error e) {
-            // plus de mémoire pour un fil : ceux qui sont partis ne doivent pas travailler sans nous
+            // si un fil ne peut être créé, ceux qui sont partis doivent s'arrêter
             echouer(e);
         }
         boolean interrompu = false;
@@ -71,7 +71,7 @@ public final class Equipe {
             try {
                 fil.join(PERIODE_MS);
             } catch (InterruptedException e) {
-                // on nous demande d'abandonner : les fils d'abord, ils s'arrêtent aussitôt
+                // l'interruption du fil appelant arrête d'abord tous les autres
                 interrompu = true;
                 arreter();
             }
@@ -97,10 +97,10 @@ public final class Equipe {
         return null;
     }
 
-    /** Dit si aucun fil qui reste n'avance plus : c'est alors un échec. Un fil lent parmi d'autres se dit. */
+    /** Dit si tous les fils restants sont retenus : c'est un échec. Signale aussi un fil lent parmi d'autres. */
     private boolean tousRetenus() {
         long regard = System.nanoTime();
-        // une machine qui dort n'est pas un fil qui n'avance pas
+        // la mise en veille de la machine n'est pas une immobilité des fils
         horloge += Math.min(regard - dernierRegard, DOUTE_NS);
         dernierRegard = regard;
         boolean tous = true;
@@ -124,8 +124,8 @@ public final class Equipe {
     }
 
     /**
-     * Abandonne le travail en cours, et tous les suivants : chaque fil est interrompu, et s'arrête là où il y obéit
-     * ({@link lancer.contrat.Recherche#obeir()}, {@link #verifier()}).
+     * Abandonne le travail en cours et tous les suivants. Chaque fil est interrompu, et s'arrête quand il lit
+     * l'interruption ({@link lancer.contrat.Recherche#obeir()}, {@link #verifier()}).
      */
     public void arreter() {
         arretee = true;
@@ -141,7 +141,7 @@ public final class Equipe {
         }
     }
 
-    /** Le nombre de tâches faites, du travail en cours ou du dernier. */
+    /** Le nombre de tâches faites du travail en cours ou, à défaut, du dernier. */
     public int getFaites() {
         return faites.get();
     }
@@ -151,13 +151,12 @@ public final class Equipe {
         arreter();
     }
 
-    /** Un fil de l'équipe : il prend une tâche après l'autre. */
     private final class Fil extends Thread {
 
         private final int nombre;
         private final IntConsumer ouvrier;
         private final Calcul calcul;
-        /** Le calcul et le progrès vus la dernière fois, et depuis quand ils sont les mêmes. */
+        /** Calcul et progrès à la dernière observation, et instants de leurs derniers changements. */
         private long lieu;
         private long progres;
         private long arrive = horloge;
@@ -188,7 +187,7 @@ public final class Equipe {
                     faites.incrementAndGet();
                 }
             } catch (CancellationException e) {
-                // arrêté ici ou ailleurs : celui qui a demandé l'arrêt le sait
+                // un arrêt demandé n'est pas un échec
             } catch (RuntimeException | Error e) {
                 echouer(e);
             }

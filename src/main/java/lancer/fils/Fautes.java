@@ -7,10 +7,10 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
-/** Les pixels qu'un dessin n'a pu calculer : ils l'arrêtent, ou sont tolérés et peints en damier. */
+/** Les pixels dont le calcul a échoué. Un échec arrête le dessin ou, s'il est toléré, peint le pixel en damier. */
 public final class Fautes {
 
-    /** Nombre d'échecs après lequel, si rien n'a réussi, il n'y a pas d'image à attendre. */
+    /** Nombre d'échecs après lequel le dessin s'arrête, si aucun pixel n'a réussi. */
     private static final int TROP = 1000;
 
     private static final Couleur MAGENTA = new Couleur(1, 0, 1);
@@ -26,7 +26,7 @@ public final class Fautes {
         this.largeur = largeur;
     }
 
-    /** Fait désormais dessiner malgré les pixels qui échouent : ils sont comptés, et peints en damier. */
+    /** Tolère désormais les échecs : les pixels sont comptés et peints en damier. */
     public void tolerer() {
         tolerees = true;
     }
@@ -41,16 +41,17 @@ public final class Fautes {
     }
 
     /**
-     * Note l'échec d'un point de l'écran, et rend la couleur qui le montre.
+     * Note l'échec d'un point de l'écran.
      *
-     * @throws PixelFautif la faute, si elle n'est pas tolérée ; la première, s'il y en a mille et que rien n'a réussi
+     * @return la couleur du damier
+     * @throws PixelFautif si les échecs ne sont pas tolérés, ou après mille échecs sans aucun succès
      */
     public Couleur noter(Throwable e, double xe, double ye) {
         if (e instanceof CancellationException) {
             throw (CancellationException) e;
         }
         if (e instanceof OutOfMemoryError) {
-            // ce n'est pas la faute de ce pixel
+            // le manque de mémoire n'est pas un échec du pixel
             throw (OutOfMemoryError) e;
         }
         PixelFautif faute = e instanceof PixelFautif ? (PixelFautif) e : new PixelFautif(xe, ye, e);
@@ -76,7 +77,7 @@ public final class Fautes {
         return (x + y) % 2 == 0 ? MAGENTA : new Couleur();
     }
 
-    /** Peint les pixels fautifs de ce pavé, que d'autres échantillons ont pu mêler à leurs voisins. */
+    /** Repeint les pixels fautifs de ce pavé : un échantillonnage a pu mêler le damier à des couleurs justes. */
     public synchronized void peindre(Pave pave, Toile toile) {
         for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {
             int fin = j * largeur + pave.i1;
@@ -86,13 +87,13 @@ public final class Fautes {
         }
     }
 
-    /** Le nombre de ces pixels, en une phrase ; {@code null} s'il n'y en a pas. */
+    /** Phrase qui donne le nombre de pixels fautifs ; {@code null} s'il n'y en a pas. */
     public synchronized String enMots() {
         return premiere == null ? null : pixels.cardinality() == 1 ? "un pixel n'a pu être calculé"
                 : pixels.cardinality() + " pixels n'ont pu être calculés";
     }
 
-    /** Première faute, dans l'ordre de la lecture, {@code null} s'il n'y en a pas. */
+    /** Première faute, ligne par ligne, {@code null} s'il n'y en a pas. */
     public synchronized PixelFautif getPremiere() {
         return premiere;
     }

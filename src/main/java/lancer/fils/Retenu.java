@@ -1,6 +1,6 @@
 package lancer.fils;
 
-/** Un fil que le même calcul retient depuis dix secondes. Sa pile est celle de ce fil. */
+/** Un fil que le même calcul retient depuis dix secondes. La pile de cette exception est celle du fil. */
 public final class Retenu extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -10,7 +10,7 @@ public final class Retenu extends RuntimeException {
         setStackTrace(fil.getStackTrace());
     }
 
-    /** Message seul : ce n'est pas une exception de Java. */
+    /** Le message seul, sans nom de classe. */
     @Override
     public String toString() {
         return getMessage();

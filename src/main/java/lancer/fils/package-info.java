@@ -1,7 +1,5 @@
 /**
- * Le dessin en plusieurs fils : le partage de l'image, l'arrêt, l'avancement, les comptes ; et l'équipe de fils, qui
- * sert aussi à préparer et à essayer.
- *
- * <p>N'y entre rien qui sache comment un rayon trouve son objet, ni où vont les pixels.
+ * Le dessin en plusieurs fils : partage de l'image, arrêt, avancement, échecs. La préparation et les essais l'utilisent
+ * aussi. Ce paquet ne connaît ni la recherche d'un contact, ni la destination des pixels.
  */
 package lancer.fils;

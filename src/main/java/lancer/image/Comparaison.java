@@ -5,8 +5,8 @@ import lancer.Couleur;
 import lancer.commande.Echec;
 
 /**
- * Différences de deux images de même taille, limitées à [0, 1], en niveaux de 1/255. Si l'une n'a que 8 bits par
- * composante, l'autre y est d'abord arrondie : c'est ce qu'un PNG en aurait gardé.
+ * Différences de deux images de même taille, limitées à [0, 1], en niveaux de 1/255. Si une image n'a que 8 bits par
+ * composante, l'autre est d'abord arrondie à 8 bits.
  */
 public final class Comparaison {
 
@@ -64,18 +64,18 @@ public final class Comparaison {
         return Math.abs(niveau(a, p, k) - niveau(b, p, k));
     }
 
-    /** Une composante limitée à [0, 1], en niveaux de 255. */
+    /** Une composante limitée à [0, 1], en niveaux de 1/255. */
     private double niveau(ImageMemoire image, int p, int k) {
         return surHuitBits ? image.codes[p] >> 16 - 8 * k & 255
                 : 255.0 * Math.min(1, Math.max(0, image.lineaire[3 * p + k]));
     }
 
-    /** Vrai si les pixels dont une composante s'écarte plus que permis ne sont pas plus nombreux que permis. */
+    /** Dit si la part des pixels qui passent la tolérance est permise. */
     public boolean sontPareilles() {
         return (double) auDela / pixels <= part;
     }
 
-    /** Les différences : noir où les images sont pareilles, de plus en plus clair jusqu'à huit niveaux. */
+    /** Les différences : noir si les pixels sont pareils, puis de plus en plus clair jusqu'à huit niveaux. */
     public ImageMemoire getDifferences() {
         ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
         for (int p = 0; p < pixels; p++) {
@@ -85,7 +85,7 @@ public final class Comparaison {
         return image;
     }
 
-    /** Le plus grand écart de chaque pixel, en gris : noir s'il est nul, blanc à partir de 32 niveaux. */
+    /** Peint en gris le plus grand écart de chaque pixel : noir s'il est nul, blanc à partir de 32 niveaux. */
     public ImageMemoire peindreLesEcarts(ImageMemoire image) {
         for (int p = 0; p < pixels; p++) {
             double pire = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));

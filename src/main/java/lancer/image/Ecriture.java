@@ -16,8 +16,8 @@ import lancer.commande.Echec;
 import lancer.texte.Texte;
 
 /**
- * Un fichier écrit en entier ou pas du tout : d'abord à côté, sous un nom provisoire, puis renommé d'un coup. Un lien
- * symbolique est suivi ; ce qui n'est pas un fichier ordinaire (un tube, par exemple) est écrit directement.
+ * Un fichier d'image écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis
+ * renommé. Un lien symbolique est suivi. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
  */
 public final class Ecriture {
 
@@ -28,10 +28,10 @@ public final class Ecriture {
     private final String nom;
     private final Path cible;
 
-    /** Fichier provisoire, à côté de la cible, dont le nom peut déjà être le plus long que permette le système. */
+    /** Fichier provisoire. Son nom ne dépend pas de la cible, dont le nom peut avoir la longueur maximale. */
     private Path provisoire;
 
-    /** @throws Echec s'il est clair dès maintenant que le fichier de ce nom ne pourra être écrit */
+    /** @throws Echec si l'on sait déjà que le fichier ne pourra être écrit */
     public Ecriture(String nom) {
         this.nom = nom;
         try {
@@ -53,9 +53,9 @@ public final class Ecriture {
         }
     }
 
-    /** Le fichier au bout des liens, qu'il existe ou non, dans le vrai dossier : un fichier n'a que ce nom. */
+    /** Le fichier que désignent les liens, qu'il existe ou non, dans son dossier réel. */
     private static Path suivre(Path chemin) throws IOException {
-        // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom de rien
+        // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom d'aucun fichier
         if (Files.exists(chemin) && !Files.isRegularFile(chemin)) {
             return chemin;
         }
@@ -67,7 +67,7 @@ public final class Ecriture {
         }
     }
 
-    /** Vrai pour ce qui n'est pas un fichier ordinaire : on y écrit, on ne le remplace pas. */
+    /** Dit si la cible existe et n'est pas un fichier ordinaire : elle ne peut être remplacée. */
     private boolean estSpecial() {
         return Files.exists(cible) && !Files.isRegularFile(cible);
     }
@@ -77,29 +77,29 @@ public final class Ecriture {
         return cible;
     }
 
-    /** @throws Echec si c'est ce fichier lu, qui est {@code quoi}, que l'on écrirait, sous ce nom ou un autre */
+    /** @throws Echec si la cible est ce fichier lu, même sous un autre nom ; {@code quoi} dit ce qu'il est */
     public void epargner(Path lu, String quoi) {
         distinguer(lu, "la sortie est " + quoi + " : " + Texte.echappe(lu.toString())
                 + " ; attendu : un autre fichier");
     }
 
-    /** @throws Echec de cette faute, si c'est cet autre fichier que l'on écrirait, sous ce nom ou un autre */
+    /** @throws Echec avec ce message si la cible est cet autre fichier, même sous un autre nom */
     public void distinguer(Path autre, String faute) {
         try {
             if (Files.isSameFile(cible, autre)) {
                 throw Echec.demande(faute);
             }
         } catch (IOException e) {
-            // un seul des deux existe
+            // un des deux fichiers n'existe pas : ils sont différents
         }
     }
 
-    /** Écrit l'image dans ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors comme avant */
+    /** Écrit l'image dans ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
     public void ecrire(ImageMemoire image, Format format) {
         ecrire(image, Collections.singletonMap(this, format));
     }
 
-    /** Écrit l'image dans tous ces fichiers ou aucun. @throws Echec s'il échoue ; il nomme ceux qui sont écrits */
+    /** Écrit l'image dans tous ces fichiers ou dans aucun. @throws Echec qui nomme les fichiers déjà remplacés */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
         String ecrits = "";
         Ecriture enCours = null;
@@ -113,7 +113,7 @@ public final class Ecriture {
             for (Ecriture fichier : fichiers.keySet()) {
                 enCours = fichier;
                 if (fichier.provisoire != null) {
-                    // REPLACE_EXISTING effacerait d'abord l'ancien, et quelqu'un pourrait le voir absent
+                    // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme pourrait le voir absent
                     Files.move(fichier.provisoire, fichier.cible, StandardCopyOption.ATOMIC_MOVE);
                 }
                 ecrits += " ; " + Texte.echappe(fichier.nom) + " est écrit";
@@ -135,7 +135,7 @@ public final class Ecriture {
             return Files.newOutputStream(cible);
         }
         provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-        // Ctrl+C pendant l'écriture ne laisse rien derrière lui
+        // le fichier provisoire disparaît même si Ctrl+C interrompt l'écriture
         provisoire.toFile().deleteOnExit();
         return Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW);
     }

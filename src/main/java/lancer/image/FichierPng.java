@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
-/** Une image PNG (ISO/IEC 15948), 8 bits par composante, sans ImageIO : charger AWT coûterait plus que dessiner. */
+/** Le format PNG (ISO/IEC 15948), 8 bits par composante, sans ImageIO : charger AWT dure plus que dessiner. */
 public final class FichierPng implements Ecriture.Format {
 
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
@@ -59,7 +59,7 @@ public final class FichierPng implements Ecriture.Format {
         }
     }
 
-    /** Chaque octet moins celui du pixel de gauche : un dégradé devient presque constant, et se comprime. */
+    /** Remplace chaque octet par sa différence avec celui du pixel de gauche : un dégradé se comprime mieux. */
     private static void filtrer(int[] codes, int debut, byte[] ligne) {
         int gauche = 0;
         for (int i = debut, k = 1; k < ligne.length; i++) {

@@ -4,23 +4,23 @@ import lancer.Couleur;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
-/** Une image en mémoire : les codes à montrer, les couleurs non limitées, ou les deux. */
+/** Une image en mémoire : les codes des pixels, les couleurs non limitées, ou les deux. */
 public final class ImageMemoire implements Toile {
 
-    /** Une couleur non limitée, comme dans les fichiers de scène. */
+    /** Format de texte d'une couleur non limitée. */
     public static final String COULEUR = "← %.3f %.3f %.3f";
 
     public final int largeur;
     public final int hauteur;
 
-    /** Les codes 0xFFRRGGBB, depuis le haut, 0 où rien n'est dessiné, et les couleurs non limitées ; null : aucun. */
+    /** Codes 0xFFRRGGBB, ligne du haut d'abord, 0 sans dessin ; couleurs non limitées ; l'un peut être {@code null}. */
     public final int[] codes;
     public final float[] lineaire;
 
-    /** Texte qui dit comment elle est dessinée, et ce qu'elle a coûté ; {@code null} tant qu'elle n'est pas achevée. */
+    /** Texte qui décrit l'image achevée : ses réglages, son coût ; {@code null} avant la fin. */
     public volatile String legende;
 
-    /** Ce que disent les trois nombres de {@link #lineaire} d'un pixel : une couleur, ou ce qu'une vue y montre. */
+    /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
     public volatile String sens = COULEUR;
 
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
@@ -28,7 +28,7 @@ public final class ImageMemoire implements Toile {
         this(largeur, hauteur, true, avecLineaire);
     }
 
-    /** @param avecCodes vrai pour garder les codes, 4 octets par pixel ; les couleurs non limitées en prennent 12 */
+    /** @param avecCodes vrai pour garder les codes, de 4 octets par pixel ; les couleurs non limitées en prennent 12 */
     public ImageMemoire(int largeur, int hauteur, boolean avecCodes, boolean avecLineaire) {
         this.largeur = largeur;
         this.hauteur = hauteur;
@@ -36,7 +36,7 @@ public final class ImageMemoire implements Toile {
         this.lineaire = avecLineaire ? new float[3 * largeur * hauteur] : null;
     }
 
-    /** @throws PixelFautif si cette couleur est nulle, ou a une composante qui n'est pas finie */
+    /** @throws PixelFautif si cette couleur est nulle ou a une composante qui n'est pas finie */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         PixelFautif.verifier(coul, xe + 0.5, ye + 0.5);
@@ -51,7 +51,7 @@ public final class ImageMemoire implements Toile {
         }
     }
 
-    /** Montre cette teinte à la place de ce qu'elle dit. */
+    /** Peint le pixel de cette teinte, et garde {@code valeur} comme couleur non limitée. */
     public void drawPixel(Couleur teinte, Couleur valeur, int xe, int ye) {
         drawPixel(valeur, xe, ye);
         codes[ye * largeur + xe] = teinte.getCode();

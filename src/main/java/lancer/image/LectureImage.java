@@ -20,16 +20,16 @@ import lancer.Couleur;
 import lancer.commande.Echec;
 import lancer.texte.Texte;
 
-/** Lit une image à comparer, PNG, dont les échantillons viennent tels quels (ni gamma, ni transparence), ou PFM. */
+/** Lit un PNG ou un PFM à comparer. Les échantillons d'un PNG sont pris tels quels, sans gamma ni transparence. */
 public final class LectureImage {
 
     private static final long SIGNATURE_PNG = 0x89504E470D0A1A0AL;
     private static final int FIN_PNG = 0x49454E44;
 
-    /** Un octet compressé n'en donne jamais plus : 258 octets pour deux bits. */
+    /** Taux de compression maximal d'un PNG : 258 octets pour deux bits. */
     private static final int COMPRESSION_MAX = 1032;
 
-    /** Sorte, largeur, hauteur, échelle, et le seul blanc qui les sépare des nombres. */
+    /** Sorte, largeur, hauteur, échelle, puis un seul blanc avant les données. */
     private static final Pattern ENTETE_PFM =
             Pattern.compile("P([Ff])\\s+(\\d{1,7})\\s+(\\d{1,7})\\s+([-+]?\\d+\\.?\\d*(?:[eE][-+]?\\d+)?)\\s");
     private static final int ENTETE_PFM_MAX = 160;
@@ -64,7 +64,7 @@ public final class LectureImage {
                 ? ((IndexColorModel) lue.getColorModel()).convertToIntDiscrete(lue.getRaster(), true).getRaster()
                 : lue.getRaster();
         int max = (1 << echantillons.getSampleModel().getSampleSize(0)) - 1;
-        // un gris n'a qu'un échantillon, qui vaut pour les trois composantes
+        // une image en gris n'a qu'un échantillon par pixel
         int pas = echantillons.getNumBands() < 3 ? 0 : 1;
         ImageMemoire image = new ImageMemoire(lue.getWidth(), lue.getHeight(), max > 255);
         for (int y = 0; y < lue.getHeight(); y++) {
@@ -77,10 +77,10 @@ public final class LectureImage {
         return image;
     }
 
-    /** Vérifie ce qu'ImageIO laisse passer : chaque bloc, le dernier, et assez de données pour la taille annoncée. */
+    /** Vérifie ce qu'ImageIO ne vérifie pas : le contrôle de chaque bloc, le dernier bloc, la taille annoncée. */
     private static void verifierPng(ByteBuffer png) throws IOException {
         boolean juste = png.getLong() == SIGNATURE_PNG;
-        // la largeur, la hauteur, puis le nombre de bits d'un échantillon sont toujours là
+        // aux octets 16, 20 et 24 : la largeur, la hauteur, le nombre de bits d'un échantillon
         long pixels = (long) png.getInt(16) * png.getInt(20);
         juste &= pixels <= 8L * COMPRESSION_MAX * png.capacity() / png.get(24);
         int type = 0;
@@ -116,7 +116,6 @@ public final class LectureImage {
                     : "le nombre d'octets n'est pas celui qu'annonce l'en-tête");
         }
         ImageMemoire image = new ImageMemoire(largeur, hauteur, true);
-        // la ligne du bas est la première
         for (int y = hauteur - 1; y >= 0; y--) {
             for (int x = 0; x < largeur; x++) {
                 float r = donnees.getFloat();

@@ -2,16 +2,16 @@ package lancer.image;
 
 import java.util.stream.IntStream;
 
-/** Une image réduite : chaque pixel y est la moyenne de la surface qu'il couvre. */
+/** Réduction d'une image : chaque pixel réduit est la moyenne de la surface qu'il couvre. */
 public final class Reduction {
 
     private Reduction() {
     }
 
     /**
-     * Les codes de cette image à une taille plus petite, 0 où rien n'est dessiné.
+     * Les codes de l'image réduite, 0 pour un pixel non dessiné.
      *
-     * @param pas 1 pour la moyenne exacte ; n pour ne regarder qu'une ligne et une colonne sur n
+     * @param pas 1 pour la moyenne exacte ; n pour ne lire qu'une ligne et une colonne sur n
      */
     public static int[] moyenne(ImageMemoire image, int largeur, int hauteur, int pas) {
         int[] codes = new int[largeur * hauteur];

@@ -1,6 +1,5 @@
 /**
- * Destinations de l'image : en mémoire, dans un fichier PNG ou PFM ; d'où en revient une autre, pour les comparer.
- *
- * <p>N'y entre rien qui sache ce qu'est une scène, ni qui décide d'une couleur.
+ * Images en mémoire, écriture en PNG et en PFM, lecture, réduction et comparaison. Ce paquet ne connaît ni les scènes,
+ * ni le calcul des couleurs.
  */
 package lancer.image;

@@ -2,10 +2,10 @@ package lancer.inspection;
 
 import lancer.Couleur;
 
-/** Un rayon parti de l'écran, et ce qu'il voit, autant de fois qu'il compte. */
+/** Un rayon parti de l'écran et la couleur qu'il voit, avec son poids dans la couleur du pixel. */
 public final class Echantillon {
 
-    /** Point de l'écran, en pixels depuis le coin en haut à gauche ; poids dans une somme pesée, ou 1 ; couleur. */
+    /** Point de l'écran, en pixels depuis le coin en haut à gauche ; poids dans la somme, ou 1 ; couleur. */
     public final double xe;
     public final double ye;
     final double poids;
@@ -18,7 +18,7 @@ public final class Echantillon {
         this.couleur = couleur;
     }
 
-    /** Vrai s'il est pris dans ce pixel, et non dans un voisin qui le partage. */
+    /** Dit si ce point est dans ce pixel, et non dans un pixel voisin qui le partage. */
     public boolean estDans(int x, int y) {
         return Math.floor(xe) == x && Math.floor(ye) == y;
     }

@@ -20,16 +20,16 @@ import lancer.contrat.Vue;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 
-/** Vues d'une scène en fausses couleurs ({@code --vue}) : ce qu'une image ne montre pas. Le ciel est noir. */
+/** Vues d'une scène en fausses couleurs ({@code --vue}). Le ciel y est noir. */
 public final class FaussesCouleurs {
 
-    /** Rayons par pixel de la référence à laquelle l'image se compare, sur un côté. */
+    /** Racine du nombre de rayons par pixel de la référence. */
     private static final int COTE = 8;
 
-    /** Nombre de rayons qui est blanc, en puissance de deux ; un rayon est noir. */
+    /** Logarithme en base 2 du nombre de rayons peint en blanc ; un rayon est peint en noir. */
     private static final double DOUBLEMENTS = 12;
 
-    /** L'échelle des nombres de rayons, du noir au blanc, de plus en plus claire. */
+    /** Les teintes des nombres de rayons, du noir au blanc, de plus en plus claires. */
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
 
     private static final Couleur NOIR = new Couleur();
@@ -42,9 +42,9 @@ public final class FaussesCouleurs {
     private Lancer dernier;
 
     /**
-     * @param lancer la scène préparée
+     * @param lancer celui de la scène préparée
      * @param profondeur nombre de réflexions permises
-     * @param siCommence reçoit chaque lancer qui commence
+     * @param siCommence reçoit chaque lancer au début de son dessin
      */
     public FaussesCouleurs(Lancer lancer, int profondeur, int fils, Consumer<Lancer> siCommence) {
         this.lancer = lancer;
@@ -58,9 +58,9 @@ public final class FaussesCouleurs {
      * Dessine une vue.
      *
      * @param nom un de ceux d'{@link lancer.commande.Options#VUES}
-     * @param image où ; ses nombres, si elle en garde, sont ceux que disent ses teintes
-     * @param reference à quoi {@code difference} se compare ; {@code null} pour 64 rayons par pixel
-     * @return ce qui l'a dessinée, et ses comptes
+     * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
+     * @param reference image à laquelle {@code difference} compare ; {@code null} pour 64 rayons par pixel
+     * @return le lancer qui a dessiné, avec ses compteurs
      */
     public Lancer dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
         if (nom.equals("difference")) {
@@ -98,7 +98,7 @@ public final class FaussesCouleurs {
         dernier.TracerPixels(toile, profondeur, fils);
     }
 
-    /** Dit, de chaque pixel, les nombres du premier contact vu en son centre, ou trois zéros. */
+    /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou trois zéros. */
     private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
         return (pave, voulus, vue, toile) -> dire(voulus, vue, toile, nombres);
     }
@@ -126,7 +126,6 @@ public final class FaussesCouleurs {
         return new Couleur(N.x, N.y, N.z);
     }
 
-    /** Le nombre de lampes qui éclairent ce contact. */
     private static Couleur lampes(Scene scene, PointContact contact) {
         Vecteur N = contact.objet.getNormale(contact);
         int eclairent = 0;
@@ -138,7 +137,7 @@ public final class FaussesCouleurs {
         return new Couleur(eclairent);
     }
 
-    /** 1 − d/d_max, où d_max est la plus grande distance d'un contact de l'image. */
+    /** Peint 1 − d/d_max, où d_max est la plus grande distance d'un contact de l'image. */
     private void dessinerLesDistances(ImageMemoire image) {
         double[] distances = new double[image.largeur * image.hauteur];
         tracer(parPixel((scene, contact) -> new Couleur(contact.distance)),
@@ -150,7 +149,7 @@ public final class FaussesCouleurs {
         }
     }
 
-    /** Les rayons de toutes sortes que demande chaque pixel d'un pavé, dessiné comme le veut la scène. */
+    /** Compte les rayons de toutes sortes de chaque pixel d'un pavé, dessiné selon l'échantillonnage de la scène. */
     private int compter(Pave pave, Pave voulus, Vue vue, Toile toile) {
         long[] rayons = new long[(pave.i1 - pave.i0) * (pave.j1 - pave.j0)];
         Vue comptee = (xe, ye) -> {
@@ -189,7 +188,7 @@ public final class FaussesCouleurs {
         return new Couleur(code >> 16 & 255, code >> 8 & 255, code & 255).div(255);
     }
 
-    /** La référence : la moyenne des rayons d'une grille, dans chaque pixel. */
+    /** La référence : la moyenne d'une grille de rayons dans chaque pixel. */
     private static int enGrille(Pave pave, Pave voulus, Vue vue, Toile toile) {
         for (int j = voulus.j0; j < voulus.j1; j++) {
             for (int i = voulus.i0; i < voulus.i1; i++) {

@@ -16,7 +16,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -26,12 +26,12 @@ import lancer.fils.Equipe;
 import lancer.scene.Origines;
 
 /**
- * Un pixel de l'image, dessiné comme le veut l'échantillonnage de la scène, sans les autres ou avec ceux de son pavé
- * s'il leur doit des points ; puis l'un de ses échantillons, de nouveau, en écoutant.
+ * Explication d'un pixel. Le pixel est dessiné selon l'échantillonnage de la scène, avec les autres pixels de son pavé
+ * s'il partage des points avec eux. Puis l'un de ses échantillons est recalculé en notant les détails.
  */
 public final class Inspection implements Vue, Toile {
 
-    /** Le rang que personne n'a choisi. */
+    /** Rang qui désigne l'échantillon le plus proche du centre. */
     public static final int AU_CENTRE = -1;
 
     public final Scene scene;
@@ -47,10 +47,10 @@ public final class Inspection implements Vue, Toile {
     private List<Echantillon> echantillons = Collections.emptyList();
     private Echantillon choisi;
     private PixelFautif faute;
-    /** Les échantillons pris près du pixel, par la couleur qui en a été rendue, elle-même. */
+    /** Échantillons pris près du pixel, par l'objet {@link Couleur} que la vue a rendu. */
     private final Map<Couleur, Echantillon> vus = new IdentityHashMap<>();
 
-    /** Les termes de la somme si elle est pesée, la somme, et ce qui la divise ; nulle si personne ne l'a dite. */
+    /** Termes d'une somme pondérée, somme, diviseur ; {@code somme} est {@code null} si elle n'est pas notée. */
     final List<Echantillon> termes = new ArrayList<>();
     Couleur somme;
     double diviseur;
@@ -66,17 +66,17 @@ public final class Inspection implements Vue, Toile {
         lancer = new Lancer(scene.avec(scene.getModele().ecoute(ecoute)), camera);
     }
 
-    /** Explique, une fois, l'échantillon le plus proche du centre. @throws CancellationException si on l'arrête */
+    /** Explique l'échantillon le plus proche du centre. @throws CancellationException après {@link #arreter()} */
     public void faire() {
         faire(AU_CENTRE);
     }
 
     private void faire(int rang) {
-        // une équipe d'un seul fil, dont la pile suffit aux réflexions permises
+        // un fil d'une équipe a une pile assez grande pour les réflexions permises
         equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)), Collections.singletonList(lancer));
     }
 
-    /** Explique, une fois, l'échantillon de ce rang, et garde la faute s'il y en a une : la chaîne va jusqu'à elle. */
+    /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les étapes qui la précèdent. */
     public void faireOuEchouer(int rang) {
         try {
             faire(rang);
@@ -107,12 +107,12 @@ public final class Inspection implements Vue, Toile {
         }
     }
 
-    /** Cherche quel objet cache chaque lampe cachée : pour la somme, personne n'a eu à le dire. */
+    /** Cherche l'objet qui cache chaque lampe cachée : le calcul de la couleur n'a pas besoin de le nommer. */
     private void chercherLesObstacles() {
         Scene sienne = scene.avec(scene.getModele());
-        for (Etape etape : ecoute.etapes) {
-            etape.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
-                    .forEach(lampe -> lampe.cache = obstacle(lampe, etape.contact, sienne));
+        for (Segment segment : ecoute.segments) {
+            segment.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
+                    .forEach(lampe -> lampe.cache = obstacle(lampe, segment.contact, sienne));
         }
     }
 
@@ -135,7 +135,7 @@ public final class Inspection implements Vue, Toile {
         equipe.arreter();
     }
 
-    /** Échec qui a empêché de calculer ce pixel ; {@code null} s'il a une couleur. */
+    /** Échec du calcul de ce pixel ; {@code null} s'il a une couleur. */
     public PixelFautif getFaute() {
         return faute;
     }
@@ -144,14 +144,14 @@ public final class Inspection implements Vue, Toile {
         return couleur;
     }
 
-    /** Échantillons du pixel et échantillons qu'il partage, ligne par ligne : dans l'ordre où ils s'ajoutent. */
+    /** Échantillons du pixel, partagés compris, dans l'ordre de leur addition : ligne par ligne. */
     public List<Echantillon> getEchantillons() {
         return echantillons;
     }
 
-    /** Rayon de cet échantillon ; {@code null} s'il n'y en a pas, ou si c'est lui qui échoue. */
+    /** Rayon de l'échantillon choisi ou, à défaut, de celui qui échoue ; {@code null} s'il n'y en a pas. */
     public Rayon getDepart() {
-        return getEtapes().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
+        return getSegments().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
                 : camera.getRayon(choisi.xe, choisi.ye);
     }
 
@@ -159,19 +159,19 @@ public final class Inspection implements Vue, Toile {
         return choisi;
     }
 
-    /** Le premier contact, puis ses reflets. */
-    public List<Etape> getEtapes() {
-        return ecoute.etapes;
+    /** Le rayon initial, puis les rayons réfléchis. */
+    public List<Segment> getSegments() {
+        return ecoute.segments;
     }
 
-    /** Nom, de la forme {@code [Sphere ambre] ligne 52}, ou le rang dans la scène s'il n'y a pas de fichier. */
+    /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */
     public String nom(Object chose) {
         String origine = origines.de(chose);
         return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
     }
 
-    /** {@inheritDoc} Une copie, pour que deux échantillons de la même couleur ne soient pas le même. */
+    /** {@inheritDoc} La couleur est copiée : deux échantillons égaux restent des objets distincts. */
     @Override
     public Couleur couleur(double xe, double ye) {
         equipe.verifier();

@@ -10,26 +10,26 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Couleur;
 
-/** Une ligne du récit d'un pixel, et dessous celles qui l'expliquent. Immuable. */
+/** Une ligne de l'explication d'un pixel, et les lignes qui l'expliquent à leur tour. Immuable. */
 public final class Noeud {
 
     private static final Pattern VALEUR = Pattern.compile(".*(?:  | = | : )");
 
     public final String texte;
 
-    /** Ce dont parle la ligne, le même d'un dessin à l'autre. */
+    /** Sujet de la ligne, le même d'un dessin à l'autre. */
     public final String sujet;
 
-    /** La couleur qu'elle dit, ou {@code null} ; et le texte d'avant, là où il a changé, ou {@code null}. */
+    /** La couleur qu'elle montre, ou {@code null} ; la valeur d'avant si elle a changé, ou {@code null}. */
     public final Couleur couleur;
     public final String avant;
 
     public final List<Noeud> enfants;
 
-    /** Vrai si les enfants ne se montrent qu'à la demande. */
+    /** Dit si les enfants ne sont montrés qu'à la demande. */
     public final boolean replie;
 
-    /** Le numéro du rayon dont c'est le titre, ou 0 ; le rang de l'échantillon que c'est, ou -1. */
+    /** Numéro du rayon dont cette ligne est le titre, ou 0 ; rang de l'échantillon, ou -1. */
     public final int rebond;
     public final int echantillon;
 
@@ -53,12 +53,12 @@ public final class Noeud {
         return new Noeud(texte, sujet, couleur, avant, siens, replies, rebond, echantillon);
     }
 
-    /** Le même, titre de ce rayon, ou échantillon de ce rang. */
+    /** Le même nœud, titre de ce rayon ou échantillon de ce rang. */
     Noeud choisissant(int unRebond, int unEchantillon) {
         return new Noeud(texte, sujet, couleur, avant, enfants, replie, unRebond, unEchantillon);
     }
 
-    /** Les lignes, chacune avant celles qui l'expliquent, en retrait ; celles de la racine n'en ont pas. */
+    /** Les lignes, chacune suivie de celles qui l'expliquent, en retrait ; la racine n'ajoute pas de retrait. */
     public List<String> lignes() {
         List<String> lignes = new ArrayList<>();
         lignes.add(texte);
@@ -71,13 +71,13 @@ public final class Noeud {
         enfants.forEach(enfant -> enfant.dire(retrait + "  ", lignes));
     }
 
-    /** Ce récit, comparé à un autre du même pixel : un nœud qui a changé sait ce qui s'y lisait. */
+    /** Cette explication, comparée à une autre du même pixel : un nœud changé garde sa valeur d'avant. */
     public Noeud depuis(Noeud ancien) {
         if (ancien == null || !sujet.equals(ancien.sujet)) {
             return this;
         }
         if (lignes().equals(ancien.lignes())) {
-            // le même récit, redemandé : ce qui avait changé le reste
+            // l'explication n'a pas changé : les différences d'avant restent montrées
             return ancien;
         }
         Map<String, String> textes = new HashMap<>();
@@ -96,7 +96,7 @@ public final class Noeud {
                 echantillon);
     }
 
-    /** Le texte d'avant, sans ce par quoi il commence encore ; {@code null} s'il n'a pas changé. */
+    /** La fin du texte d'avant qui diffère ; {@code null} s'il n'a pas changé. */
     private String valeurChangee(String ancien) {
         String sien = sansNumero(texte);
         String autre = sansNumero(ancien == null ? texte : ancien);
@@ -108,12 +108,12 @@ public final class Noeud {
         return sien.equals(autre) ? null : autre.substring(debut.lookingAt() ? debut.end() : 0);
     }
 
-    /** Ce texte sans les numéros de ligne du fichier, que change tout ce qui s'écrit plus haut. */
+    /** Ce texte sans les numéros de ligne du fichier, qu'une ligne ajoutée plus haut change. */
     static String sansNumero(String texte) {
         return texte.replaceAll(" ligne \\d+", "");
     }
 
-    /** Dit si lui, ou un nœud qui est dessous, a changé. */
+    /** Dit si ce nœud, ou un de ceux qui l'expliquent, a changé. */
     public boolean aChange() {
         return avant != null || enfants.stream().anyMatch(Noeud::aChange);
     }

@@ -18,42 +18,42 @@ import lancer.Sphere;
 import lancer.Tuple;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Specularite;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** La chaîne d'un pixel en arbre : un contact après celui que voit son reflet, puis ses termes, puis leurs facteurs. */
+/** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
 
-    /** Nombre de lampes de même sort au-delà duquel elles ne se montrent qu'à la demande. */
+    /** Nombre de lampes semblables au-delà duquel elles ne sont montrées qu'à la demande. */
     private static final int LAMPES = 3;
 
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
     private final DoubleFunction<String> composante;
-    private int etape;
-    /** Lampe, rival ou échantillon dont il est question. */
+    private int segment;
+    /** Lampe, rival ou échantillon de la ligne en cours. */
     private String quoi = "";
 
-    /** @param nombre comment s'écrit un nombre calculé ; un nombre du fichier s'écrit comme là-bas */
+    /** @param nombre écriture d'un nombre calculé ; un nombre du fichier garde l'écriture du fichier */
     public Recit(Inspection pixel, DoubleFunction<String> nombre) {
         this(pixel, nombre, nombre);
     }
 
-    /** @param composante comment s'écrit, d'une couleur calculée, une composante */
+    /** @param composante écriture d'une composante de couleur calculée */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
         this.nombre = nombre;
         this.composante = composante;
     }
 
-    /** Lignes de la chaîne, en texte ; la dernière est {@code somme R V B = #RRGGBB}. */
+    /** Lignes de l'explication ; la dernière est {@code somme R V B = #RRGGBB}. */
     public List<String> lignes() {
         return raconter().lignes();
     }
 
-    /** La chaîne, jusqu'à la faute s'il y en a une. */
+    /** L'explication, jusqu'à la faute s'il y en a une. */
     public Noeud raconter() {
         List<Noeud> lignes = new ArrayList<>();
         if (pixel.getEchantillons().size() > 1) {
@@ -62,15 +62,15 @@ public final class Recit {
         List<Noeud> contacts = new ArrayList<>();
         Rayon rayon = pixel.getDepart();
         Objet3D depart = null;
-        for (Etape suivante : pixel.getEtapes()) {
-            etape = suivante.numero;
-            // la somme d'un contact, avant le contact qui s'en sert
+        for (Segment suivante : pixel.getSegments()) {
+            segment = suivante.numero;
+            // la couleur d'un contact vient avant le contact dont le reflet la voit
             contacts.add(0, contact(suivante, rayon, depart));
             rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
             depart = rayon == null ? null : suivante.contact.objet;
         }
         lignes.addAll(contacts);
-        etape = 0;
+        segment = 0;
         if (pixel.getFaute() != null) {
             lignes.add(dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA)));
         } else {
@@ -87,11 +87,11 @@ public final class Recit {
         Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
         Object derniere = valeurs.length == 0 ? null : valeurs[valeurs.length - 1];
         return new Noeud(String.format(Locale.ROOT, format, textes),
-                etape + " " + Noeud.sansNumero(quoi) + format.split(" = | : |%")[0],
+                segment + " " + Noeud.sansNumero(quoi) + format.split(" = | : |%")[0],
                 derniere instanceof Couleur ? (Couleur) derniere : null);
     }
 
-    /** Les nombres d'une valeur, comme ils s'écrivent ; elle-même, si ce n'en sont pas. */
+    /** Les nombres d'une valeur, écrits ; la valeur elle-même si ce ne sont pas des nombres. */
     private Object ecrire(Object valeur) {
         if (valeur instanceof Couleur) {
             Couleur c = (Couleur) valeur;
@@ -107,7 +107,7 @@ public final class Recit {
         return valeur instanceof Double ? nombre.apply((Double) valeur) : valeur;
     }
 
-    /** Une couleur telle que le fichier l'écrit. */
+    /** Une couleur, écrite comme dans un fichier. */
     private static String lue(Couleur c) {
         return Nombre.ecrire(c.r) + " " + Nombre.ecrire(c.v) + " " + Nombre.ecrire(c.b);
     }
@@ -141,40 +141,40 @@ public final class Recit {
         lignes.add(dire("chaîne de l'échantillon %s", pixel.getChoisi()));
     }
 
-    /** @param rayon celui de l'étape, parti de cet objet ; {@code null} si une forme se colore à sa façon */
-    private Noeud contact(Etape etape, Rayon rayon, Objet3D depart) {
-        String nom = etape.contact == null ? "ciel" : pixel.nom(etape.contact.objet);
+    /** @param rayon celui de l'étape, parti de {@code depart} ; {@code null} si une forme n'a pas noté sa direction */
+    private Noeud contact(Segment segment, Rayon rayon, Objet3D depart) {
+        String nom = segment.contact == null ? "ciel" : pixel.nom(segment.contact.objet);
         quoi = "";
-        Noeud titre = etape.somme == null ? dire("%d  %s", etape.numero, nom)
-                : new Noeud(dire("%d  %s  %s%s", etape.numero, nom, etape.somme, resume(etape)).texte,
-                        etape.numero + " ", etape.somme);
+        Noeud titre = segment.somme == null ? dire("%d  %s", segment.numero, nom)
+                : new Noeud(dire("%d  %s  %s%s", segment.numero, nom, segment.somme, resume(segment)).texte,
+                        segment.numero + " ", segment.somme);
         List<Noeud> lignes = new ArrayList<>();
-        if (etape.contact == null) {
-            direLeVide(lignes, etape);
+        if (segment.contact == null) {
+            direLeVide(lignes, segment);
         } else {
-            if (etape.N != null) {
-                direLesTermes(lignes, etape);
+            if (segment.N != null) {
+                direLesTermes(lignes, segment);
             }
-            if (!etape.inconnue().estNoire()) {
-                lignes.add(dire("autre = %s (que le récit ne connaît pas)", etape.inconnue()));
+            if (!segment.inconnue().estNoire()) {
+                lignes.add(dire("autre = %s (que le récit ne connaît pas)", segment.inconnue()));
             }
-            lignes.add(dire("contact, normale et rivaux").sur(details(etape, rayon, depart), true));
+            lignes.add(dire("contact, normale et rivaux").sur(details(segment, rayon, depart), true));
         }
-        if (etape.somme != null && aTraversLAir(etape)) {
-            direLAir(lignes, etape);
+        if (segment.somme != null && aTraversLAir(segment)) {
+            direLAir(lignes, segment);
         }
-        if (etape.somme != null && etape.numero == pixel.getEtapes().size()) {
-            lignes.add(arret(etape));
+        if (segment.somme != null && segment.numero == pixel.getSegments().size()) {
+            lignes.add(arret(segment));
         }
-        return titre.sur(lignes, false).choisissant(etape.numero, -1);
+        return titre.sur(lignes, false).choisissant(segment.numero, -1);
     }
 
     /** Les termes d'une somme, en un mot chacun. */
-    private String resume(Etape etape) {
-        if (etape.N == null) {
+    private String resume(Segment segment) {
+        if (segment.N == null) {
             return "";
         }
-        List<Eclairage> ajoutees = etape.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
+        List<Eclairage> ajoutees = segment.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
         boolean exactes = ajoutees.stream().allMatch(e -> e.ajouts.get(e.apport()).equals(e.produit));
         boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
         boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
@@ -184,74 +184,74 @@ public final class Recit {
         if (!ajoutees.isEmpty()) {
             termes.add(ajoutees.size() > 1 && (diffus || reflet) ? apports + " de " + lampes : apports);
         }
-        Couleur Ks = etape.contact.objet.getKs();
+        Couleur Ks = segment.contact.objet.getKs();
         String facteur = Ks.r == Ks.v && Ks.v == Ks.b ? Nombre.ecrire(Ks.r) : "(" + lue(Ks) + ")";
-        etape.termes.stream().filter(terme -> terme.suite != null && terme.eclaire())
+        segment.termes.stream().filter(terme -> terme.suite != null && terme.eclaire())
                 .forEach(terme -> termes.add(terme.ajouts.get(terme.apport()).equals(terme.produit)
                         ? facteur + " ⊗ " + nomDeLaVue(terme.suite) : "réfléchi"));
-        if (!etape.inconnue().estNoire() || etape.termes.stream()
+        if (!segment.inconnue().estNoire() || segment.termes.stream()
                 .anyMatch(terme -> terme.ajouts.size() > (terme.eclaire() ? 1 : 0))) {
             termes.add("autre");
         }
         return termes.isEmpty() ? " : rien ne l'éclaire" : " = " + String.join(" + ", termes);
     }
 
-    private String nomDeLaVue(Etape etape) {
-        return (aTraversLAir(etape) ? "vue " : "somme ") + etape.numero;
+    private String nomDeLaVue(Segment segment) {
+        return (aTraversLAir(segment) ? "vue " : "somme ") + segment.numero;
     }
 
-    /** Dit pourquoi le rayon de l'écran ne rencontre rien, si c'est le cas de tous. */
-    private void direLeVide(List<Noeud> lignes, Etape etape) {
+    /** Explique le ciel, si aucun rayon de l'écran ne peut rencontrer d'objet. */
+    private void direLeVide(List<Noeud> lignes, Segment segment) {
         List<Objet3D> objets = pixel.scene.getObjets();
         if (objets.isEmpty()) {
             lignes.add(dire("aucun objet dans la scène"));
-        } else if (etape.numero == 1 && objets.stream().allMatch(objet -> objet instanceof Sphere
+        } else if (segment.numero == 1 && objets.stream().allMatch(objet -> objet instanceof Sphere
                 && ((Sphere) objet).getCentre().z + ((Sphere) objet).getRayon() <= 0)) {
             lignes.add(dire("aucun objet devant l'écran : tous sont en z ≤ 0, et les rayons partent de z = 0"));
         }
     }
 
-    private void direLesTermes(List<Noeud> lignes, Etape etape) {
-        if (etape.lampes.isEmpty()) {
+    private void direLesTermes(List<Noeud> lignes, Segment segment) {
+        if (segment.lampes.isEmpty()) {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        Map<String, List<Eclairage>> sorts = etape.lampes.stream().filter(lampe -> !lampe.eclaire())
+        Map<String, List<Eclairage>> sorts = segment.lampes.stream().filter(lampe -> !lampe.eclaire())
                 .collect(Collectors.groupingBy(Recit::sort, LinkedHashMap::new, Collectors.toList()));
         sorts.values().removeIf(lampes -> lampes.size() <= LAMPES);
-        for (Eclairage terme : etape.termes) {
+        for (Eclairage terme : segment.termes) {
             List<Eclairage> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
             if (pareilles != null && pareilles.get(0) == terme) {
                 quoi = sort(terme);
                 lignes.add(dire("%d lampes %s", pareilles.size(), quoi).sur(
-                        pareilles.stream().map(lampe -> lampe(etape, lampe)).collect(Collectors.toList()), true));
+                        pareilles.stream().map(lampe -> lampe(segment, lampe)).collect(Collectors.toList()), true));
             } else if (!terme.eclaire() && pareilles == null && (terme.lampe != null || terme.suite != null)) {
-                lignes.add(terme.lampe != null ? lampe(etape, terme)
+                lignes.add(terme.lampe != null ? lampe(segment, terme)
                         : dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
             quoi = "";
             for (int k = 0; k < terme.ajouts.size(); k++) {
                 lignes.add(k != terme.apport() ? dire("autre terme = %s", terme.ajouts.get(k))
-                        : terme.lampe != null ? lampe(etape, terme) : reflet(etape, terme));
+                        : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
                 quoi = "";
             }
         }
     }
 
-    private Noeud reflet(Etape etape, Eclairage terme) {
+    private Noeud reflet(Segment segment, Eclairage terme) {
         quoi = "réfléchi";
-        return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(etape.contact.objet.getKs()), nomDeLaVue(terme.suite),
-                terme.ajouts.get(terme.apport())).sur(Arrays.asList(dire("R = %s", etape.R), etape.poids == null
-                ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", etape.poids)), true);
+        return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(segment.contact.objet.getKs()), nomDeLaVue(terme.suite),
+                terme.ajouts.get(terme.apport())).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
+                ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", segment.poids)), true);
     }
 
-    /** Dit que des facteurs donnent la dernière de ces valeurs, ou que non, si leur produit est autre. */
+    /** Écrit que des facteurs donnent la dernière valeur ou, si leur produit est autre, qu'ils ne la donnent pas. */
     private Noeud produit(String format, Couleur produit, Object... valeurs) {
         return dire(produit.equals(valeurs[valeurs.length - 1]) ? format
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
     }
 
-    private Noeud lampe(Etape etape, Eclairage e) {
+    private Noeud lampe(Segment segment, Eclairage e) {
         quoi = pixel.nom(e.lampe);
         if (e.diffus == null) {
             return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
@@ -265,16 +265,16 @@ public final class Recit {
         Couleur apport = e.ajouts.get(e.apport());
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
                 : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", quoi, e.cosinus, apport);
-        return titre.sur(facteurs(etape, e), true);
+        return titre.sur(facteurs(segment, e), true);
     }
 
-    private List<Noeud> facteurs(Etape etape, Eclairage e) {
+    private List<Noeud> facteurs(Segment segment, Eclairage e) {
         Couleur KL = e.lampe.getCouleur();
-        Objet3D objet = etape.contact.objet;
+        Objet3D objet = segment.contact.objet;
         Specularite specularite = pixel.scene.getModele().getSpecularite();
-        // sans rayon d'ombre, personne n'a dit L
-        double base = e.L == null ? Double.NaN : specularite.base(etape.V, etape.N, e.L, etape.R);
-        double eclat = e.L == null ? e.eclat : specularite.eclat(etape.V, etape.N, e.L, etape.R, objet.getNs());
+        // sans rayon d'ombre, L n'est pas connu
+        double base = e.L == null ? Double.NaN : specularite.base(segment.V, segment.N, e.L, segment.R);
+        double eclat = e.L == null ? e.eclat : specularite.eclat(segment.V, segment.N, e.L, segment.R, objet.getNs());
         String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
                 + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
                 + Nombre.ecrire(specularite.exposant(objet.getNs()));
@@ -289,20 +289,20 @@ public final class Recit {
         return facteurs;
     }
 
-    /** Le contact, la demi-corde d'une sphère, et les deux plus proches des autres objets, par les boucles du cours. */
-    private List<Noeud> details(Etape etape, Rayon rayon, Objet3D depart) {
-        PointContact contact = etape.contact;
+    /** Le contact, la demi-corde d'une sphère, et les deux autres objets les plus proches, par les boucles du cours. */
+    private List<Noeud> details(Segment segment, Rayon rayon, Objet3D depart) {
+        PointContact contact = segment.contact;
         List<Noeud> lignes = new ArrayList<>();
         lignes.add(dire("d = %s", contact.distance));
         lignes.add(dire("contact = %s", contact));
-        if (etape.N != null) {
-            lignes.add(dire("N = %s", etape.N));
+        if (segment.N != null) {
+            lignes.add(dire("N = %s", segment.N));
         }
-        if (etape.N == null || rayon == null) {
+        if (segment.N == null || rayon == null) {
             return lignes;
         }
         if (contact.objet instanceof Sphere) {
-            // cours : d = b ± h, b étant la distance jusqu'au milieu de la corde
+            // cours : d = b ± h, où b est la distance jusqu'au milieu de la corde
             Vecteur f = new Vecteur(rayon.getP(), ((Sphere) contact.objet).getCentre());
             lignes.add(dire("demi-corde h = %s", Math.abs(contact.distance - f.dot(rayon.getV()))));
         }
@@ -322,37 +322,37 @@ public final class Recit {
                 : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
     }
 
-    /** Part de l'air dans cette vue, NaN s'il n'en dit rien. */
-    private double k(Etape etape) {
-        return pixel.scene.getModele().getAtmosphere().k(etape.distance);
+    /** Part k de l'air dans la couleur, NaN si l'air n'en a pas. */
+    private double k(Segment segment) {
+        return pixel.scene.getModele().getAtmosphere().k(segment.distance);
     }
 
-    /** Dit si ce que voit le rayon n'est pas la somme telle quelle. */
-    private boolean aTraversLAir(Etape etape) {
-        return !Double.isNaN(k(etape)) || !etape.vue.equals(etape.somme);
+    /** Dit si l'air change la couleur. */
+    private boolean aTraversLAir(Segment segment) {
+        return !Double.isNaN(k(segment)) || !segment.vue.equals(segment.somme);
     }
 
-    private void direLAir(List<Noeud> lignes, Etape etape) {
-        double k = k(etape);
+    private void direLAir(List<Noeud> lignes, Segment segment) {
+        double k = k(segment);
         List<Noeud> parts = new ArrayList<>();
         if (!Double.isNaN(k)) {
             parts.add(dire("air : k = %s", k));
             parts.add(dire("k · air = %s",
-                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), etape.distance)));
-            parts.add(dire("(1 − k) · somme %d = %s", etape.numero, etape.somme.mul(1 - k)));
+                    pixel.scene.getModele().getAtmosphere().traverser(new Couleur(), segment.distance)));
+            parts.add(dire("(1 − k) · somme %d = %s", segment.numero, segment.somme.mul(1 - k)));
         }
-        lignes.add(dire("vue %d = %s", etape.numero, etape.vue).sur(parts, false));
+        lignes.add(dire("vue %d = %s", segment.numero, segment.vue).sur(parts, false));
     }
 
-    private Noeud arret(Etape etape) {
-        if (etape.contact == null) {
+    private Noeud arret(Segment segment) {
+        if (segment.contact == null) {
             return dire("arrêt : ciel");
         }
-        if (etape.poids != null) {
-            return dire("arrêt : poids %s < seuil %s", etape.poids.max(),
+        if (segment.poids != null) {
+            return dire("arrêt : poids %s < seuil %s", segment.poids.max(),
                     Nombre.ecrire(pixel.scene.getModele().getSeuil()));
         }
-        return dire("arrêt : %s", etape.contact.objet.getKs().estNoire() ? "Ks nul"
+        return dire("arrêt : %s", segment.contact.objet.getKs().estNoire() ? "Ks nul"
                 : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion"));
     }
 }

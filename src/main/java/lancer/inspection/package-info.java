@@ -1,7 +1,5 @@
 /**
- * Explication de la couleur d'un pixel : la chaîne de ses contacts, telle que les classes du cours la disent en le
- * calculant, et le récit qu'on en fait.
- *
- * <p>Rien n'y entre qui calcule une couleur : chaque nombre vient de la classe qui l'a trouvé.
+ * Explication de la couleur d'un pixel : la suite de ses contacts, que les classes du cours notent en la calculant. Ce
+ * paquet ne calcule aucune couleur.
  */
 package lancer.inspection;

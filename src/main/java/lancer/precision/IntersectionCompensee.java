@@ -3,31 +3,30 @@ package lancer.precision;
 import lancer.Constantes;
 
 /**
- * L'intersection d'un rayon et d'une sphère là où l'arrondi de C − P, ou un carré qui déborde, fausserait
- * {@link Intersection#distance} : le rayon part près de la surface (au-dessus d'un sol immense, d'une sphère qui en
- * touche une autre).
+ * L'intersection d'un rayon et d'une sphère quand {@link Intersection#distance} serait fausse. Le rayon part près de la
+ * surface (un sol immense, une sphère qui en touche une autre), ou un carré déborde.
  *
- * <p>Une seule quantité y perd ses chiffres : la puissance de P, c = |C − P|² − r². Elle est calculée ici sans erreur
- * sensible, C − P gardé en deux termes (f + e = C − P exactement : Knuth, <i>The Art of Computer Programming</i>, t. 2,
- * § 4.2.2), les carrés coupés en morceaux dont les produits et les sommes tombent juste (Dekker, <i>A floating-point
- * technique for extending the available precision</i>, Numerische Mathematik 18, 1971 ; Rump, Ogita et Oishi,
- * <i>Accurate floating-point summation</i>, SIAM Journal on Scientific Computing 31, 2008, pour la coupe commune). Puis
- * h² = b² − c : près de la surface, cette forme ne subit de la direction que ce que la réponse en subit.
+ * <p>Seule la puissance de P, c = |C − P|² − r², perd ses chiffres. Elle est calculée ici presque sans erreur. C − P
+ * est gardé en deux termes, avec f + e = C − P exactement (Knuth, <i>The Art of Computer Programming</i>, t. 2, §
+ * 4.2.2). Les longueurs sont coupées en morceaux dont les produits et les sommes sont exacts (Dekker, <i>A
+ * floating-point technique for extending the available precision</i>, Numerische Mathematik 18, 1971). La coupe commune
+ * est celle de Rump, Ogita et Oishi (<i>Accurate floating-point summation</i>, SIAM Journal on Scientific Computing 31,
+ * 2008). Puis h² = b² − c : près de la surface, cette forme n'amplifie pas l'arrondi de la direction.
  *
- * <p>Distance : erreur relative d'au plus 8 u (1 + r/h), u = 2⁻⁵³, arrondi de la direction compris (mesurée : moins de
- * la moitié). Rien n'est alloué.
+ * <p>Erreur relative de la distance : au plus 8 u (1 + r/h), avec u = 2⁻⁵³, arrondi de la direction compris. L'erreur
+ * mesurée est inférieure à la moitié. Aucun objet n'est alloué.
  */
 public final class IntersectionCompensee {
 
-    /** Part de r² au-dessus de laquelle la puissance calculée d'abord est juste à u près. */
+    /** Si la puissance calculée d'abord dépasse cette part de r², elle est juste à u près. */
     private static final double ASSEZ = 0x1p-20;
 
-    /** Largeurs des morceaux, en parts de r : 1,5 · 2^k arrondit ce qu'on lui ajoute à un multiple de 2^(k−52). */
+    /** Largeurs des morceaux, en parts de r : ajouter 1,5 · 2^k arrondit un nombre à un multiple de 2^(k−52). */
     private static final double COUPE = 0x1.8p27;
     private static final double COUPE_DU_RESTE = 0x1.8p1;
     private static final double COUPE_DE_L_ERREUR = 0x1.8p-25;
 
-    /** Une tangente dont h² n'est négatif que d'autant, en parts de b·r, en est une si la perpendiculaire le dit. */
+    /** Si h² est négatif de moins que cette part de b·r, la perpendiculaire décide si le rayon est tangent. */
     private static final double TANGENTE = 0x1p-49;
 
     private static final long EXPOSANT = 0x7ff0000000000000L;
@@ -35,7 +34,7 @@ public final class IntersectionCompensee {
     private IntersectionCompensee() {
     }
 
-    /** Distance de {@link Intersection#distance}, là où sa forme directe est en doute : mêmes cas, mêmes réponses. */
+    /** La distance d'{@link Intersection#distance}, quand sa forme directe a un doute. */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;
@@ -43,13 +42,13 @@ public final class IntersectionCompensee {
         double fz = cz - pz;
         double b = fx * vx + fy * vy + fz * vz;
         if (!Norme.sontOrdinaires(fx, fy, fz, r)) {
-            // la sphère n'est plus qu'un point
+            // la sphère est si petite qu'elle compte pour un point
             return b > 0 && Math.hypot(Math.hypot(fx - b * vx, fy - b * vy), fz - b * vz) <= r ? b : Constantes.INFINI;
         }
         double c = puissance(fx, fy, fz, reste(cx, -px, fx), reste(cy, -py, fy), reste(cz, -pz, fz), r);
         double h2 = b * b - c;
         if (c > 0 && b > 0 && h2 < 0) {
-            // une tangente, si ce n'est que par un arrondi : la perpendiculaire tombe juste sur des nombres ronds
+            // un arrondi peut rendre h² négatif pour une tangente : la perpendiculaire est exacte sur des nombres ronds
             double lx = fx - b * vx;
             double ly = fy - b * vy;
             double lz = fz - b * vz;
@@ -65,16 +64,16 @@ public final class IntersectionCompensee {
         return c < 0 ? c / (b - h) : Constantes.INFINI;
     }
 
-    /** Perte exacte de l'arrondi de {@code somme} = a + b. */
+    /** Erreur d'arrondi de {@code somme} = a + b, exacte. */
     public static double reste(double a, double b, double somme) {
         double t = somme - a;
         return (a - (somme - t)) + (b - t);
     }
 
     /**
-     * Puissance |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près là où c'est davantage. Chaque
-     * longueur x vaut h + d, h multiple d'un même pas, assez court pour que les carrés et leur somme tombent juste ; x²
-     * = h² + 2hd + d².
+     * Puissance |f + e|² − r², à 2⁻⁵³ près en valeur relative, ou à 2⁻¹²⁷ r² près si cette valeur est plus grande.
+     * Chaque longueur x est la somme h + d, où h est multiple d'un même pas : les carrés des h et leur somme sont
+     * exacts. Alors x² = h² + 2hd + d².
      */
     static double puissance(double fx, double fy, double fz, double ex, double ey, double ez, double r) {
         double pas = Double.longBitsToDouble(Double.doubleToRawLongBits(r) & EXPOSANT);
@@ -93,7 +92,7 @@ public final class IntersectionCompensee {
         return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
     }
 
-    /** Puissance quand presque tout s'annule : d et e sont coupés aussi, et seul s'arrondit moins de 2⁻⁷⁶ r². */
+    /** Puissance quand presque tout s'annule : d et e sont coupés aussi, et moins de 2⁻⁷⁶ r² est arrondi. */
     private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
             double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
         double coupeD = COUPE_DU_RESTE * pas;

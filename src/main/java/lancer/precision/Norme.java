@@ -1,31 +1,31 @@
 package lancer.precision;
 
-/** Les longueurs : là où leur carré est un nombre ordinaire, et là où il ne l'est pas. */
+/** Longueurs dont le carré est un nombre ordinaire, et autres longueurs. */
 public final class Norme {
 
-    /** Carrés de norme entre lesquels ceux des composantes ne perdent pas de chiffres (2^-1022), ni ne débordent. */
+    /** Carrés de norme entre lesquels les carrés des composantes ne perdent pas de chiffres et ne débordent pas. */
     public static final double CARRE_MIN = 0x1.0p-900;
     public static final double CARRE_MAX = 0x1.0p1000;
 
-    /** Écart à 1 sous lequel le carré c d'une longueur donne 1/√c = 1,5 − 0,5 c, au carré de cet écart près. */
+    /** Si le carré c d'une longueur s'écarte de 1 d'au plus cela, 1/√c = 1,5 − 0,5 c, au carré de l'écart près. */
     public static final double PRESQUE_UN = 0x1p-27;
 
-    /** Un rayon plus petit que cette part de la distance au centre n'y compte plus. */
+    /** Un rayon plus petit que cette part de la distance au centre est négligeable. */
     private static final double POUSSIERE = 0x1p-449;
 
-    /** Un écart relatif dont le carré est sous la moitié de u. */
+    /** Écart relatif dont le carré est inférieur à u/2. */
     private static final double ECART_PETIT = 0x1p-28;
 
     private Norme() {
     }
 
-    /** Dit si ni le carré de ce rayon, ni sa somme avec celui de ce vecteur, ne perdent de chiffres. */
+    /** Dit si le carré de ce rayon, et sa somme avec celui de ce vecteur, ne perdent pas de chiffres. */
     public static boolean sontOrdinaires(double x, double y, double z, double rayon) {
         double r2 = rayon * rayon;
         return r2 > CARRE_MIN && r2 + (x * x + y * y + z * z) < CARRE_MAX;
     }
 
-    /** La puissance de deux qui, par une multiplication, les rend ordinaires ; 1 s'ils le sont, ou si rien n'y fait. */
+    /** La puissance de deux qui, multipliée, rend ces longueurs ordinaires ; 1 si elle est inutile ou impossible. */
     public static double echelle(double x, double y, double z, double rayon) {
         if (sontOrdinaires(x, y, z, rayon)) {
             return 1;
@@ -35,11 +35,11 @@ public final class Norme {
         return max <= Double.MAX_VALUE && echelle * rayon >= POUSSIERE ? echelle : 1;
     }
 
-    /** Part d'elle-même dont la longueur √carre, ordinaire ({@link #CARRE_MIN}), dépasse r : 1 − r/√carre. */
+    /** Écart relatif 1 − r/√carre entre r et la longueur √carre, ordinaire ({@link #CARRE_MIN}). */
     public static double ecart(double carre, double r) {
         double r2 = r * r;
         double e = (carre - r2) * (0.5 / r2);
-        // le carré de e ne compte pas : d'ordinaire, ni racine, ni division qui attende
+        // le carré de e est négligeable, sauf exception : ni racine, ni deuxième division
         return Math.abs(e) < ECART_PETIT ? e : 1 - r / Math.sqrt(carre);
     }
 }

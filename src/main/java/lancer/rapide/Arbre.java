@@ -7,30 +7,31 @@ import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
- * Un arbre de boîtes, parcouru de la plus proche à la plus lointaine : rarement le meilleur ici, mais ni les tailles,
- * ni les places, ni les distances ne le mettent en défaut. Il répond là où le compte d'une structure est vide, et aux
- * rayons qui ne sont pas de ceux d'une carte. Ses {@link Noeuds} ne se font qu'à la première question.
+ * Hiérarchie de boîtes englobantes (BVH), parcourue de la boîte la plus proche à la plus lointaine. Elle convient à
+ * toute scène, quelles que soient les tailles et les positions. Elle répond aux rayons qu'une autre structure n'accepte
+ * pas, ou quand le crédit est épuisé. Les {@link Noeuds} sont construits à la première demande.
  *
- * <p>Une boîte n'est passée que si aucune de ses sphères ne peut l'emporter, arrondis compris. La distance calculée par
- * {@link Intersection#distance} est celle d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| + r), u = 2^-53,
- * et les plans d'une boîte se traversent à 4 u (|P| + |boîte|) près : chaque boîte est élargie de {@link Noeuds#MARGE}
- * fois sa plus grande coordonnée, et chaque rayon s'élargit d'autant de fois celle de son départ. La marge suit donc ce
- * que le rayon et la boîte ont de grand, et rien d'autre dans la scène.
+ * <p>Une boîte n'est écartée que si aucune de ses sphères ne peut être le premier contact, arrondis compris.
+ * {@link Intersection#distance} rend la distance exacte d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| +
+ * r), avec u = 2^-53. La traversée d'une boîte est calculée à 4 u (|P| + |boîte|) près. Chaque boîte est donc élargie
+ * de {@link Noeuds#MARGE} fois sa plus grande coordonnée, et chaque rayon de {@link Noeuds#MARGE} fois celle de son
+ * départ. Ainsi, cette marge ne dépend pas du reste de la scène.
  */
 final class Arbre implements Intersections, Occultations {
 
-    /** Plus petite composante de V : au-dessous, elle vaut cela : son inverse reste fini. */
+    /** Une composante de V plus petite est remplacée par cette valeur : son inverse reste fini. */
     private static final double PLUS_PETITE = 1e-300;
 
-    /** Réponse d'une descente qui a examiné ce qui lui était permis : à reprendre. */
+    /** Réponse d'une descente suspendue après le nombre d'examens permis. */
     private static final int SUSPENDUE = -2;
 
-    /** Examens entre deux regards à l'interruption du fil. */
+    /** Nombre d'examens entre deux lectures de l'interruption du fil. */
     private static final int PAS = 1 << 14;
 
     /**
-     * Examens, par une ombre, de l'arbre après chaque tour des boucles, et de celles-ci : si les boucles répondraient
-     * seules en k examens, il s'en fait 3 k au plus ; si c'est l'arbre, moitié plus que lui, et un tour.
+     * Un rayon d'ombre examine tour à tour {@code PAS_BOUCLES} sphères par les boucles, puis {@code PAS_ARBRE} nœuds
+     * par l'arbre. Si k examens suffisent aux boucles, le total est au plus 3 k. Si k examens suffisent à l'arbre, le
+     * total est au plus 1,5 k, plus un tour.
      */
     private static final int PAS_ARBRE = 16;
     private static final int PAS_BOUCLES = 8;
@@ -38,7 +39,7 @@ final class Arbre implements Intersections, Occultations {
     private final Spheres spheres;
     private final ReentrantLock construction = new ReentrantLock();
     private volatile Noeuds noeuds;
-    /** Le temps de la construction, en nanosecondes ; 0 tant qu'elle n'est pas faite. */
+    /** Le temps de la construction, en nanosecondes ; 0 avant elle. */
     volatile long constructionNs;
 
     Arbre(Spheres spheres) {
@@ -46,7 +47,7 @@ final class Arbre implements Intersections, Occultations {
     }
 
     /**
-     * Les nœuds, construits s'ils ne le sont pas encore par le premier fil qui les demande ; les autres attendent.
+     * Les nœuds. Le premier fil qui les demande les construit ; les autres attendent.
      *
      * @throws CancellationException si ce fil est interrompu
      */
@@ -95,9 +96,9 @@ final class Arbre implements Intersections, Occultations {
     }
 
     /**
-     * {@link #cachee}, où une structure a déjà reçu ce qu'un rayon permet. D'abord le dernier bloqueur, et l'arbre
-     * autant que le compte le permet ; puis tour à tour les boucles, dans l'ordre de la scène, et l'arbre : une lampe
-     * dans la première sphère de la scène ne coûte pas une descente.
+     * Même réponse que {@link #cachee}, si une structure a déjà ajouté le crédit du rayon. La dernière sphère qui a
+     * caché une lampe est examinée d'abord, puis l'arbre dans la limite du crédit. Ensuite, les boucles du cours et
+     * l'arbre alternent : si la lampe est dans la première sphère de la scène, une descente entière est évitée.
      */
     boolean reprendre(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             double distance, int sauf) {
@@ -126,7 +127,7 @@ final class Arbre implements Intersections, Occultations {
         return trouvee >= 0;
     }
 
-    /** Premier nœud à visiter, s'il y a une sphère : la racine. */
+    /** Met la racine dans la pile, s'il y a une sphère. */
     private void commencer(EtatDeRecherche etat) {
         etat.trouvee = -1;
         etat.pile[0] = 0;
@@ -135,16 +136,16 @@ final class Arbre implements Intersections, Occultations {
     }
 
     /**
-     * Descend dans ce qui reste à visiter.
+     * Visite les nœuds de la pile.
      *
      * @param premiereVenue vrai pour s'arrêter à la première sphère à moins de {@code etat.distance}
-     * @param permis nombre d'examens, à peu près
+     * @param permis nombre approché d'examens permis
      * @return la sphère trouvée, -1 s'il n'y en a pas, ou {@link #SUSPENDUE}
      */
     private int descendre(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf, boolean premiereVenue, int permis) {
         Noeuds arbre = noeuds();
-        // les plans d'entrée : ceux du minimum si le rayon va vers les grands, ceux du maximum sinon
+        // les plans d'entrée sont les minimums si la composante de V est positive, les maximums sinon
         double ix = inverse(vx);
         double iy = inverse(vy);
         double iz = inverse(vz);
@@ -154,7 +155,7 @@ final class Arbre implements Intersections, Occultations {
         int sx = 3 - ex;
         int sy = 5 - ey;
         int sz = 7 - ez;
-        // d'où le rayon entre au plus tôt, et sort au plus tard
+        // départs décalés de la marge : le rayon entre au plus tôt, et sort au plus tard
         double marge = Noeuds.MARGE * Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz)));
         double pex = ix < 0 ? px - marge : px + marge;
         double pey = iy < 0 ? py - marge : py + marge;
@@ -172,12 +173,12 @@ final class Arbre implements Intersections, Occultations {
         int tests = 0;
         int visites = 0;
         while (haut > 0 && tests + visites < permis) {
-            // à la même distance, une sphère qui vient avant dans la scène peut encore l'emporter
+            // à distance égale, une sphère qui vient avant dans la scène l'emporte
             if (entrees[--haut] > distance) {
                 continue;
             }
             int n = pile[haut];
-            // jusqu'à une feuille, par l'enfant où le rayon entre d'abord ; l'autre attend
+            // descend par l'enfant le plus proche jusqu'à une feuille ; l'autre enfant va dans la pile
             while (n >= 0 && arbre.compte[n] == 0) {
                 visites += 2;
                 int s = arbre.suite[n];
@@ -199,7 +200,6 @@ final class Arbre implements Intersections, Occultations {
                     n = premier ? s : s + 1;
                 }
             }
-            // les sphères de la feuille
             for (int f = n < 0 ? 0 : arbre.suite[n], fin = n < 0 ? 0 : f + arbre.compte[n]; f < fin; f++) {
                 int k = arbre.feuilles[f];
                 if (k == sauf) {

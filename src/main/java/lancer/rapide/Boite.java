@@ -1,6 +1,6 @@
 package lancer.rapide;
 
-/** Une boîte qui contient des sphères entières. */
+/** Une boîte englobante de sphères. */
 final class Boite {
 
     double xMin = Double.POSITIVE_INFINITY;
@@ -19,7 +19,7 @@ final class Boite {
         zMax = Math.max(zMax, z + r);
     }
 
-    /** @param autre {@code null} si elle est vide */
+    /** @param autre {@code null} pour une boîte vide */
     void ajouter(Boite autre) {
         if (autre != null) {
             ajouter(autre.xMin, autre.yMin, autre.zMin, 0);
@@ -27,7 +27,6 @@ final class Boite {
         }
     }
 
-    /** La boîte de ces sphères. */
     static Boite de(Spheres spheres, int[] lesquelles) {
         Boite boite = new Boite();
         double[] g = spheres.geometrie;

@@ -7,52 +7,48 @@ import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
- * Vue d'un point, case par case : les sphères dont la silhouette touche la case, de la plus proche à la
- * plus lointaine. Une case qu'une sphère couvre tout entière a une coupe : ce qui est au-delà est caché, et n'y est pas
- * noté. Une lampe est ponctuelle et le cours fait partir d'elle les rayons d'ombre, donc elle voit la scène comme une
- * seconde caméra (« light buffer », Haines et Greenberg, 1986) : une question coûte une ou deux sphères au lieu d'une
- * descente d'arbre, cinq à neuf fois moins.
+ * Les sphères vues d'un point, notées par case de direction (« light buffer », Haines et Greenberg, 1986). Chaque case
+ * donne, de la plus proche à la plus lointaine, les sphères dont la silhouette la touche. Si une sphère couvre toute
+ * une case, cette case a une coupe : les sphères plus lointaines n'y sont pas notées. L'œil a une carte. Chaque lampe
+ * en a une aussi, car les rayons d'ombre du cours partent de la lampe. Une réponse examine une ou deux sphères, et
+ * coûte cinq à neuf fois moins que l'arbre.
  */
 final class Carte implements Intersections, Occultations {
 
-    /** Cases examinées, par place permise, au-delà desquelles la carte coûte plus qu'elle ne rendra. */
+    /** Nombre de cases examinées, par place permise, au-delà duquel la construction est abandonnée. */
     private static final long TRAVAIL = 16;
 
-    /** Sphères dans la case d'une sphère, en moyenne, au-delà desquelles un arbre répond mieux qu'une carte. */
+    /** Nombre moyen de sphères dans la case d'une sphère au-delà duquel l'arbre est plus rapide. */
     private static final int ENCOMBREE = 20;
 
-    /** Marge des distances de coupe : les distances calculées sous une coupe sont justes à 1e-10 près. */
+    /** Marge des distances de coupe : les distances calculées sont justes à 1e-10 près. */
     private static final double MARGE_COUPE = 1e-7;
 
     private final Spheres spheres;
     private final Point origine;
     private final boolean deLOeil;
-    /** Recherche d'un rayon qui n'est pas de ceux de la carte, ou que le compte ne permet pas. */
+    /** Arbre qui répond si la carte n'accepte pas le rayon ou si le crédit est épuisé. */
     private final Arbre secours;
     private final int parFace;
     private final Face[] faces;
 
-    /**
-     * Première entrée de chaque case, et pour chaque entrée une sphère et une distance qu'aucun de ses points ne
-     * précède.
-     */
+    /** Première entrée de chaque case ; pour chaque entrée, une sphère et une borne inférieure de sa distance. */
     private final int[] debut;
     int[] entrees;
     private float[] pres;
-    /** Places encore permises, pendant que la carte se fait. */
+    /** Nombre de places encore permises pendant la construction. */
     private long libres;
 
-    /** Distance de coupe de chaque case (+∞ sans coupe), et la sphère qui coupe. */
+    /** Distance de coupe de chaque case (+∞ sans coupe), et sphère de cette coupe. */
     final float[] coupe;
     final int[] coupeuse;
 
     /**
-     * La carte d'une lampe, ou celle de l'œil : ses rayons partent de l'écran, où que ce soit dans un pixel, et tous
-     * s'éloignent d'un même point.
+     * La carte d'une lampe, ou celle de l'œil, dont les rayons partent de l'écran.
      *
-     * @param faces fenêtres par où la scène se voit de cette origine ; pour l'œil, celle de l'image
-     * @param places au plus, dans les cases
-     * @return {@code null} si elles débordent, ou en ont trop chacune : les sphères sont trop serrées, vues de ce point
+     * @param faces fenêtres qui contiennent la scène vue de cette origine ; pour l'œil, celle de l'image
+     * @param places nombre maximal d'entrées
+     * @return {@code null} s'il faut trop d'entrées, en tout ou par case
      */
     static Carte de(Spheres spheres, Point origine, boolean deLOeil, Face[] faces, Arbre secours, long places) {
         Carte carte = new Carte(spheres, origine, deLOeil, faces, secours, places);
@@ -73,7 +69,7 @@ final class Carte implements Intersections, Occultations {
         Arrays.fill(coupe, Float.POSITIVE_INFINITY);
     }
 
-    /** Note chaque sphère dans les cases où elle peut se voir ; faux si c'est trop de places, ou trop de travail. */
+    /** Note chaque sphère dans les cases de sa silhouette. @return faux s'il faut trop de places ou d'examens */
     private boolean remplir() {
         long[] ordre = parDistance();
         long travail = TRAVAIL * (libres + coupe.length);
@@ -90,7 +86,7 @@ final class Carte implements Intersections, Occultations {
         }
         entrees = new int[total];
         pres = new float[total];
-        // de la plus lointaine à la plus proche : chaque case se remplit par la fin, et son début recule
+        // de la plus lointaine à la plus proche, car chaque case se remplit par la fin
         for (int o = ordre.length - 1; o >= 0; o--) {
             noter(ordre[o]);
         }
@@ -98,11 +94,11 @@ final class Carte implements Intersections, Occultations {
     }
 
     /**
-     * Compte une sphère dans chaque case que touche sa silhouette, où une plus proche ne la cache pas, ou l'y place si
-     * {@link #entrees} existe. Ce qui est compté avant une coupe est plus proche qu'elle : elle n'en ôte rien.
+     * Compte une sphère dans chaque case que touche sa silhouette, sauf au-delà d'une coupe. La place dans les cases si
+     * {@link #entrees} existe. Les sphères sont comptées par distance croissante : une coupe n'en ôte aucune.
      *
      * @param cle voir {@link #parDistance}
-     * @return le nombre de cases regardées
+     * @return le nombre de cases examinées
      */
     private long noter(long cle) {
         Recherche.obeir();
@@ -115,7 +111,7 @@ final class Carte implements Intersections, Occultations {
         double z = g[s + 2] - origine.z;
         double loin = Math.sqrt(x * x + y * y + z * z);
         double r = g[s + 3] / loin;
-        // un rayon atteint une sphère au plus à la distance de ses tangentes, sauf si elle coupe l'écran
+        // un rayon atteint une sphère au plus à la distance des tangentes, sauf si elle coupe l'écran
         float tangente = deLOeil && g[s + 2] - g[s + 3] <= 1e-9 * (loin + g[s + 3]) ? Float.POSITIVE_INFINITY
                 : Math.nextUp((float) (loin * Math.sqrt(1 - r * r) * (1 + MARGE_COUPE)));
         long regardees = 0;
@@ -149,7 +145,7 @@ final class Carte implements Intersections, Occultations {
         return regardees;
     }
 
-    /** Vrai si une sphère prise au hasard a trop de voisines dans ses cases. */
+    /** Dit si les cases d'une sphère contiennent, en moyenne, trop de sphères. */
     private boolean estEncombree() {
         int n = spheres.nombre;
         long[] voisines = new long[n];
@@ -171,9 +167,7 @@ final class Carte implements Intersections, Occultations {
         return somme > ENCOMBREE * (double) vues;
     }
 
-    /**
-     * Les numéros des sphères dans la moitié basse, par distance croissante ; celle-ci, arrondie vers 0, dans la haute.
-     */
+    /** Les sphères par distance croissante. La moitié basse est un numéro, la haute une distance arrondie vers 0. */
     private long[] parDistance() {
         double[] g = spheres.geometrie;
         long[] ordre = new long[spheres.nombre];
@@ -191,8 +185,7 @@ final class Carte implements Intersections, Occultations {
     }
 
     /**
-     * Sphère que rencontre d'abord un rayon, parmi celles que note sa case. Un rayon qui ne
-     * vient pas de l'œil, ou que le compte ne permet pas, est pour le secours.
+     * Premier contact parmi les sphères de la case. L'arbre répond à un rayon d'ailleurs que l'œil, ou faute de crédit.
      */
     @Override
     public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
@@ -201,7 +194,7 @@ final class Carte implements Intersections, Occultations {
         if (c < 0) {
             return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
         }
-        // les distances de la carte partent de l'œil, et V.z = focale / ‖P − Œil‖
+        // distance de l'œil à P, car V.z = focale / ‖P − Œil‖ : les distances de la carte partent de l'œil
         double avance = faces[0].focale / vz * (1 + 1e-12);
         etat.distance = Constantes.INFINI;
         etat.compteurs.noeudsVisites++;
@@ -250,7 +243,7 @@ final class Carte implements Intersections, Occultations {
         }
         etat.compteurs.noeudsVisites++;
         if (distance > coupe[c]) {
-            // ou bien le contact est sur la sphère qui coupe, un rien plus loin qu'elle par un arrondi
+            // sur la sphère de la coupe elle-même, un arrondi peut mettre le contact au-delà de la coupe
             return coupeuse[c] != sauf || secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
         }
         int premiere = debut[c];
@@ -270,7 +263,7 @@ final class Carte implements Intersections, Occultations {
                 && secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
     }
 
-    /** La case de cette direction, -1 si aucune sphère ne peut y être. */
+    /** La case de cette direction, -1 si elle est hors de la fenêtre. */
     int caseDe(double x, double y, double z) {
         if (faces.length == 1) {
             return faces[0].caseDe(x, y, z);

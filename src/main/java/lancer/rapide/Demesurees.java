@@ -2,12 +2,12 @@ package lancer.rapide;
 
 import java.util.Arrays;
 
-/** Les sphères qu'il vaut mieux mettre à part : un sol, un ciel, une étoile. */
+/** Les sphères trop grandes ou trop éloignées pour une grille : un sol, un ciel, une étoile. */
 final class Demesurees {
 
     /**
-     * Une sphère de tant de fois le rayon médian couvrirait presque toute une grille ; une autre, à tant de fois la
-     * distance médiane du milieu, l'étirerait. Les médianes sont celles d'un échantillon.
+     * Une sphère est démesurée si son rayon dépasse {@code GROSSE} fois le rayon médian, ou sa distance au milieu
+     * {@code ECARTEE} fois la distance médiane. Les médianes sont celles d'un échantillon.
      */
     private static final double GROSSE = 50;
     private static final double ECARTEE = 64;
@@ -33,7 +33,6 @@ final class Demesurees {
         loin = ECARTEE * mediane(valeurs);
     }
 
-    /** Vrai si cette sphère est bien plus grosse, ou bien plus loin, que la plupart. */
     boolean contient(int k) {
         int s = Spheres.PAS * k;
         return g[s + 3] > GROSSE * milieu[3] || ecart(s) > loin;

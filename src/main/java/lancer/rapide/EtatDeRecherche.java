@@ -5,33 +5,33 @@ import lancer.contrat.Compteurs;
 import lancer.precision.Intersection;
 
 /**
- * État qu'un fil garde à côté de ses questions aux structures : un compte, la distance trouvée, une pile.
+ * État d'un fil pendant ses recherches : un crédit d'examens, le dernier contact, une pile.
  *
- * <p>Le compte borne ce que coûtent les structures, quoi qu'on leur demande. Il s'ouvre, vide, à chaque rayon de
- * l'écran ; chacun des rayons qui en naissent y met {@link #PAR_RAYON} examens. Une structure y prend ce qu'elle
- * examine, et quand il est vide elle passe la main à l'arbre, qui recommence ; pour une première rencontre, il y remet
- * autant qu'il a examiné. Un dessin examine donc au plus, structures et arbre, 32 sphères ou cases par rayon, et deux
- * fois ce qu'examine l'arbre. Rien ne passe d'un rayon de l'écran à l'autre : les comptes ne dépendent ni des fils, ni
- * de ce qui a été dessiné avant.
+ * <p>Le crédit borne le coût des structures. Il est nul au départ d'un rayon de l'écran. Ce rayon, puis chaque rayon
+ * qui en naît, y ajoute {@link #PAR_RAYON} examens ; chaque examen d'une structure en retire un. Quand le crédit est
+ * épuisé, l'arbre recommence la recherche. Si l'arbre cherche un premier contact, il ajoute au crédit le nombre de ses
+ * examens. Un dessin examine donc au plus 32 sphères ou cases par rayon, plus deux fois les examens de l'arbre seul. Le
+ * crédit d'un rayon de l'écran ne passe pas au suivant : les compteurs ne dépendent ni des fils, ni du dessin
+ * précédent.
  */
 final class EtatDeRecherche {
 
-    /** Examens permis de plus à chaque rayon : 32, moins la case d'une carte, qu'elle ne prend pas au compte. */
+    /** Examens permis de plus par rayon : 32, moins la case d'une carte, que le crédit ne compte pas. */
     static final int PAR_RAYON = 31;
 
-    /** Examens qui restent permis aux structures, depuis ce rayon de l'écran. */
+    /** Nombre d'examens encore permis aux structures pour ce rayon de l'écran. */
     long credit;
 
-    /** Numéro de la sphère qui a caché une lampe en dernier depuis ce rayon de l'écran, -1 s'il n'y en a pas. */
+    /** Sphère qui a caché une lampe en dernier depuis ce rayon de l'écran, -1 s'il n'y en a pas. */
     int bloqueur;
 
-    /** Distance du dernier contact trouvé, +∞ s'il n'y en a pas, et sa sphère, -1. */
+    /** Distance du dernier contact, +∞ s'il n'y en a pas ; numéro de sa sphère, ou -1. */
     double distance;
     int trouvee;
 
     /**
-     * État d'une descente dans un arbre : ce qui reste à visiter, d'où le rayon y entre, et leur nombre. Une
-     * {@link Grille} y note les sphères qu'elle a tranchées.
+     * Pile d'une descente dans un arbre : nœuds à visiter, distances où le rayon y entre, hauteur de la pile. Une
+     * {@link Grille} y note les sphères dont le doute est tranché.
      */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
@@ -43,13 +43,12 @@ final class EtatDeRecherche {
         this.compteurs = compteurs;
     }
 
-    /** Ouvre le compte d'un rayon de l'écran. */
     void ouvrir() {
         credit = 0;
         bloqueur = -1;
     }
 
-    /** Retient la sphère k si elle passe avant celle que le etat retient. */
+    /** Retient la sphère k si son contact précède celui qui est retenu. */
     void retenir(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
@@ -63,7 +62,7 @@ final class EtatDeRecherche {
         }
     }
 
-    /** Vrai si le rayon rencontre la sphère k à moins de cette distance. */
+    /** Dit si le rayon rencontre la sphère k à moins de {@code auPlus}. */
     boolean touche(Spheres spheres, int k, double px, double py, double pz, double vx, double vy, double vz,
             double auPlus) {
         compteurs.testsSpheres++;
@@ -73,7 +72,7 @@ final class EtatDeRecherche {
         return d < auPlus && (d >= 0 || trancher(spheres, k, d, auPlus, px, py, pz, vx, vy, vz) < auPlus);
     }
 
-    /** Distance de la sphère k, que {@link Intersection#distanceOuDoute} a laissée en doute ; +∞ si c'est trop. */
+    /** Distance de la sphère k, si {@link Intersection#distanceOuDoute} a un doute ; +∞ au-delà de {@code auPlus}. */
     double trancher(Spheres spheres, int k, double doute, double auPlus, double px, double py, double pz, double vx,
             double vy, double vz) {
         if (Intersection.auMoins(doute) > auPlus) {

@@ -6,28 +6,29 @@ import lancer.Constantes;
 import lancer.precision.Intersection;
 
 /**
- * Une fenêtre découpée en cases, vue d'un point : la case d'une direction, et les cases que couvre la silhouette d'une
- * sphère. Dans le repère de la face, une direction (x, y, z), z &gt; 0, y tombe en u = x/z, v = y/z.
+ * Une fenêtre rectangulaire vue d'un point et découpée en cases. Elle donne la case d'une direction, et les cases que
+ * couvre la silhouette d'une sphère. Dans le repère de la face, une direction (x, y, z), avec z &gt; 0, coupe la
+ * fenêtre en u = x/z, v = y/z.
  */
 final class Face {
 
     /**
-     * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près, et les
-     * arrondis de {@link lancer.precision.Intersection#distance} grossissent une sphère de 4e-15 au plus, vue d'ici.
+     * Élargissement des silhouettes, en u et v. Les directions et les silhouettes sont calculées à 1e-15 près. Les
+     * arrondis de {@link lancer.precision.Intersection#distance} élargissent une silhouette de 4e-15 au plus.
      */
     static final double MARGE = 4e-12;
 
-    /** Plus grande ouverture d'une seule fenêtre, en u et v : 63 degrés de part et d'autre. */
+    /** Plus grande ouverture d'une fenêtre, en u et v : 63 degrés de part et d'autre de l'axe. */
     static final double OUVERTURE = 2;
 
-    /** Une sphère dont le point est aussi près de la surface, en part de sa distance, se voit de partout. */
+    /** Si le point de vue est plus près de la surface, en part de la distance, la sphère est notée partout. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
 
-    /** Entre ces distances, les carrés se calculent sans détour. */
+    /** Distances entre lesquelles les carrés ne débordent pas. */
     static final double LOIN_MIN = 1e-120;
     static final double LOIN_MAX = 1e140;
 
-    /** Une sphère dont z dépasse r de moins de cette part de sa distance n'a pas d'ellipse pour silhouette. */
+    /** Si z dépasse r de moins de cette part de la distance, la silhouette n'est pas traitée comme une ellipse. */
     private static final double RASANTE = 1e-3;
 
     /** Le repère, ligne par ligne. */
@@ -43,10 +44,10 @@ final class Face {
     final int colonnes;
     final int lignes;
 
-    /** Distance à l'image d'un œil sur l'axe ; NaN, et nul rayon n'y a de case, s'il en est trop près, ou devant. */
+    /** Distance d'un œil sur l'axe à l'image ; NaN si l'œil est trop près ou devant : aucun rayon n'a alors de case. */
     double focale = Double.NaN;
 
-    /** La silhouette en cours : première et dernière ligne, et pour chacune les colonnes touchées et couvertes. */
+    /** Dernière silhouette : première et dernière ligne ; pour chaque ligne, colonnes touchées et couvertes. */
     int ligne0;
     int ligne1;
     int[] de;
@@ -94,8 +95,9 @@ final class Face {
     }
 
     /**
-     * La case de l'image que traverse ce rayon, -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou n'est pas
-     * dans l'image.
+     * La case de l'image que traverse ce rayon.
+     *
+     * @return -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou s'il est hors de l'image
      */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
         // écart permis entre la direction du rayon et celle de l'œil, en z = 1 : le quart de la marge
@@ -105,7 +107,7 @@ final class Face {
                 ? casePlane(px * parFocale, py * parFocale) : -1;
     }
 
-    /** La case de ce point de la fenêtre, -1 s'il n'y est pas. */
+    /** La case de ce point de la fenêtre, -1 s'il est dehors. */
     int casePlane(double u, double v) {
         double i = (u - u0) * parDu;
         double j = (v - v0) * parDv;
@@ -114,9 +116,9 @@ final class Face {
     }
 
     /**
-     * Cherche les cases que touche cette sphère, et parmi elles celles qu'elle couvre tout entières.
+     * Cherche les cases que touche cette sphère, et celles qu'elle couvre entièrement.
      *
-     * @param dx le centre, moins le point
+     * @param dx centre de la sphère moins point de vue
      * @return faux si elle n'en touche aucune
      */
     boolean silhouette(double dx, double dy, double dz, double rayon) {
@@ -125,14 +127,14 @@ final class Face {
         if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
             return partout();
         }
-        // toutes les longueurs divisées par celle-ci : la direction du centre est de longueur 1
+        // les longueurs sont divisées par loin : la direction du centre est de longueur 1
         double x = dx / loin;
         double y = dy / loin;
         double z = dz / loin;
         double cx = e[0] * x + e[1] * y + e[2] * z;
         double cy = e[3] * x + e[4] * y + e[5] * z;
         double cz = e[6] * x + e[7] * y + e[8] * z;
-        // hors de la pyramide de la fenêtre : au-delà d'un de ses quatre côtés, ou derrière
+        // la sphère est hors de la pyramide de la fenêtre : derrière, ou au-delà d'un côté
         double rm = r + MARGE * 4;
         if (cz < -rm || cx - u1 * cz > rm * Math.sqrt(1 + u1 * u1) || u0 * cz - cx > rm * Math.sqrt(1 + u0 * u0)
                 || cy - v1 * cz > rm * Math.sqrt(1 + v1 * v1) || v0 * cz - cy > rm * Math.sqrt(1 + v0 * v0)) {
@@ -142,12 +144,12 @@ final class Face {
     }
 
     /**
-     * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), K = 1 − r². À v donné, son bord est en
-     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), m = cy v + cz : rien ne s'y soustrait qui se
-     * ressemble.
+     * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), avec K = 1 − r². À v donné, son bord est en
+     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), avec m = cy v + cz : rien de voisin ne s'y
+     * soustrait.
      */
     private boolean ellipse(double cx, double cy, double cz, double r) {
-        // la boîte de l'ellipse, et ses cases
+        // boîte englobante de l'ellipse
         double q = cz * cz - r * r;
         double ru = r * Math.sqrt(cx * cx + q);
         double rv = r * Math.sqrt(cy * cy + q);
@@ -171,12 +173,12 @@ final class Face {
             }
             return true;
         }
-        // ligne par ligne, entre ses deux bords, g0 et d0 en haut, g1 et d1 en bas
+        // pour chaque ligne, g0 et d0 sont les bords en haut, g1 et d1 les bords en bas
         double kq = (1 - r * r) * q;
         double parA = 1 / (cy * cy + q);
         double vDeMin = cy * (1 + uMin * uMin) / (cz + cx * uMin);
         double vDeMax = cy * (1 + uMax * uMax) / (cz + cx * uMax);
-        // déplacer le bord d'une marge, c'est ajouter ou retrancher cela sous la racine
+        // pour déplacer le bord d'une marge, cet écart s'ajoute ou se retranche sous la racine
         double ecart = MARGE * (vMax - vMin) + MARGE * MARGE;
         double g0 = Double.POSITIVE_INFINITY;
         double d0 = Double.NEGATIVE_INFINITY;
@@ -205,7 +207,7 @@ final class Face {
                 double droite = vDeMax >= v - dv - MARGE && vDeMax <= v + MARGE ? uMax + MARGE : Math.max(d0, d1);
                 de[j] = rang((gauche - u0) * parDu, colonnes);
                 a[j] = rang((droite - u0) * parDu, colonnes);
-                // une case est couverte si ses quatre coins le sont : l'ellipse est convexe
+                // l'ellipse est convexe : une case est couverte si ses quatre coins le sont
                 couvertDe[j] = (int) Math.ceil((Math.max(gc0, gc1) - u0) * parDu);
                 couvertA[j] = (int) Math.floor((Math.min(dc0, dc1) - u0) * parDu) - 1;
             }
@@ -217,7 +219,7 @@ final class Face {
         return true;
     }
 
-    /** La silhouette d'une sphère si grosse, ou si près, que ce n'est pas une ellipse : tout, et rien de couvert. */
+    /** Note une sphère trop grosse ou trop proche dans toutes les cases, sans en couvrir aucune. */
     private boolean partout() {
         ligne0 = 0;
         ligne1 = lignes - 1;

@@ -1,8 +1,8 @@
 package lancer.rapide;
 
 /**
- * Les fenêtres par où une lampe voit la scène : une seule, ajustée, si elle la voit tout entière d'un côté ; sinon six,
- * d'un cube.
+ * Les fenêtres d'une lampe. Une seule, ajustée, suffit si toutes les sphères sont d'un même côté de la lampe. Sinon, ce
+ * sont les six faces d'un cube.
  */
 final class Faces {
 
@@ -14,13 +14,13 @@ final class Faces {
     private Faces() {
     }
 
-    /** @param cases nombre de cases, toutes fenêtres ensemble, à peu près */
+    /** @param cases nombre approché de cases, toutes fenêtres ensemble */
     static Face[] pour(Spheres spheres, double ox, double oy, double oz, int cases) {
         Face seule = ajustee(spheres, ox, oy, oz, cases);
         if (seule != null) {
             return new Face[] {seule};
         }
-        // les six faces d'un cube, dans l'ordre +x, −x, +y, −y, +z, −z
+        // ordre des faces : +x, −x, +y, −y, +z, −z
         Face[] faces = new Face[CUBE.length];
         int cote = (int) Math.ceil(Math.sqrt(cases / 6.0));
         double bord = 1 + Face.MARGE;
@@ -30,7 +30,7 @@ final class Faces {
         return faces;
     }
 
-    /** La face d'un cube que traverse cette direction. */
+    /** La face du cube que traverse cette direction. */
     static int duCube(double x, double y, double z) {
         double ax = Math.abs(x);
         double ay = Math.abs(y);
@@ -38,10 +38,7 @@ final class Faces {
         return az >= ax && az >= ay ? z > 0 ? 4 : 5 : ay >= ax ? y > 0 ? 2 : 3 : x > 0 ? 0 : 1;
     }
 
-    /**
-     * La fenêtre tournée vers le milieu des sphères, juste assez grande pour leurs silhouettes ; {@code null} si c'est
-     * trop.
-     */
+    /** La fenêtre tournée vers le milieu des sphères, ajustée à leurs silhouettes ; {@code null} si trop grande. */
     private static Face ajustee(Spheres spheres, double ox, double oy, double oz, int cases) {
         double[] g = spheres.geometrie;
         Boite boite = Boite.de(spheres, spheres.toutes());
@@ -85,7 +82,7 @@ final class Faces {
                 Math.max(1, Math.min(cases, (int) ((v1 - v0) / cote))));
     }
 
-    /** Trois directions perpendiculaires, la troisième celle-ci ; {@code null} si elle n'en est pas une. */
+    /** Repère orthonormé dont la troisième direction est (x, y, z) ; {@code null} si sa longueur est hors limites. */
     private static double[] repere(double x, double y, double z) {
         double n = Math.sqrt(x * x + y * y + z * z);
         if (!(n > Face.LOIN_MIN && n < Face.LOIN_MAX)) {
@@ -94,7 +91,7 @@ final class Faces {
         x /= n;
         y /= n;
         z /= n;
-        // une direction qui en est loin, puis deux produits vectoriels
+        // un vecteur perpendiculaire à (x, y, z), puis leur produit vectoriel
         boolean versX = Math.abs(x) < 0.6;
         double ax = versX ? 0 : -z;
         double ay = versX ? z : 0;

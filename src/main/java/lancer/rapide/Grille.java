@@ -6,31 +6,31 @@ import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
- * Une grille régulière de cases, traversées l'une après l'autre (Amanatides et Woo, 1987) : deux à trois fois plus
- * rapide que l'arbre pour les rayons réfléchis, qui ne vont pas loin, tant que les sphères sont de tailles et de places
- * comparables. Les quelques très grosses sont à part.
+ * Grille régulière, dont un rayon traverse les cases l'une après l'autre (Amanatides et Woo, 1987). Pour les rayons
+ * réfléchis, souvent courts, elle est deux à trois fois plus rapide que l'arbre. Elle suppose que les sphères ont des
+ * tailles et des écarts comparables : les quelques sphères démesurées sont examinées à part.
  */
 final class Grille implements Intersections {
 
-    /** Cases par sphère. */
+    /** Nombre de cases par sphère. */
     private static final double DENSITE = 2;
 
-    /** Sphères à part, au plus : voir {@link Demesurees}. */
+    /** Nombre maximal de sphères démesurées ({@link Demesurees}). */
     private static final int GROSSES_MAX = 8;
 
-    /** Cases des boîtes, ou places dans les cases, par sphère, au-delà desquelles il n'y a pas de grille. */
+    /** Nombres de cases des boîtes englobantes et de places, par sphère, au-delà desquels la grille est refusée. */
     private static final int BOITES_PAR_SPHERE = 64;
     private static final int PLACES_PAR_SPHERE = 12;
 
     /**
-     * Élargissement des sphères, en part de la plus grande coordonnée : les arrondis que couvre {@link Noeuds#MARGE},
-     * et ceux d'une traversée qui ajoute ses pas, pour un rayon qui part de {@link #DEPART_MAX} fois plus loin que la
+     * Élargissement des sphères, en part de la plus grande coordonnée. Il couvre les arrondis de {@link Noeuds#MARGE}
+     * et ceux d'une traversée qui additionne ses pas, pour un départ au plus {@link #DEPART_MAX} fois plus loin que la
      * grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
 
-    /** Réponses d'une marche : elle est finie ; ou le compte est vide, et c'est à l'arbre de répondre. */
+    /** Réponses de {@link #marcher} : la traversée est finie, ou le crédit est épuisé. */
     private static final int TERMINEE = -1;
     private static final int COMPTE_VIDE = -2;
 
@@ -52,7 +52,7 @@ final class Grille implements Intersections {
     /** La première place de chaque case dans {@link #entrees}. */
     private int[] debut;
     int[] entrees;
-    /** Recherche d'un rayon qui part de trop loin, ou va trop loin. */
+    /** Arbre qui répond si le rayon part de trop loin ou si le crédit est épuisé. */
     private final Arbre secours;
 
     private Grille(Spheres spheres, int[] lesquelles, int[] grosses, Arbre secours) {
@@ -67,7 +67,7 @@ final class Grille implements Intersections {
         double dz = boite.zMax - boite.zMin;
         double cases = DENSITE * lesquelles.length;
         double c = Math.max(Math.cbrt(dx * dy * dz / cases), Math.max(dx, Math.max(dy, dz)) / 512);
-        // un nuage plat : autant de cases, plus grosses
+        // une scène plate aurait trop de cases : elles sont agrandies
         while ((dx / c + 1) * (dy / c + 1) * (dz / c + 1) > 4 * cases + 64) {
             c *= 1.25;
         }
@@ -76,7 +76,7 @@ final class Grille implements Intersections {
         nz = (int) (dz / c) + 1;
         cote = Math.max(Math.max(dx / nx, dy / ny), dz / nz) + 4 * marge;
         parCote = 1 / cote;
-        // centrée : la même marge de chaque côté
+        // la grille est centrée sur la boîte
         x0 = (boite.xMin + boite.xMax - nx * cote) / 2;
         y0 = (boite.yMin + boite.yMax - ny * cote) / 2;
         z0 = (boite.zMin + boite.zMax - nz * cote) / 2;
@@ -85,11 +85,7 @@ final class Grille implements Intersections {
         z1 = z0 + nz * cote;
     }
 
-    /**
-     * La grille de ces sphères.
-     *
-     * @return {@code null} si elles occupent trop de cases, ou si trop d'entre elles sont démesurées
-     */
+    /** La grille de ces sphères ; {@code null} si elles occupent trop de cases, ou si trop sont démesurées. */
     static Grille de(Spheres spheres, Arbre secours) {
         Demesurees demesurees = new Demesurees(spheres);
         int[] lesquelles = new int[spheres.nombre];
@@ -112,7 +108,7 @@ final class Grille implements Intersections {
         return grille.remplir(lesquelles) ? grille : null;
     }
 
-    /** Note chaque sphère dans les cases qu'elle touche ; faux si elles sont trop. */
+    /** Note chaque sphère dans les cases qu'elle touche. @return faux si elles sont trop nombreuses */
     private boolean remplir(int[] lesquelles) {
         debut = new int[nx * ny * nz + 1];
         long cases = 0;
@@ -132,7 +128,7 @@ final class Grille implements Intersections {
             return false;
         }
         entrees = new int[total];
-        // de la dernière à la première : chaque case se remplit par la fin, et son début recule
+        // de la dernière à la première, car chaque case se remplit par la fin
         for (int q = lesquelles.length - 1; q >= 0; q--) {
             Recherche.obeir();
             noter(lesquelles[q]);
@@ -143,7 +139,7 @@ final class Grille implements Intersections {
     /**
      * Compte une sphère dans chaque case qu'elle touche, ou l'y place si {@link #entrees} existe.
      *
-     * @return le nombre de cases que touche la boîte de la sphère
+     * @return le nombre de cases que touche la boîte englobante de la sphère
      */
     private long noter(int k) {
         double[] g = spheres.geometrie;
@@ -218,12 +214,10 @@ final class Grille implements Intersections {
     }
 
     /**
-     * Traverse les cases, en retenant dans le etat la sphère la plus proche, jusqu'à la dernière case utile,
-     * jusqu'à une sphère en doute, ou jusqu'à une case que le compte ne permet plus. Elle ne contient aucun appel : à
-     * cause de lui, même jamais fait, tout ce que la boucle tient en registres irait en mémoire.
+     * Traverse les cases, et retient dans {@code etat} la sphère la plus proche. S'arrête après la dernière case utile,
+     * sur une sphère en doute (tranchée ailleurs : voir docs/performance.md), ou quand le crédit est épuisé.
      *
-     * @return la sphère en doute, à trancher et à noter dans la pile avant de recommencer ; {@link #TERMINEE}, ou
-     *     {@link #COMPTE_VIDE}
+     * @return la sphère en doute, à trancher et à noter dans la pile, {@link #TERMINEE} ou {@link #COMPTE_VIDE}
      */
     private int marcher(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {
@@ -240,7 +234,7 @@ final class Grille implements Intersections {
         if (!(entree <= sortie)) {
             return TERMINEE;
         }
-        // la case où entrer, et les distances où le rayon en sort par chaque axe
+        // case d'entrée, et distances où le rayon en sort par chaque axe
         int i = rang((px + entree * vx - x0) * parCote, nx);
         int j = rang((py + entree * vy - y0) * parCote, ny);
         int k3 = rang((pz + entree * vz - z0) * parCote, nz);
@@ -251,7 +245,7 @@ final class Grille implements Intersections {
         int resteY = iy < 0 ? j : ny - 1 - j;
         int resteZ = iz < 0 ? k3 : nz - 1 - k3;
         int c = (k3 * ny + j) * nx + i;
-        // d'une case à la suivante, par chaque axe
+        // pas d'une case à la suivante, par axe
         int pasX = ix < 0 ? -1 : 1;
         int pasY = iy < 0 ? -nx : nx;
         int pasZ = iz < 0 ? -nx * ny : nx * ny;
@@ -264,7 +258,6 @@ final class Grille implements Intersections {
         int reponse = TERMINEE;
         marche:
         while (true) {
-            // les sphères de la case
             int e = debut[c];
             int fin = debut[c + 1];
             if (tests + cases + fin - e >= permis) {
@@ -296,7 +289,7 @@ final class Grille implements Intersections {
                     trouvee = k;
                 }
             }
-            // la case suivante : par l'axe où le rayon sort d'abord
+            // le rayon sort de la case par l'axe de la plus petite distance
             if (tx < ty && tx < tz) {
                 if (tx > distance || --resteX < 0) {
                     break;

@@ -1,11 +1,10 @@
 package lancer.rapide;
 
-/** Une réponse à « quelle sphère ce rayon rencontre-t-il d'abord ? ». Partagée par tous les fils : sans état. */
+/** Structure qui cherche la première sphère d'un rayon. Tous les fils la partagent : elle n'a pas d'état. */
 interface Intersections {
 
     /**
-     * Laisse la distance dans {@code parcours}. De deux sphères à la même distance, celle qui vient d'abord dans la
-     * scène.
+     * Met la distance dans {@code etat}. À distance égale, la sphère qui vient d'abord dans la scène l'emporte.
      *
      * @param sauf numéro de la sphère d'où part le rayon, ou -1
      * @return le numéro d'une sphère, -1 s'il n'y en a pas

@@ -6,36 +6,33 @@ import lancer.Point;
 import lancer.precision.Intersection;
 
 /**
- * Une petite scène : pour chaque rayon, les sphères qu'il peut rencontrer, un bit d'un {@code long} chacune. Un masque
- * par tuile de l'écran, un par sphère quittée et par petit cube où tombe la direction, un par lampe et par sphère
- * éclairée. Un rayon qui n'est pas de ceux d'un masque (comparé avant de s'en servir) est pour l'arbre.
+ * Masques d'une petite scène : un bit d'un {@code long} par sphère qu'un rayon peut rencontrer. Il y a un masque par
+ * tuile de l'écran, un par sphère de départ et par cube de directions, un par lampe et par sphère éclairée. Le départ
+ * du rayon est vérifié avant d'utiliser un masque. S'il ne convient pas, l'arbre répond.
  */
 final class Masques implements Intersections {
 
-    /** Nombre de sphères, autant que de bits. */
+    /** Nombre maximal de sphères : celui des bits. */
     static final int MAX = Long.SIZE;
 
-    /** Petits cubes par côté de celui qui contient toutes les directions : ±1. */
+    /** Nombre de cubes de directions par côté du cube [−1, 1]³. */
     private static final int COTE = 8;
     private static final int CUBES = COTE * COTE * COTE;
 
     /** Côté d'une tuile de l'écran, en pixels. */
     private static final int TUILE = 8;
 
-    /**
-     * Grossissement des sphères que l'on quitte ou que l'on éclaire, en part des longueurs ; un rayon n'en prend que la
-     * moitié.
-     */
+    /** Élargissement des sphères de départ ou éclairées, en part des longueurs ; pour un départ, sa moitié. */
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
-    /** Recherche des rayons qui ne sont pas de ceux d'un masque. */
+    /** Arbre qui répond aux rayons qu'aucun masque n'accepte. */
     private final Arbre secours;
     private final double portee;
     private final Face image;
     private final long[] parTuile;
     private final long[] parDirection;
-    /** Carrés des distances au centre, au plus, des points de chaque sphère grossie. */
+    /** Pour chaque sphère, carré de la plus grande distance permise de son centre au départ d'un rayon. */
     private final double[] limites;
 
     /** @param portee plus grande coordonnée des sphères et de l'œil */
@@ -74,9 +71,9 @@ final class Masques implements Intersections {
     }
 
     /**
-     * Sphères que peut toucher un rayon qui quitte la sphère a : B, si l'angle de sa direction avec AB est au plus
-     * asin((rA + rB) / AB). D'un petit cube de centre c et de demi-côté h, aucune direction n'a avec w un cosinus
-     * de plus de c·w + h(|wx| + |wy| + |wz|).
+     * Note les sphères b que peut rencontrer un rayon qui part de la sphère a : l'angle de sa direction et de AB est au
+     * plus asin((rA + rB) / AB). Dans un cube de centre c et de demi-côté h, le cosinus d'une direction avec w est au
+     * plus c·w + h(|wx| + |wy| + |wz|).
      */
     private void noterDirections(int a) {
         double[] g = spheres.geometrie;
@@ -103,7 +100,7 @@ final class Masques implements Intersections {
                 for (int j = 0; j < COTE; j++) {
                     double cy = ((2 * j + 1) * demi - 1) * y + cz;
                     for (int i = 0; i < COTE; i++, c++) {
-                        // écrit ainsi, deux centres confondus (NaN) se notent partout
+                        // la négation note partout deux centres confondus, dont le cosinus est NaN
                         if (!(((2 * i + 1) * demi - 1) * x + cy < cosinus)) {
                             parDirection[c] |= 1L << b;
                         }
@@ -157,7 +154,7 @@ final class Masques implements Intersections {
         return trouvee;
     }
 
-    /** Sphères, par sphère éclairée A, que touche un segment de la lampe à un point de A. */
+    /** Pour chaque sphère éclairée A, les sphères que peut rencontrer un segment de la lampe à un point de A. */
     final class Ombres implements Occultations {
 
         private final long[] parSphere = new long[spheres.nombre];

@@ -4,32 +4,32 @@ import java.util.Arrays;
 import lancer.contrat.Recherche;
 
 /**
- * Les nœuds d'un {@link Arbre} ; la racine est le nœud 0. À chaque nœud, la coupe qui coûtera le moins selon l'aire des
- * deux boîtes (MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
+ * Les nœuds d'un {@link Arbre} ; la racine est le nœud 0. Chaque division suit l'heuristique de l'aire (SAH, MacDonald
+ * et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007).
  */
 final class Noeuds {
 
-    /** Part des coordonnées dont s'élargissent une boîte et un rayon : 2,7 fois ce que demandent les arrondis. */
+    /** Élargissement d'une boîte et d'un rayon, en part de leurs coordonnées : 2,7 fois l'effet des arrondis. */
     static final double MARGE = 0x1.0p-46;
 
-    /** Profondeur au plus : les trente-deux derniers étages se coupent en deux moitiés égales. */
+    /** Profondeur maximale. Les trente-deux derniers niveaux divisent en deux moitiés égales. */
     static final int PROFONDEUR_MAX = 96;
 
-    /** Nombres par nœud dans {@link #boites} : minimums, puis maximums. */
+    /** Nombres par nœud dans {@link #boites} : trois minimums, puis trois maximums. */
     static final int PAS = 6;
 
     private static final int TRANCHES = 16;
 
-    /** Feuilles larges : une sphère ne coûte pas plus à examiner qu'une boîte. */
+    /** Taille des feuilles : examiner une sphère ne coûte pas plus qu'examiner une boîte. */
     private static final int FEUILLE_MIN = 4;
     private static final int FEUILLE_MAX = 12;
     private static final double COUT_NOEUD = 3;
 
     private final double[] g;
     double[] boites;
-    /** Premier des deux enfants, qui se suivent ; ou, d'une feuille, la première place dans {@link #feuilles}. */
+    /** Premier des deux enfants, qui se suivent ; pour une feuille, première place dans {@link #feuilles}. */
     int[] suite;
-    /** Nombre de sphères d'une feuille, 0 si ce n'en est pas une. */
+    /** Nombre de sphères d'une feuille, 0 pour un autre nœud. */
     byte[] compte;
     final int[] feuilles;
     private int nombre;
@@ -89,9 +89,7 @@ final class Noeuds {
         return fin - debut <= FEUILLE_MAX ? -1 : (debut + fin) >>> 1;
     }
 
-    /**
-     * Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 s'il vaut mieux une feuille.
-     */
+    /** Range les sphères de part et d'autre de la meilleure coupe, et rend son rang ; -1 si une feuille coûte moins. */
     private int couper(int debut, int fin, Boite centres, Boite boite) {
         int n = fin - debut;
         double meilleur = Double.POSITIVE_INFINITY;
@@ -104,7 +102,6 @@ final class Noeuds {
             if (!(pas[a] > 0)) {
                 continue;
             }
-            // les sphères de chaque tranche
             Boite[] parts = new Boite[TRANCHES];
             int[] nombres = new int[TRANCHES];
             for (int i = debut; i < fin; i++) {
@@ -116,7 +113,7 @@ final class Noeuds {
                 parts[t].ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
                 nombres[t]++;
             }
-            // la coupe la moins chère
+            // coût de chaque coupe : aire d'un côté multipliée par son nombre de sphères, plus de même l'autre côté
             double[] aDroite = new double[TRANCHES];
             Boite e = new Boite();
             int c = 0;
@@ -144,7 +141,6 @@ final class Noeuds {
         if (n <= FEUILLE_MAX && COUT_NOEUD + meilleur / boite.aire() >= n) {
             return -1;
         }
-        // de part et d'autre de la coupe
         int i = debut;
         int j = fin;
         while (i < j) {

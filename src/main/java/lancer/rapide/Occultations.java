@@ -1,10 +1,10 @@
 package lancer.rapide;
 
-/** Une réponse à « une autre sphère cache-t-elle cette lampe ? ». Partagée par tous les fils : sans état. */
+/** Structure qui cherche si une sphère cache une lampe. Tous les fils la partagent : elle n'a pas d'état. */
 interface Occultations {
 
     /**
-     * Vrai si le rayon qui part de la lampe (px, py, pz) rencontre une sphère à moins de {@code distance}.
+     * Dit si le rayon qui part de la lampe (px, py, pz) rencontre une sphère à moins de {@code distance}.
      *
      * @param sauf numéro de la sphère éclairée, ou -1
      */

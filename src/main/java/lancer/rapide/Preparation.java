@@ -14,71 +14,64 @@ import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 
 /**
- * Le choix des structures : ce que la scène et l'image demandent, et rien de plus ; d'une ou deux sphères, ou de
- * quelques pixels de peu de sphères, les boucles du cours répondent seules, et rien n'est sondé. Une préparation vaut
- * pour un dessin : la place des objets et les lampes sont celles du moment où elle est faite. Un mauvais choix ne coûte
- * qu'une construction : ce que les structures examinent est compté, rayon par rayon ({@link EtatDeRecherche}).
+ * Choix et construction des structures de recherche, selon la scène et l'image. Une préparation ne vaut que pour un
+ * dessin : les objets et les lampes n'y changent pas. Un mauvais choix ne coûte que sa construction, car le crédit d'un
+ * {@link EtatDeRecherche} borne les examens.
  *
- * <p>Mémoire, pour N sphères : 40 N octets pour leur copie, 4 N + 26 N pour l'arbre, s'il sert ; la grille, au plus 4 N
- * cases et 12 N places de 4 octets ; les cartes, toutes ensemble, au plus {@value #PLACES_PAR_SPHERE} N places de 8
- * octets, ou 8 Mo si c'est plus, et autant de cases, de 12 octets, que de tuiles de l'image et que
- * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène en prennent 170 ko, et ceux de
- * ses ombres 1 Mo au plus.
+ * <p>Mémoire pour N sphères : leur copie prend 40 N octets, et l'arbre, s'il est construit, 4 N + 26 N. La grille a au
+ * plus 4 N cases et 12 N places de 4 octets. Toutes les cartes ensemble ont au plus {@value #PLACES_PAR_SPHERE} N
+ * places de 8 octets, ou 8 Mo si c'est plus. Leurs cases, de 12 octets, sont au plus les tuiles de l'image et
+ * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène prennent 170 ko, et ceux de ses
+ * ombres 1 Mo au plus.
  */
 public final class Preparation implements IntConsumer, Calcul {
 
-    /** Nombre d'objets jusqu'auquel les boucles du cours répondent plus vite que toute structure. */
+    /** Nombre d'objets jusqu'auquel les boucles du cours sont plus rapides que toute structure. */
     private static final int DEUX = 2;
 
     /**
-     * Produit des pixels, des objets et des rayons d'un contact jusqu'auquel une petite scène se dessine par ces
-     * boucles avant qu'une structure soit faite et sondée. Mesuré sur des programmes entiers, avec et sans
-     * {@code --simple} : {@code make mesure-processus}.
+     * Pour une petite scène, produit des pixels, des objets et des rayons par contact jusqu'auquel les boucles du cours
+     * finissent avant la construction et le sondage d'une structure (mesuré par {@code make mesure-processus}).
      */
     private static final long VITE_FAIT = 1 << 20;
 
-    /** Nombre de sphères jusqu'auquel ce sont des masques. */
+    /** Nombre de sphères jusqu'auquel les structures sont des masques. */
     static final int PEU = 40;
 
-    /** Bornes hors desquelles les carrés et les cubes des longueurs ne se calculent plus sans détour. */
+    /** Bornes hors desquelles le calcul des carrés et des cubes des longueurs déborde. */
     private static final double LONGUEUR_MIN = 1e-90;
     private static final double LONGUEUR_MAX = 1e101;
 
-    /** Nombre de sphères par pixel au-delà duquel ni carte, ni grille ne vaut d'être faite. */
+    /** Nombre de sphères par pixel au-delà duquel ni carte ni grille n'est construite. */
     private static final int SPHERES_PAR_PIXEL = 8;
 
-    /** Les masques des ombres d'une lampe regardent chaque sphère de chaque autre : il leur faut assez de pixels. */
+    /** Les masques d'ombre d'une lampe demandent N² examens, soit au plus ce nombre par pixel. */
     private static final int PAIRES_PAR_PIXEL = 4;
 
-    /** Masques des ombres, au plus : un par lampe et par sphère. */
+    /** Nombre maximal de masques d'ombre, un par lampe et par sphère. */
     private static final int MASQUES_D_OMBRES = 1 << 16;
 
-    /**
-     * Places de toutes les cartes, par sphère ; cases de celles des lampes, par sphère, et d'une lampe, par sphère et
-     * en tout.
-     */
+    /** Nombre de places de toutes les cartes, par sphère, et de cases de toutes celles des lampes, par sphère. */
     private static final int PLACES_PAR_SPHERE = 26;
     private static final int CASES_PAR_SPHERE = 8;
 
-    /** Places et cases de toutes les cartes que l'on a toujours : de quoi faire celles de cent lampes. */
+    /** Places et cases toujours permises ; nombre de cases d'une lampe : par sphère, maximum, minimum. */
     private static final long PLACES_TOUJOURS = 1 << 20;
     private static final long CASES_TOUJOURS = 1 << 18;
     private static final int CASES_PAR_LAMPE = 2;
     private static final int CASES_MAX = 1 << 19;
     private static final int CASES_MIN = 1 << 10;
 
-    /**
-     * Côté d'une case de la carte de l'œil, en pixels : au plus celui-ci, et à peu près autant de cases que de sphères.
-     */
+    /** Côté maximal d'une case de la carte de l'œil, en pixels ; il y a à peu près autant de cases que de sphères. */
     private static final int PIXELS_PAR_CASE = 16;
 
-    /** Nombre de sphères au-dessous duquel un fil coûte plus à lancer qu'il ne fait gagner. */
+    /** Nombre de sphères au-dessous duquel un seul fil construit les structures. */
     private static final int SPHERES_PAR_FIL = 200;
 
-    /** Part du travail faite après la copie, à peu près. */
+    /** Part approchée de la préparation faite après la copie des sphères. */
     private static final double PART_COPIE = 0.3;
 
-    /** Les structures possibles : ce que le choix dit, ou qu'un test impose. */
+    /** Les structures possibles, qu'un test peut imposer. */
     enum Genre { MASQUES, CARTES, ARBRE }
 
     private final Camera camera;
@@ -87,7 +80,7 @@ public final class Preparation implements IntConsumer, Calcul {
     private final Structures structures;
     private final long pixels;
     private final DoubleConsumer suivi;
-    /** La plus grande coordonnée des sphères : une lampe qui en est lointaine l'est de tous leurs contacts. */
+    /** Point à la plus grande coordonnée des sphères : une lampe lointaine de ce point l'est de tous les contacts. */
     private Point bout;
     private final Equipe equipe = new Equipe("preparation");
 
@@ -100,7 +93,7 @@ public final class Preparation implements IntConsumer, Calcul {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
-    /** Dit si préparer une recherche pour cette image prend moins de temps que les boucles du cours. */
+    /** Dit si les structures, construction comprise, répondent plus vite à cette image que les boucles du cours. */
     public static boolean estUtile(Scene scene, Camera camera) {
         int objets = scene.getObjets().size();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
@@ -110,15 +103,15 @@ public final class Preparation implements IntConsumer, Calcul {
     /**
      * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
      *
-     * @param suivi à qui se dit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche de même image et mêmes comptes de rayons que les boucles du cours
+     * @param suivi reçoit la part faite, de 0 à 1, après chaque étape
+     * @return une recherche qui donne la même image et les mêmes nombres de rayons que les boucles du cours
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static RechercheRapide pour(Scene scene, Camera camera, DoubleConsumer suivi) {
         return pour(scene, camera, null, suivi);
     }
 
-    /** @param impose {@code null} pour laisser le choix entre les structures */
+    /** @param impose structure imposée par un test ; {@code null} pour laisser le choix */
     static RechercheRapide pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
         Preparation preparation = new Preparation(scene, camera, suivi);
         suivi.accept(PART_COPIE);
@@ -155,14 +148,14 @@ public final class Preparation implements IntConsumer, Calcul {
         }
     }
 
-    /** La grille et les cartes, sans rapport entre elles, par autant de fils que de cœurs si cela en vaut la peine. */
+    /** Construit la grille et les cartes, en plusieurs fils s'il y a assez de sphères. */
     private void construire() {
         int nombre = 2 + structures.ombres.length;
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
         equipe.faire(nombre, Collections.nCopies(fils, this), Collections.nCopies(fils, this));
     }
 
-    /** Fait la grille, la carte de la lampe de ce rang moins un, ou enfin celle de l'œil. */
+    /** Construit la grille (rang 0), la carte d'une lampe, ou celle de l'œil (dernier rang). */
     @Override
     public void accept(int k) {
         Recherche.obeir();
@@ -191,13 +184,13 @@ public final class Preparation implements IntConsumer, Calcul {
 
     private Intersections deLOeil() {
         double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
-        // un œil hors de l'axe n'a pas de rayon dans cette carte
+        // si l'œil est hors de l'axe, cette carte n'accepte aucun rayon
         Carte carte = Carte.de(spheres, new Point(0, 0, camera.getOeil().z), true,
                 new Face[] {Face.deLImage(camera, cote)}, structures.arbre, places());
         return carte == null ? structures.arbre : carte;
     }
 
-    /** La part d'une carte : celle de l'œil en a une aussi. */
+    /** Nombre maximal de places d'une carte : une part égale pour l'œil et pour chaque lampe. */
     private long places() {
         return CASES_MIN + Math.max((long) spheres.nombre * PLACES_PAR_SPHERE, PLACES_TOUJOURS) / (1 + lampes.size());
     }

@@ -10,13 +10,12 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
 /**
- * La recherche qui s'aide des structures d'une {@link Preparation} : pour chaque sorte de rayon, celle qui lui va, et
- * qui vérifie d'abord que ce rayon est de ceux pour qui elle est faite. Les structures sont partagées ; chaque fil a
- * son {@link EtatDeRecherche}.
+ * Recherche par les structures d'une {@link Preparation}. Chaque sorte de rayon a sa structure, qui vérifie d'abord si
+ * elle accepte le rayon. Les fils partagent les structures ; chacun a son {@link EtatDeRecherche}.
  */
 public final class RechercheRapide implements Recherche {
 
-    /** Une ombre se demande d'abord aux objets qui ne sont pas des sphères, parmi les premiers de la scène. */
+    /** Parmi ces premiers objets de la scène, un rayon d'ombre examine d'abord ceux qui ne sont pas des sphères. */
     private static final int PREMIERS = 8;
 
     final Structures structures;
@@ -30,13 +29,13 @@ public final class RechercheRapide implements Recherche {
     private final EtatDeRecherche etat;
 
     /**
-     * Le numéro de la sphère rencontrée en dernier, -1 si aucune : c'est elle qu'on éclaire, et d'où part le rayon
+     * Numéro de la dernière sphère rencontrée, ou -1 : en général celle que l'on éclaire, et d'où part le rayon
      * suivant.
      */
     private int derniere = -1;
     private Objet3D rencontree;
 
-    /** Le rang de la lampe de la dernière question : d'ordinaire, la suivante est celle de la prochaine. */
+    /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
     private int lampe;
 
     RechercheRapide(Structures structures, Compteurs compteurs) {
@@ -62,7 +61,7 @@ public final class RechercheRapide implements Recherche {
             etat.ouvrir();
             derniere = premiers.plusProche(etat, P.x, P.y, P.z, V.x, V.y, V.z, -1);
         } else {
-            // qui dessine observe l'interruption avant chaque rayon de l'écran
+            // avant un rayon de l'écran, Lancer a déjà lu la demande d'arrêt
             Recherche.obeir();
             derniere = suivants.plusProche(etat, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         }
@@ -85,7 +84,7 @@ public final class RechercheRapide implements Recherche {
                 : ombresDe(lampe).cachee(etat, P.x, P.y, P.z, V.x, V.y, V.z, distance, numero(objet));
     }
 
-    /** Structure qui dit si cette lampe est cachée ; l'arbre, si elle n'est pas de la scène. */
+    /** Structure des ombres de cette lampe ; l'arbre si la lampe n'est pas de la scène. */
     private Occultations ombresDe(Lampe demandee) {
         for (int reste = lampes.length; reste > 0; reste--) {
             if (lampes[lampe] == demandee) {
@@ -96,7 +95,7 @@ public final class RechercheRapide implements Recherche {
         return structures.arbre;
     }
 
-    /** Retient, de la sphère rencontrée et des autres objets, celui que le rayon rencontre d'abord. */
+    /** Retient le contact le plus proche : celui de la sphère trouvée, ou celui d'un autre objet. */
     private void avecLesAutres(Rayon incident, Objet3D saufLui) {
         Objet3D plusProche = rencontree;
         double distance = etat.distance;
@@ -124,7 +123,7 @@ public final class RechercheRapide implements Recherche {
                 || unAutreCache(dAbord, spheres.autres.length, ombre, distance, objet);
     }
 
-    /** Vrai si cache la lampe un des objets qui ne sont pas des sphères, de {@code debut} à {@code fin} exclu. */
+    /** Dit si un des objets qui ne sont pas des sphères, de {@code debut} à {@code fin} exclu, cache la lampe. */
     private boolean unAutreCache(int debut, int fin, Rayon ombre, double distance, Objet3D objet) {
         for (int a = debut; a < fin; a++) {
             Objet3D autre = spheres.autres[a];
@@ -138,7 +137,7 @@ public final class RechercheRapide implements Recherche {
         return false;
     }
 
-    /** Le temps passé à construire ce dont les rayons ont eu besoin, avant le dessin ou pendant, en nanosecondes. */
+    /** Temps de construction de l'arbre, avant ou pendant le dessin, en nanosecondes. */
     public long getConstructionNs() {
         return structures.arbre.constructionNs;
     }

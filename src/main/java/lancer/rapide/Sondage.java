@@ -17,12 +17,12 @@ import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
- * Ce qu'une recherche tient pour acquis des classes du cours, demandé avant de dessiner : {@link Rayon} rend le départ
- * et la direction qu'il a reçus ; chaque sphère répond, et note dans le rayon, ce que donne {@link Intersection} ; les
- * boucles du cours et la recherche répondent de même. Tout se compare au bit près.
+ * Vérification, avant le dessin, de ce que la recherche rapide suppose des classes du cours. {@link Rayon} rend le
+ * départ et la direction qu'il a reçus. Chaque sphère rend, et note dans le rayon, la distance que calcule
+ * {@link Intersection}. Les boucles et la recherche donnent le même contact. Tout est comparé au bit près.
  *
- * <p>C'est un sondage : {@value #RAYONS} rayons, {@value #SPHERES} sphères au plus. Une faute qui ne change la réponse
- * d'aucun de ces rayons n'est pas vue. Le tirage suit la scène et la taille de l'image.
+ * <p>Cette vérification est un sondage : {@value #RAYONS} rayons, {@value #SPHERES} sphères au plus. Une faute qui ne
+ * change la réponse d'aucun de ces rayons n'est pas vue. Les rayons dépendent de la scène et de la taille.
  */
 public final class Sondage {
 
@@ -30,10 +30,10 @@ public final class Sondage {
     static final int RAYONS = 240;
     static final int SPHERES = 64;
 
-    /** Les sphères tirées, dans l'ordre de la scène, et leur recopie. */
+    /** Les sphères choisies, dans l'ordre de la scène, et leur copie. */
     private final List<Objet3D> tirees = new ArrayList<>();
     private final Spheres plates;
-    /** La scène des sphères tirées, que demandent les boucles du cours, et la même, où la recherche répond. */
+    /** La scène des sphères choisies, avec les boucles du cours, puis avec la recherche rapide. */
     private final Scene boucles;
     private final Scene rapide;
 
@@ -54,9 +54,9 @@ public final class Sondage {
     }
 
     /**
-     * Sonde cette scène, à laquelle répond cette recherche.
+     * Sonde cette scène et sa recherche.
      *
-     * @return ce qui diffère, en une phrase ; {@code null} si rien
+     * @return la première différence, en une phrase ; {@code null} s'il n'y en a pas
      * @throws CancellationException si le fil appelant est interrompu
      */
     public static String ecart(Scene scene, Camera camera, RechercheRapide recherche) {
@@ -72,12 +72,12 @@ public final class Sondage {
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            // le dessin nommera le pixel
+            // le dessin nommera le pixel qui échoue
             return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
         }
     }
 
-    /** Un rayon de l'écran, un d'une lampe vers une sphère, un d'une sphère, tour à tour. */
+    /** Essaie tour à tour un rayon de l'écran, un rayon d'une lampe vers une sphère, un rayon qui part d'une sphère. */
     private void tirer(int k, Random hasard, Camera camera, List<Lampe> lampes) {
         int s = hasard.nextInt(tirees.size());
         int g = Spheres.PAS * s;
@@ -116,7 +116,7 @@ public final class Sondage {
                 "Scene.getClosestIntersection");
     }
 
-    /** Demande ce rayon à chaque sphère tirée. */
+    /** Compare la réponse de chaque sphère choisie. */
     private void demander(Point P, Vecteur V) {
         double[] g = plates.geometrie;
         Rayon rayon = Rayon.dOmbre(P, V);

@@ -9,9 +9,9 @@ import lancer.Point;
 import lancer.Sphere;
 
 /**
- * Les sphères d'une scène recopiées à plat, chacune sous un numéro, dans l'ordre de la scène : 32 octets de géométrie,
- * qui tiennent dans une moitié de ligne de cache. Les objets d'une autre classe, filles de {@link Sphere} comprises,
- * sont à part.
+ * Copie des sphères d'une scène dans un tableau de nombres, où chacune a un numéro, dans l'ordre de la scène. Une
+ * sphère y prend 32 octets, la moitié d'une ligne de cache. Les objets d'une autre classe, même dérivée de
+ * {@link Sphere}, sont à part.
  */
 final class Spheres {
 
@@ -62,7 +62,6 @@ final class Spheres {
         }
     }
 
-    /** Les numéros de toutes les sphères, croissants. */
     int[] toutes() {
         int[] toutes = new int[nombre];
         for (int k = 0; k < nombre; k++) {
@@ -71,17 +70,12 @@ final class Spheres {
         return toutes;
     }
 
-    /**
-     * Vrai si un contact à {@code d} avec la sphère k passe avant celui à {@code distance} avec la sphère {@code
-     * autre}.
-     */
+    /** Dit si le contact à {@code d} avec la sphère k précède celui à {@code distance} avec {@code autre}. */
     static boolean avant(double d, int k, double distance, int autre) {
         return d < distance || d == distance && d != Constantes.INFINI && k < autre;
     }
 
-    /**
-     * Le numéro de cet objet, -1 si ce n'en est pas un. La table n'est faite que si une question inattendue la demande.
-     */
+    /** Le numéro de cet objet, -1 si ce n'est pas une sphère. La table est construite à la première demande. */
     synchronized int numero(Objet3D objet) {
         if (objet == null || objet.getClass() != Sphere.class) {
             return -1;

@@ -6,15 +6,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Lampe;
 
-/** Structures qui répondent à chaque sorte de rayon d'une scène. Partagées par tous les fils : sans état. */
+/** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent : elles n'ont pas d'état. */
 final class Structures {
 
     final Spheres spheres;
-    /** Arbre, qui répond à tout au début, puis là où les autres ne savent pas, ou n'en ont pas les moyens. */
+    /** Arbre : il répond à la place d'une structure qui manque, ou qui n'accepte pas le rayon. */
     final Arbre arbre;
     final Lampe[] lampes;
 
-    /** Structures des rayons qui ne quittent aucun objet, et pour les autres. */
+    /** Structures des rayons de l'écran, puis des rayons réfléchis. */
     Intersections premiers;
     Intersections suivants;
 

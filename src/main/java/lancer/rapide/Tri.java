@@ -1,8 +1,6 @@
 package lancer.rapide;
 
-/**
- * Le tri par base (Hollerith, 1887), en trois passages : un million de clés tient dans le temps d'une interruption.
- */
+/** Tri par base (Hollerith, 1887), en trois passages : un million de clés entre deux lectures de l'interruption. */
 final class Tri {
 
     private static final int BITS = 11;
@@ -10,7 +8,7 @@ final class Tri {
     private Tri() {
     }
 
-    /** Range ces clés par leur moitié haute, positive ; à égalité, dans l'ordre où elles sont. */
+    /** Trie ces clés par leur moitié haute, positive, sans changer l'ordre des clés égales. */
     static long[] parMoitieHaute(long[] cles) {
         long[] de = cles;
         long[] vers = new long[cles.length];

@@ -9,16 +9,16 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
 
-/** Ce qui change dans une scène lue quand une sphère ou une lampe y est déplacée. */
+/** Déplacement d'une sphère ou d'une lampe dans une scène lue. */
 public final class Deplacement {
 
-    /** Écart permis entre la position voulue et celle qui s'écrit, en pixels. */
+    /** Écart permis entre la position voulue et la position écrite, en pixels. */
     private static final double ECART = 0.1;
 
     private Deplacement() {
     }
 
-    /** Cette position, écrite avec aussi peu de décimales que possible. @param pixels ceux d'une unité de la scène */
+    /** Cette position, avec le moins de décimales possible. @param pixels nombre de pixels d'une unité de la scène */
     public static Point arrondir(Point p, double pixels) {
         return new Point(arrondir(p.x, pixels), arrondir(p.y, pixels), arrondir(p.z, pixels));
     }
@@ -30,7 +30,6 @@ public final class Deplacement {
                 .filter(arrondi -> Math.abs(arrondi - x) * pixels <= ECART).findFirst().orElse(x);
     }
 
-    /** La même sphère ailleurs. */
     public static Sphere en(Sphere sphere, Point centre) {
         Sphere autre = new Sphere(centre, sphere.getRayon());
         autre.setKd(sphere.getKd());
@@ -39,7 +38,7 @@ public final class Deplacement {
         return autre;
     }
 
-    /** Les sections déplacées depuis la lecture, chacune avec sa nouvelle ligne, prêtes à mettre dans le fichier. */
+    /** Les sections des objets et des lampes déplacés, avec leur nouvelle position, à copier dans le fichier. */
     public static String sections(SceneLue lue, SceneLue deplacee) {
         return IntStream.range(0, lue.objets.size()).filter(k -> lue.objets.get(k) != deplacee.objets.get(k))
                 .mapToObj(k -> section(deplacee, deplacee.objets.get(k))).collect(Collectors.joining())

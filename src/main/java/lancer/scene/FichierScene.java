@@ -13,16 +13,16 @@ import java.nio.file.attribute.BasicFileAttributes;
 import lancer.SceneFautive;
 import lancer.texte.Texte;
 
-/** Recherche du fichier d'une scène, et raisons de ne pouvoir le lire. */
+/** Recherche du fichier d'une scène. */
 public final class FichierScene {
 
-    /** Nombre de dossiers au-dessus de celui d'où l'on part où une scène est cherchée aussi. */
+    /** Nombre de dossiers parents où une scène est aussi cherchée. */
     private static final int DOSSIERS_AU_DESSUS = 4;
 
     private FichierScene() {
     }
 
-    /** Ouvre un fichier par {@code java.io}, qui lit un tube ; en cas d'échec, {@code java.nio} dit pourquoi. */
+    /** Ouvre un fichier par {@code java.io}, qui sait lire un tube ; si elle échoue, {@code java.nio} dit pourquoi. */
     static InputStream ouvrir(Path chemin) throws IOException {
         try {
             return new FileInputStream(chemin.toFile());
@@ -32,8 +32,8 @@ public final class FichierScene {
     }
 
     /**
-     * Le chemin de la scène, tel quel ou, s'il est relatif et n'existe pas ici, depuis le plus proche des quatre
-     * dossiers au-dessus d'où il mène à quelque chose.
+     * Le chemin de la scène. Un chemin relatif qui n'existe pas ici est cherché dans les quatre dossiers parents, du
+     * plus proche au plus lointain.
      *
      * @throws SceneFautive s'il ne mène à aucun fichier
      */
@@ -71,7 +71,7 @@ public final class FichierScene {
         return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
     }
 
-    /** Raison pour laquelle ce chemin ne mène à rien, et d'où il a été suivi. */
+    /** Raison pour laquelle ce chemin ne mène à rien, et dossier de départ. */
     private static String absente(Path chemin) {
         String introuvable = "fichier introuvable";
         String faute = introuvable;
@@ -90,7 +90,7 @@ public final class FichierScene {
                 + Texte.horsLangue(ici.toString());
     }
 
-    /** Raison pour laquelle un fichier ne peut être lu, si le système le dit. */
+    /** Raison pour laquelle un fichier ne peut être lu, ou {@code sinon}. */
     static String pourquoi(IOException e, String sinon) {
         return e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }

@@ -27,34 +27,34 @@ import org.ini4j.InvalidFileFormatException;
 import org.ini4j.spi.IniHandler;
 import org.ini4j.spi.IniParser;
 
-/** Lecture d'un fichier INI, qu'ini4j ne fait que découper : ses substitutions (CVE-2022-41404) ne servent pas. */
+/** Lecture d'un fichier INI. ini4j ne fait que le découper en lignes, sans ses substitutions (CVE-2022-41404). */
 public final class LecteurScene {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
-    /** Nombre de couleurs retenues à la fois : au-delà, elles ne se répètent pas. */
+    /** Nombre maximal de couleurs dans la palette. */
     private static final int PALETTE_MAX = 256;
 
     /** Les clés de la matière, permises dans la section de toute forme. */
     public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
     private final Path chemin;
-    /** La scène comme on l'a nommée, ou le chemin où elle a été trouvée s'il est autre. */
+    /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
     private final String fichier;
     private final Services services;
     private final SceneLue lue = new SceneLue();
     /** Les sections de variantes, par type, et les clés de chaque type d'objets. */
     private final Map<String, SectionLue> sectionsVariantes = new HashMap<>();
     private final Map<String, List<String>> cles = new HashMap<>();
-    /** L'origine de chaque section, par son nom, le type écrit comme il se doit. */
+    /** L'origine de chaque section, par son nom ; le type y a son écriture ordinaire. */
     private final Map<String, Origine> noms = new HashMap<>();
-    /** Les couleurs déjà lues : une scène d'un million de sphères n'en a que quelques-unes. */
+    /** Couleurs déjà lues, à partager : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
     private Lignes lignes;
     private SectionLue courante;
     private Origine origine;
-    /** La forme de la section en cours, {@code null} si ce n'est pas un objet. */
+    /** La forme de la section en cours ; {@code null} si la section n'est pas celle d'un objet. */
     private Forme forme;
     private boolean lampe;
 
@@ -67,7 +67,7 @@ public final class LecteurScene {
 
     /**
      * @param nomFichier voir {@link FichierScene#trouver}
-     * @param suivi appelé à mesure, avec la part lue du fichier, de 0 à 1
+     * @param suivi reçoit la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
@@ -101,10 +101,10 @@ public final class LecteurScene {
         return lue;
     }
 
-    /** Découpage d'ini4j, sans ses échappements, et suite donnée à chaque ligne. */
+    /** Découpage par ini4j, sans échappements, et traitement de chaque ligne. */
     private final class Decoupage extends IniParser implements IniHandler {
 
-        /** Évite la recherche de services que fait ini4j. */
+        /** Configure ini4j sans sa recherche de services. */
         Decoupage() {
             Config config = new Config();
             config.setInclude(false);
@@ -191,7 +191,7 @@ public final class LecteurScene {
         return cles.get(type);
     }
 
-    /** L'objet de la section, encore sans matière. Une exception de la forme est une section refusée. */
+    /** Lit l'objet de la section, sans sa matière. Une exception de la forme devient un refus de la section. */
     private Objet3D lireForme() {
         try {
             Objet3D objet = forme.lire(courante);
@@ -211,7 +211,7 @@ public final class LecteurScene {
         }
     }
 
-    /** Lit la matière d'un objet ; ce que la section n'en dit pas reste tel que l'objet est né. */
+    /** Lit la matière d'un objet. Une clé absente garde la valeur que l'objet a reçue à sa création. */
     private void lireMatiere(Objet3D lu) {
         lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
         if (courante.contient("Ks") && courante.contient("Kr")) {
@@ -229,7 +229,7 @@ public final class LecteurScene {
         return deja != null ? deja : couleur;
     }
 
-    /** Refus d'une ligne qu'ini4j ne sait pas lire : son message est anglais, et ne dit pas pourquoi. */
+    /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */
     private SceneFautive illisible(String texte) {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {
@@ -244,7 +244,7 @@ public final class LecteurScene {
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
-    /** Refuse la ligne en cours, qui est de la section en cours si elle n'en commence pas une autre. */
+    /** Refuse la ligne en cours. Elle appartient à la section en cours, sauf si elle en commence une autre. */
     private SceneFautive refus(String faute, String attendu) {
         String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.nom;
         return new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), nom, null, faute, attendu));

@@ -13,20 +13,20 @@ import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
 
 /**
- * Un fichier UTF-8 donné ligne par ligne, jamais tout entier en mémoire ; la dernière donnée est celle d'ini4j.
- * Un commentaire est donné vide, sans quoi ini4j garderait tous ceux qui se suivent ; un caractère de contrôle, par son
- * code ({@link Texte}) : ini4j le ferait disparaître au bout d'une clé ou d'une valeur.
+ * Lecture d'un fichier UTF-8 pour ini4j, une ligne à la fois en mémoire. Un commentaire devient une ligne vide, car
+ * ini4j garderait en mémoire les commentaires qui se suivent. Un caractère de contrôle est remplacé par son code
+ * ({@link Texte}), car ini4j l'effacerait au bout d'une clé ou d'une valeur.
  */
 final class Lignes extends Reader {
 
-    /** Plus longue ligne, en octets et en caractères : de quoi s'arrêter devant {@code /dev/zero}, qui n'en a pas. */
+    /** Longueur maximale d'une ligne, en octets et en caractères : {@code /dev/zero} n'a pas de fin de ligne. */
     static final int LIGNE_MAX = 1 << 23;
 
     private final InputStream entree;
     private final long aLire;
     private final DoubleConsumer suivi;
     private final CharsetDecoder utf8 = StandardCharsets.UTF_8.newDecoder();
-    /** Tampon et octets lus, dont ceux de la ligne en cours, sans puis avec sa fin. */
+    /** Tampon ; nombre d'octets lus ; début de la ligne en cours ; sa longueur, sans puis avec sa fin. */
     private byte[] octets = new byte[1 << 14];
     private int lus;
     private int debut;
@@ -37,7 +37,7 @@ final class Lignes extends Reader {
     private int numero;
     private long total;
 
-    /** @param aLire la longueur du fichier, en octets ; ce n'est qu'une promesse */
+    /** @param aLire longueur annoncée du fichier, en octets */
     Lignes(InputStream entree, long aLire, DoubleConsumer suivi) {
         this.entree = entree;
         this.aLire = aLire;
@@ -48,12 +48,12 @@ final class Lignes extends Reader {
         return numero;
     }
 
-    /** La ligne donnée, telle que le fichier l'écrit ; ce qui n'y est pas de l'UTF-8 est remplacé. */
+    /** La ligne en cours, comme dans le fichier. Un octet qui n'est pas de l'UTF-8 est remplacé. */
     String getTexte() {
         return ligne.duplicate().rewind().toString().replace("\n", "");
     }
 
-    /** L'autre codage que trahissent une marque, ou un octet nul sur deux (UTF-16), trois sur quatre (UTF-32). */
+    /** Autre codage probable : une marque, ou un octet nul sur deux (UTF-16) ou trois sur quatre (UTF-32). */
     String autreCodage() {
         String brute = new String(octets, debut, longueur, StandardCharsets.ISO_8859_1);
         boolean marque16 = brute.startsWith("\u00FE\u00FF") || brute.startsWith("\u00FF\u00FE");
@@ -75,7 +75,7 @@ final class Lignes extends Reader {
         return n;
     }
 
-    /** Passe à la ligne suivante, la décode, et la finit par LF. */
+    /** Passe à la ligne suivante, la décode, et la termine par LF. */
     private boolean avancer() throws IOException {
         numero++;
         if (!couper()) {
@@ -117,7 +117,7 @@ final class Lignes extends Reader {
         return true;
     }
 
-    /** Cherche où finit la ligne suivante, par CR, LF ou CRLF. */
+    /** Cherche la fin de la ligne suivante : CR, LF ou CRLF. */
     private boolean couper() throws IOException {
         debut += occupes;
         controles = false;
@@ -134,7 +134,7 @@ final class Lignes extends Reader {
         return n > 0;
     }
 
-    /** Lit la suite du fichier, après la ligne en cours, portée au début du tampon. */
+    /** Lit la suite du fichier dans le tampon, après la ligne en cours. */
     private boolean remplir() throws IOException {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("lecture interrompue");

@@ -5,12 +5,12 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Origine de chaque objet et de chaque lampe d'un fichier. */
+/** Section d'où vient chaque objet et chaque lampe d'un fichier. */
 public final class Origines {
 
     private final List<Object> choses = new ArrayList<>();
     private final List<Origine> lues = new ArrayList<>();
-    /** Les origines, par objet ou lampe : rangées à la première question, qu'une image sans fenêtre ne pose pas. */
+    /** Les origines, par objet ou lampe ; table construite à la première demande. */
     private Map<Object, Origine> rangees;
 
     static final class Origine {
@@ -26,7 +26,6 @@ public final class Origines {
     public Origines() {
     }
 
-    /** Les mêmes origines, où une chose en remplace une autre. */
     Origines(Origines autre, Object ancienne, Object nouvelle) {
         choses.addAll(autre.choses);
         choses.replaceAll(chose -> chose == ancienne ? nouvelle : chose);

@@ -10,24 +10,24 @@ import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
-/** Ce qu'un fichier de scène dit, une fois lu en entier. */
+/** Le contenu d'un fichier de scène. */
 public final class SceneLue {
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
     public final Origines origines;
 
-    /** Les variantes présentes, chacune avec sa section, de ligne 0 si le fichier ne l'a pas. */
+    /** Les variantes présentes, chacune avec sa section ; la ligne est 0 si le fichier n'a pas cette section. */
     public final Map<Variante, Section> variantes = new LinkedHashMap<>();
 
-    /** Avertissements : une ligne pour chaque section que la lecture a laissée de côté. */
+    /** Avertissements : une ligne pour chaque section que la lecture a ignorée. */
     public final List<String> avertissements = new ArrayList<>();
 
     SceneLue() {
         origines = new Origines();
     }
 
-    /** La même scène, où un objet ou une lampe est remplacé. */
+    /** La même scène, où {@code nouveau} remplace un objet ou une lampe. */
     public SceneLue(SceneLue autre, Object ancien, Object nouveau) {
         objets.addAll(autre.objets);
         lampes.addAll(autre.lampes);
@@ -38,7 +38,7 @@ public final class SceneLue {
         origines = new Origines(autre.origines, ancien, nouveau);
     }
 
-    /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si l'une, ou deux ensemble, ne vont pas */
+    /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si une section est refusée */
     public Modele getModele() {
         Modele modele = new Modele();
         variantes.forEach((variante, section) -> {

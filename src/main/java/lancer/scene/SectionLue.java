@@ -11,16 +11,16 @@ import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
 /**
- * Une section, ligne après ligne. Une clé inconnue est refusée dès qu'elle est lue si la section sait d'avance les
- * siennes (celle d'un objet ou d'une lampe), sinon à la fin, si personne ne l'a demandée ({@link #verifierCles}).
+ * Une section lue ligne après ligne. Une clé inconnue d'un objet ou d'une lampe est refusée dès sa lecture. Une clé de
+ * variante que rien n'a demandée est refusée à la fin ({@link #verifierCles}).
  */
 public final class SectionLue extends Section {
 
-    /** Nombre de clés au plus, qu'aucune section n'atteint : chercher les doublons coûterait ensuite trop cher. */
+    /** Nombre maximal de clés, qu'aucune section utile n'atteint. Au-delà, chercher les doublons serait long. */
     private static final int CLES_MAX = 64;
 
     private final String fichier;
-    /** Les clés permises, ou demandées jusqu'ici si toutes peuvent l'être. */
+    /** Les clés permises ou, pour une variante, les clés déjà demandées. */
     private final List<String> connues;
     private final boolean ouverte;
     private final List<Entree> entrees = new ArrayList<>(5);
@@ -37,7 +37,7 @@ public final class SectionLue extends Section {
         }
     }
 
-    /** @param connues les seules clés permises, et à demander ; {@code null} : celles qui seront demandées */
+    /** @param connues les seules clés permises ; {@code null} : celles qui seront demandées */
     SectionLue(String fichier, String nom, int ligne, List<String> connues) {
         super(nom, ligne);
         this.fichier = fichier;
@@ -94,10 +94,10 @@ public final class SectionLue extends Section {
         return false;
     }
 
-    /** Dit si ces clés sont la même, à la casse près des lettres sans accent : le signe kelvin n'est pas un k. */
+    /** Dit si ces clés sont égales, à la casse près des lettres sans accent : le signe kelvin n'est pas un k. */
     private static boolean pareilles(String cle, String autre) {
         int n = cle.length() - 1;
-        // la dernière lettre d'abord : Kd, Ks et Kr
+        // la dernière lettre distingue Kd, Ks et Kr
         return cle.equals(autre) || n == autre.length() - 1 && ((cle.charAt(n) ^ autre.charAt(n)) & ~' ') == 0
                 && cle.equalsIgnoreCase(autre) && StandardCharsets.US_ASCII.newEncoder().canEncode(cle + autre);
     }
@@ -142,7 +142,7 @@ public final class SectionLue extends Section {
         return nombres;
     }
 
-    /** Refuse un mot, en nommant les fautes les plus courantes. */
+    /** Refuse un mot. Les fautes les plus courantes ont leur propre message. */
     private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
         String faute = Texte.cite(mot);
         String voulu = attendu;
@@ -221,7 +221,7 @@ public final class SectionLue extends Section {
         return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }
 
-    /** Le message de toute faute d'un fichier de scène ; {@code ligne} 0, {@code nom}, {@code cle} null : inconnus. */
+    /** Message d'une faute d'un fichier de scène. Sont inconnus {@code ligne} 0, {@code nom} et {@code cle} null. */
     static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
         return Texte.echappe(fichier) + (ligne > 0 ? ", ligne " + ligne : "")
                 + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")

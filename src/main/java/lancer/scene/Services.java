@@ -19,13 +19,13 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
-/** Les formes et les variantes présentes dans le chemin des classes, par le type de leurs sections, en minuscules. */
+/** Les formes et les variantes présentes dans le chemin des classes, par type de section, en minuscules. */
 public final class Services {
 
-    /** Les types que lisent des variantes de la maison, présentes ou non. */
+    /** Types des sections des trois variantes du projet, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
 
-    /** La sphère, forme de la base, qu'aucun fichier de services n'inscrit. */
+    /** La sphère, forme de la base. Elle n'est dans aucun fichier de services. */
     private static final Forme SPHERE = new Forme() {
         @Override
         public String getSection() {
@@ -52,7 +52,7 @@ public final class Services {
         return new Services().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
-    /** @throws SceneFautive si une inscription ne convient pas, ou si deux veulent le même type */
+    /** @throws SceneFautive si une classe inscrite ne convient pas, ou si deux classes lisent le même type */
     Services() {
         formes.put(prendre("Sphere", Sphere.class), SPHERE);
         prendre("Lampe", Lampe.class);
@@ -77,12 +77,12 @@ public final class Services {
             return inscrites;
         } catch (ServiceConfigurationError e) {
             if (e.getCause() != null && !(e.getCause() instanceof ReflectiveOperationException)) {
-                // la ligne convient : c'est le constructeur qui échoue
+                // la classe convient : c'est son constructeur qui échoue
                 throw e;
             }
             String dit = e.getMessage();
             if (dit.endsWith(" not found")) {
-                // « contrat: Provider classe not found »
+                // forme du message : « contrat: Provider classe not found »
                 String[] mots = dit.split(" ");
                 throw new SceneFautive("META-INF/services nomme une classe qui n'existe pas, "
                         + Texte.abrege(mots[mots.length - 3]) + " ; attendu : la classe, ou cette ligne ôtée ; si elle "
@@ -93,7 +93,7 @@ public final class Services {
         }
     }
 
-    /** Prend pour cette classe un type de section, qui n'a qu'un lecteur. @return ce type, en minuscules */
+    /** Réserve un type de section à cette classe, la seule qui le lit. @return ce type, en minuscules */
     private String prendre(String type, Class<?> lecteur) {
         String classe = lecteur.getName();
         if (type == null || type.isEmpty() || type.indexOf(' ') >= 0) {
@@ -108,7 +108,7 @@ public final class Services {
         return Texte.minuscules(type);
     }
 
-    /** Dit si ce type de section est celui d'une variante de la maison, présente ou non. */
+    /** Dit si ce type est celui d'une des trois variantes du projet, présente ou non. */
     public static boolean varianteConnue(String type) {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
     }

@@ -9,7 +9,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
 
-/** Les sphères confondues avec une autre : on les toucherait à une distance nulle, à un arrondi près. */
+/** Les sphères confondues : un rayon qui part de l'une toucherait l'autre à une distance presque nulle. */
 public final class SpheresConfondues implements Comparator<Sphere> {
 
     private SpheresConfondues() {
@@ -27,12 +27,11 @@ public final class SpheresConfondues implements Comparator<Sphere> {
         return gardes;
     }
 
-    /** Range par centre, puis par rayon. */
     @Override
     public int compare(Sphere une, Sphere autre) {
         Point c = une.getCentre();
         Point d = autre.getCentre();
-        // + 0.0 : −0.0 et 0.0 sont la même position
+        // + 0.0 : −0.0 et 0.0 désignent la même position
         int x = Double.compare(c.x + 0.0, d.x + 0.0);
         int y = x != 0 ? x : Double.compare(c.y + 0.0, d.y + 0.0);
         int z = y != 0 ? y : Double.compare(c.z + 0.0, d.z + 0.0);

@@ -4,24 +4,24 @@ import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.UnaryOperator;
 
-/** Veille sur le fichier de la scène, dans un fil à elle : un éditeur qui renomme échappe aux notifications. */
+/** Observation du fichier de la scène. Les notifications du système ne voient pas un éditeur qui renomme le fichier. */
 public final class Surveillance extends TimerTask {
 
     private static final int PERIODE_MS = 250;
 
-    /** Regards sans le fichier avant de le dire effacé : un éditeur qui renomme le fait disparaître un instant. */
+    /** Nombre d'absences avant de dire le fichier effacé : un éditeur qui renomme l'efface un instant. */
     private static final int ABSENCES = 4;
 
     private final Timer veille = new Timer("lancer-surveillance", true);
     private final UnaryOperator<String> version;
     private final Runnable siChange;
     private final Runnable siEfface;
-    /** Remplacé en entier, sans verrou : qui suit un autre fichier n'attend pas un disque qui ne répond pas. */
+    /** Remplacé en entier, sans verrou : changer de fichier n'attend pas un disque qui ne répond pas. */
     private volatile Suivi suivi = new Suivi(null, null);
     private int absences;
     private String vue;
 
-    /** Un fichier, et sa version déjà dite. */
+    /** Un fichier, et sa dernière version annoncée. */
     private static final class Suivi {
 
         final String fichier;
@@ -33,7 +33,7 @@ public final class Surveillance extends TimerTask {
         }
     }
 
-    /** @param siChange appelé dans ce fil, une fois par changement @param siEfface de même, s'il n'y a plus rien */
+    /** @param siChange appelé à chaque changement, dans ce fil @param siEfface appelé si le fichier disparaît */
     public Surveillance(Runnable siChange, Runnable siEfface) {
         this(FichierScene::version, siChange, siEfface);
     }
@@ -49,12 +49,12 @@ public final class Surveillance extends TimerTask {
         veille.cancel();
     }
 
-    /** @param version celle qui est lue, que {@link FichierScene} a dite avant : ce qui change ensuite est vu */
+    /** @param version celle de {@link FichierScene} avant la lecture : un changement pendant la lecture est vu */
     public void suivre(String aSuivre, String version) {
         suivi = new Suivi(aSuivre, version);
     }
 
-    /** Dit, une fois, qu'un fichier a changé et n'a plus bougé depuis, ou qu'il n'est plus là. */
+    /** Annonce une version nouvelle que deux observations de suite ont trouvée, ou la disparition du fichier. */
     @Override
     public void run() {
         Suivi sien = suivi;
@@ -62,7 +62,7 @@ public final class Surveillance extends TimerTask {
         absences = sien.fichier == null || nouvelle != null ? 0 : absences + 1;
         boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(sien.connue);
         vue = nouvelle;
-        // la réponse d'un disque lent ne dit rien de ce qui est suivi depuis
+        // un disque lent peut répondre pour un fichier qui n'est plus suivi
         if (sien == suivi && (change || absences == ABSENCES)) {
             sien.connue = nouvelle;
             (change ? siChange : siEfface).run();

@@ -5,30 +5,30 @@ import java.util.Locale;
 
 /**
  * L'écriture d'un nombre, dans les scènes comme en ligne de commande :
- * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}, et rien d'autre :
- * {@link Double#parseDouble} accepterait aussi « 1d », « 0x1p3 », « NaN » ou des blancs.
+ * {@code [+-]?(chiffres[.chiffres] | chiffres. | .chiffres)([eE][+-]?chiffres)?}. {@link Double#parseDouble}
+ * accepterait aussi « 1d », « 0x1p3 », « NaN » ou des blancs.
  */
 public final class Nombre {
 
-    /** Grandeur en deçà de laquelle un nombre se lit mieux avec un exposant. */
+    /** Un nombre plus petit s'écrit avec un exposant. */
     private static final double PETIT = 1e-5;
 
     private Nombre() {
     }
 
-    /** Arrondit à cinq chiffres ; d'un nombre proche de 1, à cinq de ce qui lui manque : une puissance l'agrandit. */
+    /** Arrondit à cinq chiffres. Près de 1, l'écart à 1 garde cinq chiffres, car une puissance l'agrandit. */
     public static String arrondir(double x) {
         double manque = 1 - Math.abs(x);
         int chiffres = manque > 0 && manque < 0.1 ? 4 - (int) Math.floor(Math.log10(manque)) : 5;
         return x == 0 ? "0" : String.format(Locale.ROOT, "%." + chiffres + "g", x).replace("e-0", "e-");
     }
 
-    /** Arrondit à trois décimales une composante de couleur, dont un écran montre moins ; plus petite, à un chiffre. */
+    /** Arrondit une composante de couleur à trois décimales ou, si elle est plus petite, à un chiffre. */
     public static String arrondirComposante(double x) {
         return x == 0 ? "0" : String.format(Locale.ROOT, Math.abs(x) >= 5e-4 ? "%.3f" : "%.0e", x).replace("e-0", "e-");
     }
 
-    /** Le nombre écrit, infini s'il déborde, NaN si ce n'en est pas un. */
+    /** Le nombre écrit ; infini s'il déborde, NaN si le texte n'est pas un nombre. */
     public static double lire(String s) {
         for (int i = 0; i < s.length(); i++) {
             char c = s.charAt(i);
@@ -43,7 +43,7 @@ public final class Nombre {
         }
     }
 
-    /** Le nombre tel qu'on l'écrit à la main, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
+    /** L'écriture ordinaire d'un nombre, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
     public static String ecrire(double x) {
         boolean petit = Math.abs(x) < 1e-3 && Math.abs(x) >= PETIT;
         String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x)

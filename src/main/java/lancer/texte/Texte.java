@@ -6,16 +6,16 @@ import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
 import java.util.Locale;
 
-/** Un texte venu d'ailleurs (fichier, ligne de commande), rendu montrable dans un message d'une ligne. */
+/** Prépare un texte d'un fichier ou de la ligne de commande pour un message d'une ligne. */
 public final class Texte {
 
     /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
     private static final int CITATION_MAX = 60;
 
-    /** Les noms des classes qui ne sont pas de Java, pour {@link #cause}. */
+    /** Les noms des classes qui ne font pas partie de Java, pour {@link #cause}. */
     public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
-    /** Les mots du système ou de Java, et leur traduction ; en français, le système se fait comprendre seul. */
+    /** Traduction des messages du système et de Java. */
     private static final String[][] PANNES = {{"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
         {"There is not enough space on the disk", "disque plein"}, {"Espace insuffisant sur le disque", "disque plein"},
@@ -25,14 +25,13 @@ public final class Texte {
         {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
         {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
 
-    /** Catégories de ce qui agit sur le terminal, ne se voit pas, ou ressemble à un blanc sans en être un. */
+    /** Catégories Unicode des caractères qui agissent sur le terminal, sont invisibles ou ressemblent à un blanc. */
     private static final int INVISIBLES = 1 << Character.CONTROL | 1 << Character.FORMAT | 1 << Character.SURROGATE
             | 1 << Character.SPACE_SEPARATOR | 1 << Character.LINE_SEPARATOR | 1 << Character.PARAGRAPH_SEPARATOR;
 
     private Texte() {
     }
 
-    /** Le mot en minuscules, quelle que soit la langue de la machine. */
     public static String minuscules(String mot) {
         return mot.toLowerCase(Locale.ROOT);
     }
@@ -42,12 +41,12 @@ public final class Texte {
         return "« " + abrege(texte) + " »";
     }
 
-    /** Le texte sans caractère de contrôle, coupé à 60 caractères. */
+    /** Le texte, caractères de contrôle échappés, coupé à 60 caractères. */
     public static String abrege(String texte) {
         return echapper(texte, CITATION_MAX);
     }
 
-    /** Le texte, chaque caractère qui casserait ou brouillerait la ligne remplacé par son code. */
+    /** Le texte, caractères de contrôle échappés. */
     public static String echappe(String texte) {
         return echapper(texte, Integer.MAX_VALUE);
     }
@@ -68,7 +67,7 @@ public final class Texte {
         return s.toString();
     }
 
-    /** Raison et remède, si Java n'a pu lire les accents d'un chemin, ou du dossier d'où il est suivi ; ou vide. */
+    /** Explication, si la langue du système ne permet pas de lire ce chemin ou le dossier courant ; vide sinon. */
     public static String horsLangue(String chemin) {
         String codage = System.getProperty("sun.jnu.encoding", "UTF-8");
         return Charset.forName(codage).newEncoder().canEncode(chemin) && new File("").getAbsoluteFile().exists() ? ""
@@ -76,7 +75,7 @@ public final class Texte {
                         + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
-    /** La raison d'une panne de fichier, en français si on la connaît ; à défaut, son nom en Java. */
+    /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, son nom en Java. */
     public static String panne(IOException e) {
         String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
         String raison = dit == null ? e.getClass().getSimpleName() : dit;
@@ -88,7 +87,7 @@ public final class Texte {
         return abrege(raison);
     }
 
-    /** Cause d'un échec, et première ligne de sa pile dont la classe suit l'une de ces expressions, par préférence. */
+    /** Cause d'un échec, et première ligne de sa pile dont la classe suit une de ces expressions, par préférence. */
     public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
         while (cause.getCause() != null) {

@@ -1,6 +1,2 @@
-/**
- * Nombres et messages : lire un nombre, l'écrire comme une scène l'écrit, citer un mot.
- *
- * <p>N'y entre rien qui sache ce qu'est une scène ou une image.
- */
+/** Lire un nombre, l'écrire comme dans une scène, citer un mot. Ce paquet ne connaît ni les scènes, ni les images. */
 package lancer.texte;

@@ -288,6 +288,21 @@ class AutoTest {
         assertEquals(16, front.get(2).prix / front.get(0).prix, 1);
     }
 
+    @Test
+    void chronometrerNeChangeQueLesDurees() {
+        Auto auto = auto(scene(boule(0, 0, 8, 1.5, 0.5)), LARGEUR, HAUTEUR, GRILLES, 0);
+        List<Candidat> avant = new ArrayList<>(auto.essayes);
+        auto.chronometrer();
+        assertEquals(avant.size(), auto.essayes.size());
+        for (int k = 0; k < avant.size(); k++) {
+            Candidat a = avant.get(k);
+            Candidat b = auto.essayes.get(k);
+            assertEquals(a + " " + a.prix + " " + a.auMoins + " " + a.erreur + " " + a.auPlus,
+                    b + " " + b.prix + " " + b.auMoins + " " + b.erreur + " " + b.auPlus);
+            assertTrue(b.nsParRayon > 0 && b.nsParRayon != a.nsParRayon, b.nsParRayon + " ns");
+        }
+    }
+
     /** Contrôle compris, et dans un pixel au besoin : vingt mille lampes en font autant de rayons pour un seul de l'écran. */
     @ParameterizedTest
     @CsvSource({"1, 40, 30", "1, 200, 150", "200, 40, 30", "20000, 3, 2"})

@@ -18,7 +18,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import lancer.essai.Essai;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
@@ -87,22 +86,6 @@ class ProcessusTest extends EssaiProcessus {
         assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
         assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "),
                 erreur());
-    }
-
-    @Test
-    void milleRefletsEntreDeuxMiroirsParfaitsTiennentDansLaPile() throws Exception {
-        Path scene = dossier.resolve("miroirs.ini");
-        Files.write(scene, Arrays.asList(
-                "[Sphere devant]", "centre=0 0 1010", "rayon=1000", "Ks=1 1 1",
-                "[Sphere derriere]", "centre=0 0 -1000", "rayon=1000", "Ks=1 1 1",
-                "[Lampe]", "position=0 3 5", "couleur=1 1 1"));
-        assertEquals(0, statut(preparer(java("", "--reflets=1000", "--seuil=0", "--taille=1x1", "--lineaire=a.pfm", "--statistiques",
-                scene.toString()))), erreur());
-        assertEquals("", erreur());
-        for (float composante : Essai.pfm(Files.readAllBytes(dossier.resolve("a.pfm")))) {
-            assertTrue(Math.abs(composante) <= Float.MAX_VALUE);
-        }
-        assertTrue(sortie().contains("rayons.reflechis: 1000\n"), sortie());
     }
 
     @Test

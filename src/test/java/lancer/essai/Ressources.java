@@ -75,6 +75,11 @@ public final class Ressources {
         return boule;
     }
 
+    /** Ce point, d'un monde autant de fois plus grand. */
+    public static Point fois(Point p, double f) {
+        return new Point(p.x * f, p.y * f, p.z * f);
+    }
+
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
         Scene scene = new Scene(objets, Arrays.asList(lampes));
         scene.getModele().setSeuil(0);

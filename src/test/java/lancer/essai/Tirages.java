@@ -24,6 +24,11 @@ public final class Tirages {
     }
 
     public Vecteur direction() {
+        return direction(hasard);
+    }
+
+    /** Une direction au hasard, également répartie. */
+    public static Vecteur direction(Random hasard) {
         return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
     }
 

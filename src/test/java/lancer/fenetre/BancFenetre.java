@@ -40,6 +40,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -246,9 +247,14 @@ final class BancFenetre {
         return surFilEvenements(controleur::getImageComplete);
     }
 
+    /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
+    void attendreCodes(String quoi, int[] codes) throws Exception {
+        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+    }
+
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+        attendreCodes(quoi, codes);
         attendre(quoi + ", à l'écran", () -> controleur.getImageComplete() != null
                 && trouver(codes, controleur.getImageComplete().largeur) != null);
     }
@@ -313,9 +319,13 @@ final class BancFenetre {
         Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
         int[] vu = codes(new Robot().createScreenCapture(ecran));
         int hauteur = image.length / largeur;
+        // un pixel qui n'est pas de la couleur du coin écarte d'un coup tout fond de cette couleur
+        int temoin = IntStream.range(0, image.length).filter(k -> image[k] != image[0]).findFirst().orElse(0);
+        int place = temoin / largeur * ecran.width + temoin % largeur;
         for (int y = 0; y + hauteur <= ecran.height; y++) {
             for (int x = 0; x + largeur <= ecran.width; x++) {
-                if (estLa(vu, y * ecran.width + x, ecran.width, image, largeur)) {
+                int debut = y * ecran.width + x;
+                if (vu[debut + place] == image[temoin] && estLa(vu, debut, ecran.width, image, largeur)) {
                     return new Point(x, y);
                 }
             }

@@ -78,6 +78,11 @@ abstract class EssaiFenetre {
         return pixelsSansFenetre(dossier, scene, largeur, hauteur);
     }
 
+    /** L'image que ces options donnent de la scène. */
+    int[] attendue(String... options) throws Exception {
+        return pixelsSansFenetre(dossier, scene, L, H, options);
+    }
+
     /** Ouvre la fenêtre sur la scène, et attend son image. */
     ImageMemoire ouvrir(String... options) throws Exception {
         banc = new BancFenetre(lente(options));
@@ -102,6 +107,13 @@ abstract class EssaiFenetre {
         });
         attendre("le dialogue est fermé", () -> !choix.isShowing());
         return propose;
+    }
+
+    /** Ferme le message, qui couvre le bas de l'image. */
+    void fermerLeMessage() throws Exception {
+        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
+        banc.cliquer(banc.panneau.bandeau, 5, 5);
+        banc.attendreMessage("");
     }
 
     /** Donne cette taille à la place de l'image. */

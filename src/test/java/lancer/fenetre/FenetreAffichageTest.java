@@ -11,7 +11,6 @@ import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -42,7 +41,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     @Test
     void lePleinEcranNeGardeQueLImageEtLesMessages() throws Exception {
-        int[] deuxReflets = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
+        int[] deuxReflets = attendue("--reflets=2");
         ouvrir();
         Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
         Dimension avant = surFilEvenements(banc.cadre::getSize);
@@ -64,8 +63,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
-        attendre("l'image revient à sa taille", () -> banc.controleur.getImageComplete() != null
-                && Arrays.equals(banc.controleur.getImageComplete().codes, deuxReflets));
+        banc.attendreCodes("l'image revient à sa taille", deuxReflets);
     }
 
     @Test

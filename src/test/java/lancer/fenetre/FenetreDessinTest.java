@@ -141,18 +141,12 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void leFilDesEvenementsNAttendNiLaLectureNiLeDessin() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
-        banc = new BancFenetre(new MainLent(args()) {
-            private boolean premiere = true;
-
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                if (!premiere) {
-                    attendreSansEtreInterrompu(lecture);
-                }
-                premiere = false;
-                return super.lireScene(fichier, suivi);
+        AtomicBoolean premiere = new AtomicBoolean(true);
+        banc = new BancFenetre(lente().lent().avantLecture((fichier, suivi) -> {
+            if (!premiere.getAndSet(false)) {
+                attendreSansEtreInterrompu(lecture);
             }
-        }.lent());
+        }));
         attendre("le dessin a commencé", () -> banc.main.getDessin().getLancer() != null);
         repondA(50);
         assertTrue(banc.controleur.enCours, "le dessin n'a pas eu à finir pour cela");
@@ -179,17 +173,13 @@ class FenetreDessinTest extends EssaiFenetre {
     void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
         DoubleConsumer[] suivis = new DoubleConsumer[1];
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                if (getDessin().getImage() != null) {
-                    suivis[0] = suivi;
-                    suivi.accept(0.42);
-                    attendreSansEtreInterrompu(lecture);
-                }
-                return super.lireScene(fichier, suivi);
+        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
+            if (banc != null) {
+                suivis[0] = suivi;
+                suivi.accept(0.42);
+                attendreSansEtreInterrompu(lecture);
             }
-        });
+        }));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
         attendre("la part lue", () -> banc.resume.getText().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
@@ -201,19 +191,15 @@ class FenetreDessinTest extends EssaiFenetre {
 
     /** Le programme, dont la première lecture attend qu'une fenêtre la montre. */
     private MainLent lectureVue() {
-        return new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                suivi.accept(0.42);
-                try {
-                    composant("avancement", JProgressBar.class);
-                    attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));
-                } catch (Exception e) {
-                    throw new IllegalStateException(e);
-                }
-                return super.lireScene(fichier, suivi);
+        return lente().avantLecture((fichier, suivi) -> {
+            suivi.accept(0.42);
+            try {
+                composant("avancement", JProgressBar.class);
+                attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));
+            } catch (Exception e) {
+                throw new IllegalStateException(e);
             }
-        };
+        });
     }
 
     private static boolean composantIci(String debut) {
@@ -230,23 +216,19 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void echapPendantLaPremiereLectureLaisseF5EtLeBoutonALaSceneDemandee() throws Exception {
         AtomicBoolean arretee = new AtomicBoolean();
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                if (arretee.compareAndSet(false, true)) {
-                    try {
-                        Window fenetre = SwingUtilities.getWindowAncestor(composant("avancement", JProgressBar.class));
-                        BancFenetre.mettreDevant(fenetre);
-                        new Robot().keyPress(KeyEvent.VK_ESCAPE);
-                        new Robot().keyRelease(KeyEvent.VK_ESCAPE);
-                        attendre("la lecture est arrêtée", () -> composantIci("lecture arrêtée — "));
-                    } catch (Exception e) {
-                        throw new CancellationException("arrêtée, comme une vraie lecture");
-                    }
+        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
+            if (arretee.compareAndSet(false, true)) {
+                try {
+                    Window fenetre = SwingUtilities.getWindowAncestor(composant("avancement", JProgressBar.class));
+                    BancFenetre.mettreDevant(fenetre);
+                    new Robot().keyPress(KeyEvent.VK_ESCAPE);
+                    new Robot().keyRelease(KeyEvent.VK_ESCAPE);
+                    attendre("la lecture est arrêtée", () -> composantIci("lecture arrêtée — "));
+                } catch (Exception e) {
+                    throw new CancellationException("arrêtée, comme une vraie lecture");
                 }
-                return super.lireScene(fichier, suivi);
             }
-        });
+        }));
         attendre("la fenêtre le dit", () -> banc.panneau.ligne.startsWith("F5 pour lire la scène"));
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         banc.frapper(KeyEvent.VK_F5);
@@ -266,15 +248,11 @@ class FenetreDessinTest extends EssaiFenetre {
         CountDownLatch lecture = new CountDownLatch(1);
         Path longue = dossier.resolve("longue.ini");
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                if (fichier.equals(longue.toString())) {
-                    attendreSansEtreInterrompu(lecture);
-                }
-                return super.lireScene(fichier, suivi);
+        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
+            if (fichier.equals(longue.toString())) {
+                attendreSansEtreInterrompu(lecture);
             }
-        });
+        }));
         banc.imageAchevee();
         banc.frapperCtrl('O');
         choisir(longue);
@@ -355,7 +333,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("le suivant attend", () -> banc.resume.getText().startsWith("attend que le dessin d'avant s'arrête — "));
         programme.retenue = false;
         programme.suite.countDown();
-        banc.attendreImage("puis se fait", BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=10"));
+        banc.attendreImage("puis se fait", attendue("--reflets=10"));
     }
 
     @Test

@@ -75,9 +75,7 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         enregistrerSous(perdue);
         banc.attendreMessage(perdue + " : écriture impossible");
         ecrire(BLEUE);
-        int[] bleue = attendue(L, H);
-        attendre("l'image suit sa scène", () -> banc.controleur.getImageComplete() != null
-                && Arrays.equals(bleue, banc.controleur.getImageComplete().codes));
+        banc.attendreCodes("l'image suit sa scène", attendue(L, H));
         assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
     }
 

@@ -14,7 +14,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
@@ -26,7 +25,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.image.ImageMemoire;
-import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui manque au dessin : une scène devenue fautive, un pixel qu'une classe ne sait pas calculer. */
@@ -66,20 +64,7 @@ class FenetreFautesTest extends EssaiInspecteur {
     }
 
     private void ouvrirAvecUnMur(boolean partout) throws Exception {
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                SceneLue lue = super.lireScene(fichier, suivi);
-                lue.objets.add(new Mur(partout));
-                return lue;
-            }
-        });
-    }
-
-    private void fermerLeMessage() throws Exception {
-        // le haut : il y reste, même si une ligne de plus l'agrandit pendant ce temps
-        banc.cliquer(banc.panneau.bandeau, 5, 5);
-        banc.attendreMessage("");
+        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Mur(partout))));
     }
 
     @Test
@@ -119,22 +104,15 @@ class FenetreFautesTest extends EssaiInspecteur {
     void unObjetQuiNeRendJamaisLaMainEstNommeEtNeRetientPasLeDessinSuivant() throws Exception {
         CountDownLatch fin = new CountDownLatch(1);
         AtomicBoolean retenu = new AtomicBoolean(true);
-        banc = new BancFenetre(new MainLent(args()) {
+        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
             @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                SceneLue lue = super.lireScene(fichier, suivi);
-                lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
-                    @Override
-                    public Vecteur getNormale(lancer.Point contact) {
-                        if (retenu.get()) {
-                            attendreSansEtreInterrompu(fin);
-                        }
-                        return super.getNormale(contact);
-                    }
-                });
-                return lue;
+            public Vecteur getNormale(lancer.Point contact) {
+                if (retenu.get()) {
+                    attendreSansEtreInterrompu(fin);
+                }
+                return super.getNormale(contact);
             }
-        });
+        })));
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains(" : ce calcul dure depuis dix secondes (lancer."), banc.message());
         attendre("le dessin s'arrête", () -> !banc.controleur.enCours);

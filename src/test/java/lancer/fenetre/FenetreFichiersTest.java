@@ -101,12 +101,12 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void ctrlOOuvreUneAutreScene() throws Exception {
+    void ctrlOOuvreUneAutreSceneDontLeNomSeComplete() throws Exception {
         ouvrir();
         scene = dossier.resolve("autre.ini");
         ecrire(BLEUE);
         banc.frapperCtrl('O');
-        choisir(scene);
+        choisir(dossier.resolve("autre"));
         banc.attendreImage("l'autre scène", attendue(L, H));
         assertEquals("lancer — autre.ini", banc.cadre.getTitle());
         // c'est elle, maintenant, qui est surveillée
@@ -146,17 +146,6 @@ class FenetreFichiersTest extends EssaiFenetre {
             });
             assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
         }
-    }
-
-    @Test
-    void unNomDeSceneSansIniEstComplete() throws Exception {
-        ouvrir();
-        scene = dossier.resolve("autre.ini");
-        ecrire(BLEUE);
-        banc.frapperCtrl('O');
-        choisir(dossier.resolve("autre"));
-        banc.attendreImage("l'autre scène", attendue(L, H));
-        assertEquals("lancer — autre.ini", banc.cadre.getTitle());
     }
 
     @Test

@@ -16,7 +16,6 @@ import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.DoubleConsumer;
 import javax.swing.JTree;
 import lancer.Couleur;
 import lancer.Objet3D;
@@ -26,7 +25,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Essai;
-import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image. */
@@ -133,8 +131,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreRecit(couleur(rouge[110 * L + 150]));
         ecrire(BLEUE);
         int[] bleue = attendue(L, H);
-        attendre("la nouvelle image", () -> banc.controleur.getImageComplete() != null
-                && Arrays.equals(banc.controleur.getImageComplete().codes, bleue));
+        banc.attendreCodes("la nouvelle image", bleue);
         String recit = attendreRecit(couleur(bleue[110 * L + 150]));
         attendreVerdict("Au bit près");
         long marques = Arrays.stream(recit.split("\n")).filter(ligne -> ligne.contains("   ← ")).count();
@@ -212,9 +209,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         ouvrir();
         ouvrirAuMilieu();
         presser(KeyEvent.VK_SUBTRACT);
-        int[] deux = BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=2");
-        attendre("moins de réflexions", () -> banc.controleur.getImageComplete() != null
-                && Arrays.equals(deux, banc.controleur.getImageComplete().codes));
+        banc.attendreCodes("moins de réflexions", attendue("--reflets=2"));
         attendreVerdict("Au bit près");
     }
 
@@ -243,14 +238,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     @Test
     void pendantUnLongPixelLeTexteDAvantResteEnGrisEtCalculSeDit() throws Exception {
         AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                SceneLue lue = super.lireScene(fichier, suivi);
-                lue.objets.add(new Lent(lenteur));
-                return lue;
-            }
-        });
+        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Lent(lenteur))));
         banc.imageAchevee();
         lenteur.set(new CountDownLatch(1));
         cliquer(150, 100);
@@ -289,16 +277,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
                 return super.getColor(scene, incident, contact, profondeur).add(new Couleur(0.25, 0.5, 0));
             }
         };
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                SceneLue lue = super.lireScene(fichier, suivi);
-                lue.lampes.clear();
-                lue.objets.clear();
-                lue.objets.add(braise);
-                return lue;
-            }
-        });
+        banc = new BancFenetre(lente().apresLecture(lue -> {
+            lue.lampes.clear();
+            lue.objets.clear();
+            lue.objets.add(braise);
+        }));
         banc.imageAchevee();
         cliquer(L / 2, 100);
         attendreVerdict("Au bit près, la couleur du pixel dessiné : #408000\nLe récit ne connaît pas tous les termes de cette couleur.");

@@ -14,7 +14,6 @@ import java.awt.geom.Point2D;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import javax.swing.JMenu;
 import lancer.Sphere;
 import lancer.commande.Options;
@@ -36,12 +35,6 @@ class FenetreLeconTest extends EssaiFenetre {
         lancer.Point vue = banc.controleur.montre.getLancer().getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
-    }
-
-    /** Attend cette image, que ce qui est pris ne cerne pas dans ses codes. */
-    private void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> banc.controleur.getImageComplete() != null
-                && Arrays.equals(banc.controleur.getImageComplete().codes, codes));
     }
 
     private Sphere sphere(int rang) {
@@ -94,10 +87,10 @@ class FenetreLeconTest extends EssaiFenetre {
         assertEquals(-20, a.y - de.y, 1);
         assertEquals(6, sphere(0).getCentre().z, "dans le plan parallèle à l'écran");
         banc.imageAchevee();
-        attendreCodes("le fichier où l'on colle la copie donne cette image", imageDeLaCopie());
+        banc.attendreCodes("le fichier où l'on colle la copie donne cette image", imageDeLaCopie());
         assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8), "rien ne s'est écrit");
         banc.frapperCtrl('z');
-        attendreCodes("Ctrl+Z la remet", avant);
+        banc.attendreCodes("Ctrl+Z la remet", avant);
         assertFalse(surFilEvenements(banc.controleur::estDeplacee));
     }
 
@@ -118,7 +111,7 @@ class FenetreLeconTest extends EssaiFenetre {
         attendre("plus loin", () -> sphere(0).getCentre().z > pres.z + 0.3);
         assertEquals(avant.x, centre().x, 1, "et toujours à la même place de l'image");
         banc.imageAchevee();
-        attendreCodes("et cela se copie", imageDeLaCopie());
+        banc.attendreCodes("et cela se copie", imageDeLaCopie());
         banc.frapper(KeyEvent.VK_ESCAPE);
         banc.frapper(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
         banc.robot.waitForIdle();
@@ -141,6 +134,7 @@ class FenetreLeconTest extends EssaiFenetre {
         banc.imageAchevee();
         ecrire(BLEUE);
         banc.attendreMessage("scène relue : ce qui avait été déplacé");
+        fermerLeMessage();
         banc.attendreImage("celle du fichier", attendue(L, H));
     }
 
@@ -180,10 +174,6 @@ class FenetreLeconTest extends EssaiFenetre {
         }
         faire(vues.getItem(0)::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));
-    }
-
-    private int[] attendue(String... options) throws Exception {
-        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, options);
     }
 
     @Test

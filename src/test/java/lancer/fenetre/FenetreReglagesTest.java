@@ -15,10 +15,6 @@ import org.junit.jupiter.api.Test;
 /** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
 class FenetreReglagesTest extends EssaiFenetre {
 
-    private int[] attendue(String... options) throws Exception {
-        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, options);
-    }
-
     @Test
     void lesTouchesPlusEtMoinsChangentLesReflexionsEtRienDAutre() throws Exception {
         byte[] avant = Files.readAllBytes(scene);

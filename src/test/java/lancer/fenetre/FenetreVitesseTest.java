@@ -46,8 +46,7 @@ class FenetreVitesseTest extends EssaiFenetre {
 
     /** L'image que la ligne de commande donne aux réglages présents. */
     private int[] presentsSansFenetre() throws Exception {
-        return BancFenetre.pixelsSansFenetre(dossier, scene, L, H, "--reflets=" + banc.controleur.reglages.getReflets(),
-                "--seuil=" + banc.controleur.reglages.getSeuil());
+        return attendue("--reflets=" + banc.controleur.reglages.getReflets(), "--seuil=" + banc.controleur.reglages.getSeuil());
     }
 
     /** Le plus à gauche des disques pleins du graphique : le plus rapide des réglages. */

@@ -2,10 +2,14 @@ package lancer.fenetre;
 
 import java.io.ByteArrayOutputStream;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
 import lancer.dessin.Dessin;
+import lancer.scene.SceneLue;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
 class MainLent extends Main {
@@ -15,6 +19,8 @@ class MainLent extends Main {
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
     volatile boolean lent;
+    private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
+    private Consumer<SceneLue> apresLecture = lue -> { };
 
     MainLent(String... args) {
         this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
@@ -35,6 +41,26 @@ class MainLent extends Main {
     /** Vrai si le brouillon du dessin en cours est fait. */
     boolean brouillonFait() {
         return getDessin().isBrouillonFait();
+    }
+
+    /** Fait d'abord ceci, à chaque lecture. */
+    MainLent avantLecture(BiConsumer<String, DoubleConsumer> geste) {
+        avantLecture = geste;
+        return this;
+    }
+
+    /** Change ce qui est lu, à chaque lecture. */
+    MainLent apresLecture(Consumer<SceneLue> geste) {
+        apresLecture = geste;
+        return this;
+    }
+
+    @Override
+    public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+        avantLecture.accept(fichier, suivi);
+        SceneLue lue = super.lireScene(fichier, suivi);
+        apresLecture.accept(lue);
+        return lue;
     }
 
     @Override

@@ -2,13 +2,11 @@ package lancer.image;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
@@ -141,15 +139,5 @@ class PixelTest extends EssaiCommande {
         assertEquals(2, e.code);
         assertEquals("", e.sortie);
         verifierFichiers("s.ini");
-    }
-
-    @Test
-    void uneSortieStandardPleineEstUnePanne() throws IOException {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        ByteArrayOutputStream erreur = new ByteArrayOutputStream();
-        try (PrintStream pleine = new PrintStream("/dev/full", "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
-            assertEquals(1, Essai.executer(pleine, e, "--pixel=1,1", SCENE));
-        }
-        assertEquals("lancer : sortie standard : écriture impossible" + System.lineSeparator(), erreur.toString("UTF-8"));
     }
 }

@@ -101,8 +101,10 @@ class SortiesTest extends EssaiCommande {
         ByteArrayOutputStream erreur = new ByteArrayOutputStream();
         try (PrintStream pleine = new PrintStream("/dev/full", "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
             assertEquals(1, Essai.executer(pleine, e, "--aide"));
+            assertEquals(1, Essai.executer(pleine, e, "--pixel=1,1", SCENE));
         }
-        assertEquals("lancer : sortie standard : écriture impossible" + System.lineSeparator(), erreur.toString("UTF-8"));
+        String ligne = "lancer : sortie standard : écriture impossible" + System.lineSeparator();
+        assertEquals(ligne + ligne, erreur.toString("UTF-8"));
     }
 
     @Test

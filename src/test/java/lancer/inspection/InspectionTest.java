@@ -22,7 +22,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.essai.Essai;
@@ -43,6 +43,22 @@ class InspectionTest {
     @TempDir
     Path dossier;
 
+    /** Le pixel de cette scène, inspecté. */
+    private static Inspection inspecter(Scene scene, Origines origines, Camera camera, int reflets, int x, int y) {
+        Inspection pixel = new Inspection(scene, origines, camera, reflets, x, y);
+        pixel.faire();
+        return pixel;
+    }
+
+    /** Le pixel du milieu d'une image de 9 pixels de côté. */
+    private static Inspection auMilieu(Scene scene) {
+        return inspecter(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
+    }
+
+    private static Recit recitDe(Inspection pixel) {
+        return new Recit(pixel, Double::toString);
+    }
+
     @ParameterizedTest
     @CsvSource({"p1-quatre, 5, 0.0009765625, Ks nul", "p2-sol, 5, 0, ciel", "p3-miroirs, 9, 0, ciel", "p3-miroirs, 40, 0.3, 'poids '",
         "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
@@ -57,9 +73,7 @@ class InspectionTest {
         for (int k = 0; k < 200; k++) {
             int x = hasard.nextInt(80);
             int y = hasard.nextInt(60);
-            Inspection pixel = new Inspection(scene, origines, new Camera(80, 60), reflets, x, y);
-            pixel.faire();
-            recit.verifier(x, y, String.join("\n", new Recit(pixel, Double::toString).lignes()));
+            recit.verifier(x, y, String.join("\n", recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).lignes()));
         }
         assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
         assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
@@ -75,10 +89,9 @@ class InspectionTest {
         Scene rapide = new Scene(lue.objets, lue.lampes);
         rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = new Inspection(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
-            pixel.faire();
+            Inspection pixel = inspecter(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
-            assertEquals(new Recit(pixel, Double::toString).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
+            assertEquals(recitDe(pixel).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
         }
     }
 
@@ -100,18 +113,17 @@ class InspectionTest {
     @Test
     void leDepartNeDependPasDuNombreDeReflexionsPermises() {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
-        List<Integer> etapes = new ArrayList<>();
+        List<Integer> segments = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
-            pixel.faire();
-            etapes.add(pixel.getEtapes().size());
-            List<String> lignes = new Recit(pixel, Double::toString).lignes();
+            Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
+            segments.add(pixel.getSegments().size());
+            List<String> lignes = recitDe(pixel).lignes();
             String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
             assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
             assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
         }
-        assertEquals(1, etapes.get(0));
-        assertTrue(etapes.get(1) == 2 && etapes.get(2) >= 2, etapes.toString());
+        assertEquals(1, segments.get(0));
+        assertTrue(segments.get(1) == 2 && segments.get(2) >= 2, segments.toString());
     }
 
     @Test
@@ -119,13 +131,12 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int reflets = 0;
         for (int x = 5; x < 80; x += 3) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
-            pixel.faire();
-            for (Etape etape : pixel.getEtapes()) {
-                for (Eclairage lampe : etape.lampes) {
-                    if (lampe.L != null && !etape.contact.objet.getKs().estNoire()) {
-                        double base = Specularite.PHONG.base(etape.V, etape.N, lampe.L, etape.R);
-                        assertEquals(lampe.eclat, Specularite.puissance(base, etape.contact.objet.getNs()));
+            Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30);
+            for (Segment segment : pixel.getSegments()) {
+                for (Eclairage lampe : segment.lampes) {
+                    if (lampe.L != null && !segment.contact.objet.getKs().estNoire()) {
+                        double base = Specularite.PHONG.base(segment.V, segment.N, lampe.L, segment.R);
+                        assertEquals(lampe.eclat, Specularite.puissance(base, segment.contact.objet.getNs()));
                         reflets++;
                     }
                 }
@@ -139,9 +150,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         int negatives = 0;
         for (int x = 0; x < 80; x++) {
-            Inspection pixel = new Inspection(scene, new Origines(), new Camera(80, 60), 2, x, 30);
-            pixel.faire();
-            for (String ligne : new Recit(pixel, Double::toString).lignes()) {
+            for (String ligne : recitDe(inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30)).lignes()) {
                 if (ligne.contains("R·L -")) {
                     assertTrue(ligne.matches(".* × max\\(0, R·L -\\S+\\)\\^\\S+ = 0.0 0.0 0.0"), ligne);
                     negatives++;
@@ -159,10 +168,7 @@ class InspectionTest {
         for (double vert : new double[] {1, 0.5}) {
             List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
                     new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
-                    new Camera(9, 9), 5, 4, 4);
-            pixel.faire();
-            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
+            recit = recitDe(auMilieu(new Scene(Collections.singletonList(sphere), lampes))).raconter().depuis(recit);
         }
         List<String> marquees = changes(recit);
         assertEquals(5, marquees.size(), marquees.toString());
@@ -194,9 +200,7 @@ class InspectionTest {
         for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
             Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
             SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
-            Inspection pixel = new Inspection(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4);
-            pixel.faire();
-            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
+            recit = recitDe(inspecter(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4)).raconter().depuis(recit);
         }
         List<String> marquees = changes(recit).stream().map(ligne -> ligne.split(" ")[0]).collect(Collectors.toList());
         assertEquals(Arrays.asList("1", "[Lampe", "diffus", "reflet", "somme"), marquees);
@@ -212,10 +216,7 @@ class InspectionTest {
             for (int k = 0; k < 5; k++) {
                 lampes.add(new Lampe(new Point(0, 0, k < 4 ? 20 : loin), new Couleur(1)));
             }
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(sphere), lampes), new Origines(),
-                    new Camera(9, 9), 5, 4, 4);
-            pixel.faire();
-            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
+            recit = recitDe(auMilieu(new Scene(Collections.singletonList(sphere), lampes))).raconter().depuis(recit);
         }
         Noeud repli = recit.enfants.get(0).enfants.get(0);
         assertEquals("5 lampes dans le dos", repli.texte);
@@ -229,10 +230,8 @@ class InspectionTest {
     void unAutrePixelNeSeMarquePasCommeUnChangement() {
         Noeud recit = null;
         for (int x : new int[] {4, 5}) {
-            Inspection pixel = new Inspection(new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), 3)),
-                    Collections.emptyList()), new Origines(), new Camera(9, 9), 5, x, 4);
-            pixel.faire();
-            recit = new Recit(pixel, Double::toString).raconter().depuis(recit);
+            Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), 3)), Collections.emptyList());
+            recit = recitDe(inspecter(scene, new Origines(), new Camera(9, 9), 5, x, 4)).raconter().depuis(recit);
         }
         assertEquals(Collections.emptyList(), changes(recit));
     }
@@ -278,7 +277,7 @@ class InspectionTest {
         Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(),
                 camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
-        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        List<String> lignes = recitDe(pixel).lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
         assertEquals(2, lignes.size());
@@ -290,9 +289,7 @@ class InspectionTest {
         sphere.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
-        pixel.faire();
-        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        List<String> lignes = recitDe(auMilieu(scene)).lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
         assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
     }
@@ -320,9 +317,7 @@ class InspectionTest {
         });
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
-        Inspection pixel = new Inspection(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
-        pixel.faire();
-        List<String> lignes = new Recit(pixel, Double::toString).lignes();
+        List<String> lignes = recitDe(auMilieu(scene)).lignes();
         assertEquals("9 échantillons", lignes.get(1));
         assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
         assertEquals("1  objet 1  0.25 0.5 0.75", lignes.get(13));

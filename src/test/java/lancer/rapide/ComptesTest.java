@@ -67,38 +67,6 @@ class ComptesTest {
     }
 
     @Test
-    void pasDeRayonDOmbreVersUneLampeDerriereLaSurface() {
-        Scene scene = new Scene(Collections.singletonList(boule(6, 1, 0)),
-                Collections.singletonList(new Lampe(new Point(0, 0, 100), new Couleur(1))));
-        assertEquals(0, compter(scene, 5).ombre);
-    }
-
-    @Test
-    void unRayonDOmbreParContactEclaire() {
-        Scene scene = new Scene(Collections.singletonList(boule(6, 1, 0)),
-                Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1))));
-        Compteurs c = compter(scene, 5);
-        assertTrue(c.ombre > 0 && c.ombre < c.primaires / 4, "ombre : " + c.ombre);
-        assertEquals(0, c.reflechis, "Ks nul");
-    }
-
-    @Test
-    void pasDeRayonDOmbreDontLApportEstNoir() {
-        Scene scene = new Scene(Collections.singletonList(boule(6, 0, 0)),
-                Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1))));
-        assertEquals(0, compter(scene, 5).ombre);
-    }
-
-    @Test
-    void pasDeRefletSousLeSeuil() {
-        Scene scene = new Scene(Arrays.asList(boule(6, 1, 0.0009), boule(12, 1, 0.0009)), Collections.<Lampe>emptyList());
-        assertEquals(0, compter(scene, 5).reflechis);
-        scene.getModele().setSeuil(0);
-        assertTrue(compter(scene, 5).reflechis > 0);
-        assertEquals(0, compter(scene, 0).reflechis, "profondeur nulle");
-    }
-
-    @Test
     void peuDeSpheresPresqueAucuneRecherche() {
         Scene scene = new Scene(Arrays.asList(boule(6, 1, 0.5), boule(12, 1, 0.5)),
                 Collections.singletonList(new Lampe(new Point(3, 3, 0), new Couleur(1))));

@@ -12,8 +12,8 @@ import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
- * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de celles de n × n sous-pixels, et
- * une méthode adaptative dit quels pixels peuvent se contenter de moins.
+ * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de n × n sous-pixels. Une méthode
+ * adaptative choisit les pixels qui en demandent moins.
  */
 public final class Antialias implements Variante {
 
@@ -21,19 +21,19 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Réglages proposés à {@code --auto} : n, méthode, seuil, puis l'erreur ordinaire, en niveaux, et le prix. */
+    /** Réglages proposés à {@code --auto} : n, méthode, seuil, erreur ordinaire en niveaux, prix. */
     private static final String[] PROPOSES = {
         "1 coins 0 7 1", "2 partage 0.4 2.8 1.7", "3 partage 0.3 2 2.1", "4 partage 0.2 1.3 2.6",
         "4 partage 0.15 1.2 2.9", "6 partage 0.12 0.85 3.8", "8 partage 0.1 0.65 4.5", "8 partage 0.08 0.55 5.2",
         "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21",
         "16 partage 0.016 0.165 32", "16 coins 0 0.15 256"};
 
-    /** La méthode du cours, sur n × n sous-pixels, n de 1 à 64 ; à ce seuil de contraste, de 0 (tous, toujours) à 1. */
+    /** La méthode du cours. @param n de 1 à 64 @param seuil contraste, de 0 (tous les sous-pixels) à 1 */
     public static Echantillonnage coins(int n, double seuil) {
         return new Coins(n, seuil);
     }
 
-    /** La méthode qui partage ces sous-pixels entre voisins, et interpole là où tout se ressemble. */
+    /** La méthode qui partage les sous-pixels entre pixels voisins, et interpole si les couleurs se ressemblent. */
     public static Echantillonnage partage(int n, double seuil) {
         return new Partage(n, seuil);
     }

@@ -6,13 +6,13 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * Le travail de {@link Partage} sur un pavé. La case d'un pixel va de son premier sous-pixel à ceux des pixels
- * suivants, à droite et en dessous ; aux bords du pavé, où rien ne suit, à son dernier. Une case de (x0, y0) à (x1, y1)
- * répond des sous-pixels de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. N'appartient qu'à un fil.
+ * Le travail de {@link Partage} sur un pavé. La case d'un pixel va de son premier sous-pixel à ceux du pixel de droite
+ * et de la ligne suivante. Au bord du pavé, elle s'arrête à son dernier sous-pixel. Une case de (x0, y0) à (x1, y1)
+ * donne les couleurs des sous-pixels de x0 à x1 − 1 et de y0 à y1 − 1, et des derniers du pavé. Un seul fil l'utilise.
  */
 final class Cases {
 
-    /** Le contraste supposé invisible entre quatre couleurs égales : sous ce seuil, toute case est coupée. */
+    /** Contraste supposé entre quatre couleurs égales : si le seuil est inférieur, toute case est divisée. */
     static final double PRUDENCE = 0.05;
 
     private final int n;
@@ -25,12 +25,12 @@ final class Cases {
     private final int hauteur;
 
     /**
-     * Marques, par ligne et par colonne, à une près : vrai si la case d'un pixel ou de l'un de ses huit voisins
-     * dépasse seule le seuil : un détail déborde souvent de sa case.
+     * Vrai si la case d'un pixel, ou de l'un de ses huit voisins, dépasse le seuil : un détail déborde souvent de sa
+     * case. Les indices de ligne et de colonne sont décalés de un.
      */
     private final boolean[][] suspects;
 
-    /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme de ceux qui sont peints. */
+    /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme des sous-pixels déjà peints. */
     private int i;
     private int j;
     private int finX;
@@ -51,7 +51,7 @@ final class Cases {
         suspects = new boolean[hauteur + 2][largeur + 2];
     }
 
-    /** Dessine ces pixels du pavé. @return le nombre de ceux dont la case a été coupée */
+    /** Dessine ces pixels du pavé. @return le nombre de pixels dont la case a été divisée */
     int tracer(Pave voulus, Toile toile) {
         chercherLesSuspects(voulus);
         int raffines = 0;
@@ -90,13 +90,13 @@ final class Cases {
         }
     }
 
-    /** Vrai si contraste × côté dépasse le seuil : plus une case est petite, moins elle change le pixel. */
+    /** Dit si contraste × côté dépasse le seuil : une petite case change peu la couleur du pixel. */
     private boolean depasse(int x0, int y0, int x1, int y1) {
         double contraste = Coins.contraste(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
         return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 
-    /** Vrai si une petite boule peut être dans la case sans être vue de ses coins. */
+    /** Dit si une petite sphère peut être dans la case sans toucher ses coins. */
     private boolean peutEchapper(int x0, int y0, int x1, int y1) {
         double x = pave.i0 + i + 0.5 / n;
         double y = pave.j0 + j + 0.5 / n;
@@ -108,7 +108,7 @@ final class Cases {
         return sousPixels.voir(i, j, x, y);
     }
 
-    /** Peint une case, en quatre s'il faut la couper, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
+    /** Peint une case, divisée en quatre si besoin, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
     private boolean peindre(int x0, int y0, int x1, int y1) {
         if (x0 == x1 || y0 == y1) {
             return false;
@@ -130,8 +130,8 @@ final class Cases {
     }
 
     /**
-     * Ajoute au pixel les sous-pixels dont répond la case, interpolés entre ses quatre coins : autant de fois la valeur
-     * au milieu, puisque c'est la moyenne d'une fonction bilinéaire sur un rectangle.
+     * Ajoute au pixel les sous-pixels de la case, interpolés entre ses quatre coins. La moyenne d'une fonction
+     * bilinéaire sur un rectangle est sa valeur au milieu : il suffit d'un poids pour chaque coin.
      */
     private void interpoler(int x0, int y0, int x1, int y1) {
         int suivantX = x1 == n - 1 && x1 == finX ? n : x1;
@@ -145,7 +145,7 @@ final class Cases {
         ajouter(x1, y1, nombre * fx * fy);
     }
 
-    /** Un coin qui ne compte pas n'a pas à être vu. */
+    /** Ajoute un coin, sauf si son poids est nul : sa couleur n'est alors pas calculée. */
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
             Couleur couleur = voir(x, y);

@@ -7,8 +7,8 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * La méthode du cours (« Anticrénelage ») : les quatre sous-pixels des coins d'abord, et tous les autres si ces quatre
- * couleurs, limitées à [0, 1], diffèrent de plus que le seuil sur une composante. Immuable.
+ * La méthode du cours (« Anticrénelage ») : d'abord les quatre sous-pixels des coins. Si leurs couleurs, limitées à [0,
+ * 1], diffèrent de plus que le seuil sur une composante, tous les autres sous-pixels s'y ajoutent. Immuable.
  */
 final class Coins implements Echantillonnage {
 
@@ -17,21 +17,21 @@ final class Coins implements Echantillonnage {
 
     /**
      * @param n nombre de sous-pixels sur un côté
-     * @param seuil 0 : tous les sous-pixels, toujours
+     * @param seuil contraste ; 0 pour tous les sous-pixels de chaque pixel
      */
     Coins(int n, double seuil) {
         this.n = n;
         this.seuil = seuil;
     }
 
-    /** @return le nombre de pixels pour lesquels il a fallu plus que les quatre coins */
+    /** @return le nombre de pixels qui ont tous leurs sous-pixels */
     @Override
     public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         SousPixels sousPixels = new SousPixels(n, voulus, vue);
         int raffines = 0;
         for (int j = 0; j < voulus.j1 - voulus.j0; j++) {
             for (int i = 0; i < voulus.i1 - voulus.i0; i++) {
-                // jusqu'à n = 2, les coins sont déjà tous les sous-pixels
+                // si n vaut 1 ou 2, les coins sont tous les sous-pixels
                 boolean complet = n > 2 && (seuil == 0 || contraste(sousPixels.voir(i, j, 0, 0),
                         sousPixels.voir(i, j, n - 1, 0), sousPixels.voir(i, j, 0, n - 1),
                         sousPixels.voir(i, j, n - 1, n - 1)) > seuil);
@@ -53,13 +53,13 @@ final class Coins implements Echantillonnage {
         return raffines;
     }
 
-    /** Le plus grand écart entre quatre couleurs telles qu'on les verra, sur une composante : de 0 à 1. */
+    /** Le plus grand écart entre quatre couleurs limitées à [0, 1], sur une composante. */
     static double contraste(Couleur a, Couleur b, Couleur c, Couleur d) {
         return Math.max(etendue(a.r, b.r, c.r, d.r),
                 Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
     }
 
-    /** Étendue, sans Math.min ni Math.max, dont le soin pour NaN et −0.0 doublerait le temps de la méthode. */
+    /** Écart des extrêmes, limités à [0, 1]. Math.min et Math.max seraient plus lents : voir docs/performance.md. */
     private static double etendue(double a, double b, double c, double d) {
         double minAB = a < b ? a : b;
         double maxAB = a < b ? b : a;

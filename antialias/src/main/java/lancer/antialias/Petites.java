@@ -13,18 +13,18 @@ import lancer.Vecteur;
 import lancer.contrat.Pave;
 
 /**
- * Les boules trop petites à l'écran pour qu'un point par pixel les voie toutes : où elles sont, et leur rayon, se
- * calcule avant de dessiner. Ni l'ombre ni le reflet d'une boule n'y sont. Immuable.
+ * Les sphères trop petites à l'écran pour qu'un point par pixel les voie toutes. Leur position et leur rayon à l'écran
+ * sont calculés avant le dessin. Leurs ombres et leurs reflets n'y sont pas. Immuable.
  */
 final class Petites {
 
-    /** Le rayon au-dessous duquel un disque peut passer entre les points d'une trame, en pas de cette trame. */
+    /** Rayon, en pas d'une grille de points, au-dessous duquel un disque peut passer entre les points. */
     private static final double MAILLE = Math.sqrt(0.5);
 
     private final int largeur;
     private final int hauteur;
 
-    /** Par pixel, les ellipses dont la boîte le touche : centre, moitiés des côtés, rayon de courbure d'un bout. */
+    /** Par pixel, les ellipses dont la boîte le touche : centre, demi-côtés de la boîte, rayon de courbure au bout. */
     private final Map<Integer, List<double[]>> ellipses = new HashMap<>();
 
     Petites(List<Objet3D> objets, Camera camera) {
@@ -38,9 +38,9 @@ final class Petites {
     }
 
     /**
-     * Projette une sphère de rayon r, à un angle θ de l'axe et à la distance D : son petit demi-axe est F r/(D cos θ) ;
-     * le rayon de courbure de ses bouts, F r/D, dit où un bout passe entre les points. Une ellipse plus longue qu'un
-     * pavé n'est pas cherchée.
+     * Projette une sphère de rayon r, à la distance D et à l'angle θ de l'axe. Le petit demi-axe de l'ellipse est F
+     * r/(D cos θ). Le rayon de courbure de ses bouts, F r/D, dit si un bout peut passer entre les points. Une ellipse
+     * plus longue qu'un pavé est ignorée.
      */
     private void projeter(Sphere sphere, Camera camera) {
         Vecteur c = new Vecteur(camera.getOeil(), sphere.getCentre());
@@ -58,7 +58,7 @@ final class Petites {
         }
     }
 
-    /** Dit si un des pixels que touche ce rectangle répond oui : les suivants ne sont plus interrogés. */
+    /** Dit si {@code question} est vraie d'un pixel que touche ce rectangle. */
     private boolean parcourir(double x0, double y0, double x1, double y1, IntPredicate question) {
         for (int j = Math.max(0, (int) Math.floor(y0)); j <= Math.min(hauteur - 1, (int) Math.floor(y1)); j++) {
             for (int i = Math.max(0, (int) Math.floor(x0)); i <= Math.min(largeur - 1, (int) Math.floor(x1)); i++) {
@@ -70,7 +70,7 @@ final class Petites {
         return false;
     }
 
-    /** Dit si la boîte d'une ellipse touche ce rectangle, dont les quatre coins peuvent le manquer ; en pixels. */
+    /** Dit si la boîte d'une ellipse touche ce rectangle, en pixels, sans que ses coins la voient à coup sûr. */
     boolean peutEchapper(double x0, double y0, double x1, double y1) {
         double cote = Math.max(x1 - x0, y1 - y0);
         return !ellipses.isEmpty() && parcourir(x0, y0, x1, y1, pixel -> ellipses.containsKey(pixel)

@@ -5,14 +5,14 @@ import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 
-/** Les sous-pixels d'un pavé, chacun vu au plus une fois, partagés par les pixels voisins. N'appartient qu'à un fil. */
+/** Les sous-pixels d'un pavé, partagés par les pixels voisins et calculés une seule fois. Un seul fil les utilise. */
 final class SousPixels {
 
     private final int n;
     private final Pave pave;
     private final Vue vue;
     private final int largeur;
-    /** Places, ligne par ligne : de quoi retenir le premier sous-pixel d'un pixel, ou tous s'il en faut d'autres. */
+    /** Pour chaque pixel, ligne par ligne : le tableau de son premier sous-pixel ou, s'il en faut d'autres, de tous. */
     private final Couleur[][] pixels;
 
     SousPixels(int n, Pave pave, Vue vue) {
@@ -28,8 +28,8 @@ final class SousPixels {
      *
      * @param i colonne du pixel, depuis la gauche du pavé
      * @param j ligne du pixel, depuis le haut du pavé
-     * @param dx colonne dans le pixel ; n est la première du pixel suivant
-     * @param dy ligne dans le pixel ; n est la première du pixel suivant
+     * @param dx colonne dans le pixel ; n désigne la première du pixel suivant
+     * @param dy ligne dans le pixel ; n désigne la première du pixel suivant
      */
     Couleur voir(int i, int j, int dx, int dy) {
         int x = dx == n ? 0 : dx;
@@ -47,7 +47,7 @@ final class SousPixels {
         return vus[k];
     }
 
-    /** Rend la mémoire d'une ligne de pixels, qui ne sera plus vue. */
+    /** Libère la mémoire d'une ligne de pixels, devenue inutile. */
     void oublier(int j) {
         Arrays.fill(pixels, j * largeur, (j + 1) * largeur, null);
     }

@@ -1,7 +1,2 @@
-/**
- * L'anticrénelage : une variante, qui ne change que les endroits d'un pixel où l'on regarde.
- *
- * <p>N'y entrent que les façons de prendre plusieurs rayons par pixel ; une variante connaît la base, jamais une
- * autre variante.
- */
+/** L'anticrénelage : une variante qui ne change que le choix des points d'un pixel, sans autre variante. */
 package lancer.antialias;

@@ -8,14 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
-import java.util.function.DoubleConsumer;
 import javax.swing.JComboBox;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.contrat.Section;
 import lancer.dessin.ReglagesDessin;
-import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
@@ -78,14 +76,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
 
     @Test
     void unEchecDUneClasseDuCoursEstSitueDansLeCoursEtNonDansLAnticrenelage() throws Exception {
-        banc = new BancFenetre(new MainLent(args()) {
-            @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                SceneLue lue = super.lireScene(fichier, suivi);
-                lue.objets.get(0).setKd(null);
-                return lue;
-            }
-        });
+        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.get(0).setKd(null)));
         attendre("l'échec se dit", () -> banc.panneau.bandeau.getText().contains(" pixels n'ont pu être calculés"));
         assertTrue(banc.message().contains(" (lancer.Lumiere.apport, Lumiere.java:"), banc.message());
     }

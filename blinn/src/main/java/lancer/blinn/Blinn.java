@@ -9,19 +9,19 @@ import lancer.contrat.Section;
 import lancer.contrat.Specularite;
 import lancer.contrat.Variante;
 
-/** Le reflet de Blinn (cours) : max(0, N·H)^(facteur·ns), H étant la bissectrice de L et −V. Immuable. */
+/** Le reflet de Blinn (cours) : max(0, N·H)^(facteur·ns), où H est la bissectrice de L et −V. Immuable. */
 public final class Blinn implements Variante, Specularite {
 
     private static final double FACTEUR = 1;
 
     private final double facteur;
 
-    /** Le reflet d'une scène qui n'en dit rien. */
+    /** Le reflet d'une scène sans section {@code [Blinn]}. */
     public Blinn() {
         this(FACTEUR);
     }
 
-    /** @param facteur ce qui multiplie ns, plus grand que 0 */
+    /** @param facteur multiplie ns, plus grand que 0 */
     Blinn(double facteur) {
         this.facteur = facteur;
     }
@@ -44,7 +44,7 @@ public final class Blinn implements Variante, Specularite {
     @Override
     public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
         double base = base(V, N, L, R);
-        // la lampe est droit derrière le contact : il n'y a pas de bissectrice, et rien à refléter
+        // si L = V, la bissectrice n'existe pas, et le reflet est nul
         return Double.isNaN(base) ? 0 : Specularite.puissance(base, exposant(ns));
     }
 

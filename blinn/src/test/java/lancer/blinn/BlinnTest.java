@@ -1,5 +1,6 @@
 package lancer.blinn;
 
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -119,10 +120,6 @@ class BlinnTest {
                 assertTrue(deFace >= 0 && deFace <= 1 && ailleurs >= 0 && ailleurs <= 1, () -> deFace + " et " + ailleurs);
             }
         }
-    }
-
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian()).normalized();
     }
 
     @Test

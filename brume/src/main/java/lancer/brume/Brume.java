@@ -12,8 +12,8 @@ import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
 /**
- * Brume de distance (cours, « Extensions ») : couleur finale = k·brume + (1 − k)·couleur de l'objet, sur le premier
- * rayon comme sur chaque rayon réfléchi, k dépendant de la longueur de ce rayon-là. Immuable.
+ * Brume de distance (cours, « Extensions ») : couleur finale = k·brume + (1 − k)·couleur de l'objet. Elle s'applique au
+ * rayon initial et à chaque rayon réfléchi ; k dépend de la longueur du rayon. Immuable.
  */
 public final class Brume implements Variante, Atmosphere {
 
@@ -24,18 +24,18 @@ public final class Brume implements Variante, Atmosphere {
 
     private final Couleur couleur;
     private final double debut;
-    /** Distance où l'on ne voit plus que la brume ; NaN si elle a une densité. */
+    /** Distance au-delà de laquelle seule la brume est visible ; NaN si la brume a une densité. */
     private final double fin;
     private final double densite;
 
-    /** La brume d'une scène qui n'en dit rien. */
+    /** La brume d'une scène sans section {@code [Brume]}. */
     public Brume() {
         this(COULEUR, DEBUT, FIN, 0);
     }
 
     /**
      * @param debut positif ou nul, plus petit que {@code fin}
-     * @param fin NaN pour une brume également répartie
+     * @param fin NaN pour une brume de densité constante
      * @param densite par unité de la scène, positive ou nulle, finie
      */
     Brume(Couleur couleur, double debut, double fin, double densite) {
@@ -82,11 +82,11 @@ public final class Brume implements Variante, Atmosphere {
     }
 
     /**
-     * Part de brume : k = (d − debut) / (fin − debut), ou 1 − exp(−densite·(d − debut)), la loi d'une brume également
-     * répartie (Beer et Lambert). Un rayon qui ne rencontre rien ne voit qu'elle, si légère soit-elle.
+     * Part de la brume : k = (d − debut) / (fin − debut) ou, pour une densité constante, k = 1 − exp(−densite·(d −
+     * debut)) (loi de Beer et Lambert). Un rayon qui ne rencontre rien ne voit que la brume.
      *
      * @param distance longueur du rayon, en unités de la scène
-     * @return de 0 (on ne voit que l'objet) à 1 (on ne voit que la brume), jamais NaN
+     * @return de 0 (l'objet seul) à 1 (la brume seule), jamais NaN
      */
     @Override
     public double k(double distance) {
@@ -94,7 +94,7 @@ public final class Brume implements Variante, Atmosphere {
             return 1;
         }
         double d = distance - debut;
-        // 1 − exp d'un négatif ne dépasse pas 1 ; expm1 garde les chiffres d'une brume très légère
+        // 1 − exp(x) ne dépasse pas 1 si x est négatif ; expm1 reste juste pour une brume très légère
         return Math.max(0, Double.isNaN(fin) ? -Math.expm1(-densite * d) : Math.min(1, d / (fin - debut)));
     }
 }

@@ -1,6 +1,2 @@
-/**
- * La brume de distance : une variante, qui ne change que l'air.
- *
- * <p>N'y entre que ce qui sert à la brume ; une variante connaît la base, jamais une autre variante.
- */
+/** La brume de distance : une variante qui ne change que l'air. Elle n'utilise aucune autre variante. */
 package lancer.brume;

@@ -24,32 +24,32 @@ import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Jury;
 import lancer.correction.jugement.Resultat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.page.Pages;
 
-/** Le programme : juge les rendus d'une classe, puis les note ; ou écrit le projet à compléter. */
+/** La ligne de commande : juge les rendus d'une classe et les note, ou écrit le projet à compléter. */
 public final class Correction {
 
     private static final String RENDUS = "RENDUS";
     private static final String RESULTATS = "resultats";
-    /** Ce que le corrigé donne, à côté des résultats. */
+    /** Fichier de la grille du corrigé, à côté des résultats. */
     private static final String GRILLE = "corrige.csv";
     private static final List<String> AVEC_VALEUR =
             List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
 
-    /** Les options données, et ce qui suit chacune, vide si rien ne doit la suivre ; {@code RENDUS}, ce qu'il faut noter. */
+    /** Les options données avec leur valeur, vide si elles n'en ont pas ; {@code RENDUS}, les rendus à juger. */
     private final Map<String, String> demande = new HashMap<>();
     private final PrintStream sortie;
     private final PrintStream suivi;
 
-    /** @throws Panne si un argument ne va pas */
+    /** @throws Panne si un argument est refusé */
     private Correction(String[] arguments, PrintStream sortie, PrintStream suivi) {
         this.sortie = sortie;
         this.suivi = suivi;
@@ -87,14 +87,14 @@ public final class Correction {
             Correction correction = new Correction(args, sortie, erreur);
             Map<String, String> demande = correction.demande;
             if (demande.containsKey("--aide")) {
-                sortie.print(Modele.ressource("aide.txt"));
+                sortie.print(SourcesDuCours.ressource("aide.txt"));
             } else if (demande.containsKey("--squelette")) {
-                Modele.ecrire(demande.get("--squelette"), null, sortie);
+                SourcesDuCours.ecrire(demande.get("--squelette"), null, sortie);
             } else if (demande.containsKey("--corrige")) {
-                Modele.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
+                SourcesDuCours.ecrire(demande.get("--corrige"), demande.getOrDefault("--variante", ""), sortie);
             } else {
                 Path dossier = Files.createDirectories(Path.of(demande.getOrDefault("--sortie", "correction/classe"))).toRealPath();
-                // une feuille de notes qui ne convient pas se dit tout de suite, pas après avoir tout jugé
+                // une feuille de notes fautive est refusée avant de juger toute la classe
                 FeuilleMoodle feuille = demande.containsKey("--notes") ? new FeuilleMoodle(Path.of(demande.get("--notes"))) : null;
                 if (demande.containsKey(RENDUS)) {
                     correction.juger(dossier);
@@ -115,7 +115,7 @@ public final class Correction {
         return resultat.nom + (resultat.nom.equals(resultat.id) ? "" : " (" + resultat.id + ")");
     }
 
-    /** Juge chaque rendu, et écrit ce qu'il en a vu dans {@code resultats} : un fichier par rendu, et celui du corrigé. */
+    /** Juge chaque rendu, et écrit les résultats : un fichier par rendu, et la grille du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
         List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)));
@@ -131,7 +131,7 @@ public final class Correction {
             Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
             List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
-            // à la fin seulement : interrompu, il ne laisse pas les résultats d'une partie de la classe
+            // les résultats sont écrits à la fin : une interruption n'en laisse pas une partie
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
             Set<String> noms = IntStream.range(0, tous.size()).mapToObj(rang -> rendus.get(rang).fichier(rang).replaceFirst("\\d+", ""))
                     .collect(Collectors.toSet());
@@ -153,8 +153,8 @@ public final class Correction {
     }
 
     /**
-     * Le nombre d'où viennent les rayons, les boules et les lampes des vérifications : tiré une fois pour une classe, le même pour
-     * tous ses rendus, et que seul l'enseignant change.
+     * Le nombre d'où viennent les rayons, les sphères et les lampes des vérifications. Il est tiré au hasard une fois pour toute la classe,
+     * et seul l'enseignant le change.
      */
     private static long graine(Path fichier) throws IOException {
         if (!Files.exists(fichier)) {
@@ -167,20 +167,20 @@ public final class Correction {
         return Long.parseLong(texte);
     }
 
-    /** Les fichiers de résultats, dans l'ordre. */
+    /** Les fichiers de résultats, par ordre alphabétique. */
     private static List<Path> contenu(Path dossier) throws IOException {
         try (Stream<Path> flux = Files.list(dossier)) {
             return flux.filter(f -> f.toString().endsWith(".csv")).sorted().collect(Collectors.toList());
         }
     }
 
-    /** Fait les notes, les pages et les feuilles, de ce qui a été jugé, du barème, des ajustements et de la feuille donnée. */
+    /** Calcule les notes, les pages et les feuilles, à partir des résultats, du barème, des ajustements et de la feuille donnée. */
     private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
         Path lu = dossier.resolve(RESULTATS).resolve(GRILLE);
-        Grille grille;
+        GrilleDeNotation grille;
         Map<Path, Resultat> resultats = new LinkedHashMap<>();
         try {
-            grille = Grille.lire(lu);
+            grille = GrilleDeNotation.lire(lu);
             for (Path fichier : contenu(lu.getParent())) {
                 lu = fichier;
                 if (!fichier.endsWith(GRILLE)) {

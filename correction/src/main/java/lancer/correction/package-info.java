@@ -1,6 +1,6 @@
 /**
- * La correction d'une classe : la ligne de commande, et ce qui mène des rendus aux pages et aux notes.
+ * La correction d'une classe : la ligne de commande, et l'enchaînement qui va des rendus aux pages et aux notes.
  *
- * <p>N'entre ici que ce qui enchaîne les autres paquets, ou que tous emploient : un étudiant de la classe, une panne.
+ * <p>Ce paquet ne contient que cet enchaînement et l'échec commun à tous les paquets.
  */
 package lancer.correction;

@@ -13,7 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -48,8 +48,8 @@ class BancTest extends ClasseEssai {
 
         private void ecrire(Path racine) throws IOException {
             partie = new TreeMap<>();
-            Modele.A_COMPLETER.forEach(c -> partie.put(c, Modele.corrige(c)));
-            partie.put("Main", Modele.corrige("Main"));
+            SourcesDuCours.A_COMPLETER.forEach(c -> partie.put(c, SourcesDuCours.corrige(c)));
+            partie.put("Main", SourcesDuCours.corrige("Main"));
             parties.put("lancer-base", partie);
             Map<String, String> autreNom = new TreeMap<>();
             String classe = "";
@@ -72,7 +72,7 @@ class BancTest extends ClasseEssai {
                     String[] deux = ligne.substring(8).split(ligne.contains(";") ? "(?<=;) " : " ");
                     remplacer("", deux[0], deux[1]);
                 } else if (mots[0].equals("donnees")) {
-                    Modele.DONNEES.forEach(c -> partie.put(c, Modele.corrige(c)));
+                    SourcesDuCours.DONNEES.forEach(c -> partie.put(c, SourcesDuCours.corrige(c)));
                 } else if (mots[0].equals("codage")) {
                     codage = Charset.forName(mots[1]);
                 } else if (mots[0].equals("alias")) {
@@ -80,7 +80,7 @@ class BancTest extends ClasseEssai {
                 } else if (mots[0].equals("fichier")) {
                     fichiers.put("lancer-base/" + mots[1], "");
                 } else if (mots[0].equals("copie")) {
-                    Modele.A_COMPLETER.forEach(c -> fichiers.put(mots[1] + "/lancer/" + c + ".java", Modele.squelette(c)));
+                    SourcesDuCours.A_COMPLETER.forEach(c -> fichiers.put(mots[1] + "/lancer/" + c + ".java", SourcesDuCours.squelette(c)));
                 } else if (mots[0].equals("variante")) {
                     partie = new TreeMap<>(partie);
                     parties.put(mots[1], partie);

@@ -94,6 +94,14 @@ public abstract class ClasseEssai {
         }
     }
 
+    /** Dans cette classe du dossier, le premier texte devient le second. */
+    public static void changer(Path sources, String classe, String avant, String apres) throws IOException {
+        Path fichier = sources.resolve(classe + ".java");
+        String texte = Files.readString(fichier);
+        assertTrue(texte.contains(avant), classe + " : " + avant);
+        Files.writeString(fichier, texte.replace(avant, apres));
+    }
+
     /** L'archive d'un dossier, ses fichiers sous ce préfixe. */
     public static void archiver(Path source, Path archive, String prefixe) throws IOException {
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive)); Stream<Path> flux = Files.walk(source)) {

@@ -24,7 +24,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -125,7 +125,7 @@ class GrainesTest {
     @Test
     void leProjetACompleterNeReussitRienDePlusAvecUneGraine() {
         Programme squelette = corrige();
-        Modele.A_COMPLETER.forEach(classe -> squelette.ecrire(classe, Modele.squelette(classe)));
+        SourcesDuCours.A_COMPLETER.forEach(classe -> squelette.ecrire(classe, SourcesDuCours.squelette(classe)));
         assertEquals(squelette.rates(0).keySet(), squelette.rates(7).keySet());
     }
 
@@ -180,12 +180,12 @@ class GrainesTest {
     @ParameterizedTest
     @ValueSource(strings = {"scene1", "ombres", "miroirs", "bowling", "brume"})
     void uneSceneTireeResteUneSceneValideEtSemblable(String nom) throws IOException {
-        List<Sphere> avant = boules(lire(Modele.scene(nom)));
-        List<Lampe> lampes = lire(Modele.scene(nom)).getLampes();
-        assertEquals(Modele.scene(nom, 3), Modele.scene(nom, 3));
-        assertNotEquals(Modele.scene(nom, 3), Modele.scene(nom, 4));
+        List<Sphere> avant = boules(lire(SourcesDuCours.scene(nom)));
+        List<Lampe> lampes = lire(SourcesDuCours.scene(nom)).getLampes();
+        assertEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 3));
+        assertNotEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 4));
         for (long graine : graines(20)) {
-            Scene tiree = lire(Modele.scene(nom, graine));
+            Scene tiree = lire(SourcesDuCours.scene(nom, graine));
             List<Sphere> apres = boules(tiree);
             assertEquals(avant.size(), apres.size());
             assertEquals(lampes.size(), tiree.getLampes().size());
@@ -230,7 +230,7 @@ class GrainesTest {
     @ValueSource(strings = {"scene1", "ombres", "miroirs"})
     void lImageDUneSceneTireeNEstPasCelleQueLOnConnait(String nom) throws IOException {
         for (long graine : graines(5)) {
-            double part = changes(lire(Modele.scene(nom)), lire(Modele.scene(nom, graine)));
+            double part = changes(lire(SourcesDuCours.scene(nom)), lire(SourcesDuCours.scene(nom, graine)));
             assertTrue(part > 0.85, nom + ", graine " + graine + " : " + part);
         }
     }

@@ -19,7 +19,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.enfant.Execution;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.discovery.DiscoverySelectors;
@@ -35,7 +35,7 @@ final class Programme {
     private static final String GRAINE = "tests.graine";
 
     private final Path dossier;
-    private final Map<String, String> sources = Modele.tout(Modele::corrige);
+    private final Map<String, String> sources = SourcesDuCours.tout(SourcesDuCours::corrige);
     private final Map<String, String> changees = new TreeMap<>();
 
     /** @param dossier où compiler, le même pour tous : le corrigé ne l'est qu'une fois */
@@ -66,9 +66,9 @@ final class Programme {
         try {
             Path corrige = dossier.resolve("corrige");
             if (!Files.exists(corrige)) {
-                Map<String, String> tout = Modele.tout(Modele::corrige);
-                tout.put("lancer/Tests", Modele.ressource("modele/lancer/Tests.java"));
-                tout.put("lancer/Etapes", Modele.ressource("projet/src/test/java/lancer/Etapes.java"));
+                Map<String, String> tout = SourcesDuCours.tout(SourcesDuCours::corrige);
+                tout.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
+                tout.put("lancer/Etapes", SourcesDuCours.ressource("projet/src/test/java/lancer/Etapes.java"));
                 compiler(tout, corrige, System.getProperty("java.class.path"));
             }
             Map<String, byte[]> classes = new HashMap<>(lire(corrige));
@@ -133,7 +133,8 @@ final class Programme {
                 @Override
                 public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
                     if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
-                        String classe = qui.getTags().stream().map(TestTag::getName).filter(Modele.A_COMPLETER::contains).findFirst().get();
+                        String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.A_COMPLETER::contains)
+                                .findFirst().get();
                         rates.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
                                 String.valueOf(resultat.getThrowable().get()));
                     }

@@ -22,7 +22,7 @@ import javax.imageio.ImageIO;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -32,6 +32,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Le projet que reçoivent les étudiants. */
 class SqueletteTest extends ClasseEssai {
+
+    /** Où sont les classes du projet. */
+    private static final String LANCER = "src/main/java/lancer/";
 
     @TempDir
     Path dossier;
@@ -104,8 +107,8 @@ class SqueletteTest extends ClasseEssai {
     void leCorrigeEtSesExtensionsDessinentLImageDeNotreProgramme(String variante, String scene) throws Exception {
         Path projet = corrige(variante);
         // le cours n'a qu'une taille d'image
-        changer(projet, "Constantes", "LARGEUR_IMAGE = 800", "LARGEUR_IMAGE = 200");
-        changer(projet, "Constantes", "HAUTEUR_IMAGE = 600", "HAUTEUR_IMAGE = 150");
+        changer(projet.resolve(LANCER), "Constantes", "LARGEUR_IMAGE = 800", "LARGEUR_IMAGE = 200");
+        changer(projet.resolve(LANCER), "Constantes", "HAUTEUR_IMAGE = 600", "HAUTEUR_IMAGE = 150");
         assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
         Path fichier = projet.resolve("scenes/" + scene + ".ini");
         dessiner(dossier.resolve("classes"), fichier);
@@ -141,15 +144,7 @@ class SqueletteTest extends ClasseEssai {
 
     /** Donne sa réponse à cette classe du projet à compléter. */
     private static void completer(Path projet, String classe) throws IOException {
-        Files.writeString(projet.resolve("src/main/java/lancer/" + classe + ".java"), Modele.corrige(classe));
-    }
-
-    /** Dans cette classe du projet, le premier texte devient le second. */
-    private static void changer(Path projet, String classe, String avant, String apres) throws IOException {
-        Path fichier = projet.resolve("src/main/java/lancer/" + classe + ".java");
-        String texte = Files.readString(fichier);
-        assertTrue(texte.contains(avant), avant);
-        Files.writeString(fichier, texte.replace(avant, apres));
+        Files.writeString(projet.resolve(LANCER + classe + ".java"), SourcesDuCours.corrige(classe));
     }
 
     /** La ligne de ce texte qui commence ainsi. */
@@ -174,14 +169,14 @@ class SqueletteTest extends ClasseEssai {
         for (String faite : List.of("Scene", "Lancer", "Objet3D")) {
             completer(projet, faite);
         }
-        changer(projet, "Scene", "if (d < distance)", "if (d > distance)");
+        changer(projet.resolve(LANCER), "Scene", "if (d < distance)", "if (d > distance)");
         dit = makeTest(projet);
         contient(ligne(dit, "4."), "; à reprendre d'abord : getClosestIntersection : la plus proche");
         contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à reprendre : Scene.java:");
 
         // une étape juste ne doit rien à celle d'avant qui ne finit pas ; ni Maven ni la pile n'en disent plus
         completer(projet, "Scene");
-        changer(projet, "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
+        changer(projet.resolve(LANCER), "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
         dit = makeTest(projet);
         contient(dit, "sans réponse après 2 secondes");
         contient(ligne(dit, "5."), "0/9 ; pas essayée");
@@ -189,7 +184,7 @@ class SqueletteTest extends ClasseEssai {
         assertTrue(!dit.contains("[ERROR]") && !dit.contains("access$"), dit);
 
         completer(projet, "Sphere");
-        changer(projet, "Sphere", "double racine", "duble racine");
+        changer(projet.resolve(LANCER), "Sphere", "double racine", "duble racine");
         dit = makeTest(projet);
         contient(dit, "Le projet ne se compile pas :\n  src/main/java/lancer/Sphere.java:[");
         contient(dit, "class duble");
@@ -200,7 +195,7 @@ class SqueletteTest extends ClasseEssai {
     void makeTestDemandeSiUneMethodeEstRenommee() throws Exception {
         Path projet = corrige("");
         for (String classe : List.of("Vecteur", "Sphere", "Objet3D")) {
-            changer(projet, classe, "dot(", "scalaire(");
+            changer(projet.resolve(LANCER), classe, "dot(", "scalaire(");
         }
         String dit = makeTest(projet);
         contient(dit, "Tests.java:[", "method dot(", "\nClasse ou méthode renommée ? Les noms du cours ne changent pas");

@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Des lignes de champs séparés par des virgules (RFC 4180), sans fin de ligne dans un champ ; la première les nomme. */
+/** Un fichier CSV (RFC 4180), sans fin de ligne dans un champ. La première ligne nomme les colonnes. */
 public final class FichierCsv {
 
     private static final Pattern CHAMP = Pattern.compile(",(?:\"((?:[^\"]|\"\")*)\"|([^,]*))");
@@ -25,15 +25,15 @@ public final class FichierCsv {
         return Arrays.stream(valeurs).map(v -> champ(v.toString())).collect(Collectors.joining(","));
     }
 
-    /** Entre guillemets si une virgule ou un guillemet l'exige. */
+    /** Met le champ entre guillemets s'il contient une virgule ou un guillemet. */
     private static String champ(String texte) {
         return texte.matches("[^\",\\r\\n]*") ? texte : '"' + texte.replace("\"", "\"\"") + '"';
     }
 
     /**
-     * Les lignes d'un fichier, chacune par noms de colonnes.
+     * Les lignes d'un fichier, par noms de colonnes.
      *
-     * @throws IOException si une ligne n'a pas les champs que nomme la première
+     * @throws IOException si une ligne n'a pas autant de champs que la première
      */
     public static List<Map<String, String>> lire(Path fichier) throws IOException {
         List<String> lignes = Files.readAllLines(fichier);
@@ -53,7 +53,6 @@ public final class FichierCsv {
         return lues;
     }
 
-    /** Les champs d'une ligne. */
     static List<String> champs(String ligne) {
         List<String> champs = new ArrayList<>();
         Matcher m = CHAMP.matcher("," + ligne);

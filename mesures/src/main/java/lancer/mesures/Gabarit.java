@@ -12,36 +12,36 @@ import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
 
 /**
- * Mesure de l'erreur d'une image sans calculer la vérité, qui est la moyenne de chaque pixel, sans limite de réflexions :
- * deux images a et b de la scène sans limite, chacune sans biais et d'erreurs sans rapport. La moyenne de (x − a)(x − b) tend
- * alors vers celle de (x − vérité)². Couleurs limitées à [0, 1], en niveaux. Elle se mesure sur toute l'image, ou sur des pixels
- * semés : un au hasard dans chaque carré, les mêmes pour tout ce qui se compare.
+ * Mesure de l'erreur d'une image. La référence est la moyenne exacte de chaque pixel, sans limite de réflexions. Deux images a et b, sans
+ * limite, en sont des estimations indépendantes et sans biais. La moyenne de (x − a)(x − b) estime donc sans biais celle de (x −
+ * référence)². Les couleurs sont limitées à [0, 1], en niveaux. La mesure se fait sur toute l'image, ou sur un pixel tiré au hasard dans
+ * chaque carré, le même pour toutes les images comparées.
  */
 public final class Gabarit {
 
-    /** Le plus de réflexions que l'on puisse demander au programme. */
+    /** Nombre maximal de réflexions du programme. */
     public static final int PROFONDEUR = 1000;
 
     private static final double NIVEAUX = 255;
 
-    /** Un écart que l'œil voit, en niveaux. */
+    /** Écart visible, en niveaux. */
     public static final int VISIBLE = 8;
 
-    /** Sous-pixels d'un côté ; un rayon au hasard dans chacun. */
+    /** Nombre de sous-pixels par côté ; chacun reçoit un rayon en un point au hasard. */
     private static final int COTE = 8;
 
-    /** Nombre de rayons de chaque pixel semé, dans les deux images. */
+    /** Nombre de rayons de chaque pixel tiré, pour les deux images. */
     public static final int RAYONS = 2 * COTE * COTE;
 
     private final double[] a;
     private final double[] b;
 
-    /** Rangs des pixels où l'erreur se mesure, dans l'ordre de la lecture. */
+    /** Rangs des pixels tirés, ligne par ligne. */
     private final int[] pixels;
 
     /**
-     * @param scene elle n'est pas changée
-     * @param pas côté des carrés où semer, en pixels ; 1 pour tous les pixels
+     * @param scene n'est pas modifiée
+     * @param pas côté des carrés dont un pixel est tiré ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
         boolean[] semes = semer(largeur, hauteur, pas);
@@ -62,7 +62,7 @@ public final class Gabarit {
         return semes;
     }
 
-    /** Un rayon en un point au hasard de chaque sous-pixel des pixels semés ; toujours le même pour une graine. */
+    /** Une estimation : un rayon en un point au hasard de chaque sous-pixel des pixels tirés, toujours le même pour une graine. */
     private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
         Echantillonnage auHasard = (pave, voulus, vue, toile) -> {
             for (int j = pave.j0; j < pave.j1; j++) {
@@ -80,9 +80,9 @@ public final class Gabarit {
     }
 
     /**
-     * Un rayon dans chaque sous-pixel d'un pixel, et leur moyenne.
+     * La moyenne d'un rayon par sous-pixel d'un pixel.
      *
-     * @param ou où, dans un sous-pixel, de 0 à 1 : demandé pour x, puis pour y
+     * @param ou position dans le sous-pixel, de 0 à 1, pour x puis pour y
      */
     public static Couleur moyenne(Vue vue, int i, int j, int cote, DoubleSupplier ou) {
         Couleur somme = new Couleur();
@@ -92,7 +92,7 @@ public final class Gabarit {
         return somme.div(cote * cote);
     }
 
-    /** Le carré de l'erreur de chaque pixel semé, en niveaux, sans biais, donc parfois négatif. */
+    /** Le carré de l'erreur de chaque pixel tiré, en niveaux², estimé sans biais : il peut être négatif. */
     public double[] carres(ImageLineaire image) {
         double[] x = image.getComposantes();
         double[] carres = new double[pixels.length];
@@ -105,7 +105,7 @@ public final class Gabarit {
         return carres;
     }
 
-    /** La part des pixels semés dont une composante s'écarte de la vérité de plus de {@value #VISIBLE} niveaux : visiblement faux. */
+    /** La part des pixels tirés dont une composante s'écarte de la référence de plus de {@value #VISIBLE} niveaux. */
     public double visibles(ImageLineaire image) {
         double[] x = image.getComposantes();
         return (double) Arrays.stream(pixels).filter(p -> IntStream.range(3 * p, 3 * p + 3)

@@ -4,7 +4,7 @@ import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Toile;
 
-/** Une image de couleurs non limitées, en double précision : ce que le programme calcule, avant l'écran. */
+/** Une image de couleurs non limitées, en double précision. */
 public final class ImageLineaire implements Toile {
 
     private final int largeur;
@@ -17,7 +17,7 @@ public final class ImageLineaire implements Toile {
         composantes = new double[3 * largeur * hauteur];
     }
 
-    /** Tous les pixels de ce que dessine {@code lancer} ; ils ne dépendent pas du nombre de fils. */
+    /** L'image que dessine {@code lancer} ; elle ne dépend pas du nombre de fils. */
     public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
         ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
         lancer.TracerPixels(image, profondeur, fils);
@@ -32,12 +32,12 @@ public final class ImageLineaire implements Toile {
         composantes[k + 2] = coul.b;
     }
 
-    /** Trois composantes par pixel, ligne par ligne depuis le haut : le tableau même. */
+    /** Trois composantes par pixel, ligne par ligne depuis le haut, sans copie. */
     public double[] getComposantes() {
         return composantes;
     }
 
-    /** Le pixel de rang {@code k}, dans l'ordre de la lecture. */
+    /** Le pixel de rang {@code k}, ligne par ligne. */
     public Couleur getCouleur(int k) {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
     }

@@ -2,16 +2,16 @@ package lancer.mesures;
 
 import java.util.Arrays;
 
-/** Un nombre mesuré, et entre quoi il est, 19 fois sur 20. Immuable. */
+/** Une valeur mesurée et son intervalle de confiance à 95 %. Immuable. */
 public final class Intervalle {
 
-    /** Le quantile à 97,5 % de la loi de Student, à partir d'un degré de liberté. */
+    /** Quantiles à 97,5 % de la loi de Student, pour 1, 2, 3, puis 4 degrés de liberté. */
     private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776};
 
     /** Quantile de la loi normale. */
     private static final double NORMALE = 1.96;
 
-    /** Part qui peut être au-delà d'une borne, et de l'autre. */
+    /** Probabilité laissée au-delà de chaque borne. */
     private static final double DEHORS = 0.025;
 
     public final double valeur;
@@ -24,14 +24,14 @@ public final class Intervalle {
         this.max = max;
     }
 
-    /** Un nombre que l'on connaît. */
+    /** Une valeur connue exactement. */
     public static Intervalle exact(double valeur) {
         return new Intervalle(valeur, valeur, valeur);
     }
 
     /**
-     * Valeur de ces rapports : leur médiane, entre les deux d'entre eux où la loi binomiale la met, si bien qu'un accident n'y compte
-     * que pour un, si grand soit-il. De moins de six, les rangs ne diraient rien : leur moyenne géométrique, par la loi de Student.
+     * Intervalle de la médiane de ces rapports, entre deux rangs que donne la loi binomiale : une valeur aberrante ne compte que pour une.
+     * Pour moins de six rapports, intervalle de leur moyenne géométrique, par la loi de Student.
      */
     public static Intervalle desRapports(double... rapports) {
         double[] tries = Arrays.stream(rapports).sorted().toArray();
@@ -39,7 +39,7 @@ public final class Intervalle {
         if (n - 1 <= STUDENT.length) {
             return deLaMoyenne(Arrays.stream(rapports).map(Math::log).toArray());
         }
-        // combien en laisser de chaque côté : il est assez rare que la médiane ait si peu des rapports d'un côté
+        // nombre de rapports à laisser de chaque côté, pour que la médiane soit rarement au-delà
         int laisses = 0;
         double tant = n * Math.pow(0.5, n);
         for (double moins = Math.pow(0.5, n); moins + tant <= DEHORS; tant *= (n - laisses) / (laisses + 1.0)) {
@@ -49,7 +49,7 @@ public final class Intervalle {
         return new Intervalle(mediane(tries), tries[laisses], tries[n - 1 - laisses]);
     }
 
-    /** Intervalle de la moyenne ; d'un seul, on ne sait rien d'autre que lui. */
+    /** Intervalle de la moyenne géométrique ; infini pour une seule valeur. */
     private static Intervalle deLaMoyenne(double... logarithmes) {
         double moyenne = Arrays.stream(logarithmes).average().orElse(Double.NaN);
         int libertes = logarithmes.length - 1;
@@ -59,7 +59,7 @@ public final class Intervalle {
         return new Intervalle(Math.exp(moyenne), Math.exp(moyenne - demi), Math.exp(moyenne + demi));
     }
 
-    /** La racine de la moyenne de ces carrés, tirés chacun à part. */
+    /** Intervalle de la racine de la moyenne de ces carrés, indépendants. */
     public static Intervalle deLaRacine(double... carres) {
         double moyenne = Arrays.stream(carres).average().orElse(Double.NaN);
         double ecarts = Arrays.stream(carres).map(c -> (c - moyenne) * (c - moyenne)).sum();
@@ -71,7 +71,7 @@ public final class Intervalle {
         return Math.sqrt(Math.max(0, carre));
     }
 
-    /** La médiane ; NaN de rien. */
+    /** La médiane ; NaN sans valeur. */
     public static double mediane(double... valeurs) {
         double[] tries = Arrays.stream(valeurs).sorted().toArray();
         return tries.length == 0 ? Double.NaN : Math.sqrt(tries[(tries.length - 1) / 2] * tries[tries.length / 2]);
@@ -81,10 +81,7 @@ public final class Intervalle {
         return new Intervalle(valeur * facteur, min * facteur, max * facteur);
     }
 
-    /**
-     * La seule question qui permette de dire une différence : celui-ci est-il plus petit, à coup sûr ? Titres et phrases n'en
-     * disent aucune autre.
-     */
+    /** Dit si cet intervalle est tout entier sous l'autre. Les titres et les phrases n'affirment une différence que dans ce cas. */
     public boolean nettementSous(Intervalle autre) {
         return max < autre.min;
     }

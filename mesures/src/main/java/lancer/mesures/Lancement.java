@@ -11,24 +11,24 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Un programme entier, du lancement à la fin : ce qu'il dit et ce qu'il prend. */
+/** L'exécution d'un programme entier : sa sortie et son coût. */
 public final class Lancement {
 
     /**
-     * Lance une commande, et note, sur la dernière ligne du fichier $0, ses secondes selon bash : réelles, de l'utilisateur, du système.
-     * Avant elle, là où GNU time est installé, les kilooctets résidents qu'elle a occupés, au plus.
+     * Script bash : il lance une commande et écrit sur la dernière ligne du fichier $0 ses secondes réelles, d'utilisateur et de système.
+     * Si GNU time est installé, la ligne d'avant donne sa plus grande mémoire résidente, en kilooctets.
      */
     private static final String MESURE = "t=(/usr/bin/time -f %M -o \"$0\"); \"${t[@]}\" true 2>/dev/null || t=(); : >\"$0\"; "
             + "TIMEFORMAT='%R %U %S'; { time \"${t[@]}\" \"$@\" 2>&3; } 3>&2 2>>\"$0\"";
 
-    /** Statut de sortie, 126 ou 127 si la commande ne peut être lancée ; ce qu'il a écrit, sur ses deux sorties. */
+    /** Statut de sortie, 126 ou 127 si la commande ne peut être lancée ; texte de ses deux sorties. */
     public final int statut;
     public final String dit;
 
-    /** Ce qu'il a pris : temps réel et temps des processeurs, en nanosecondes ; plus de mémoire résidente, en octets, NaN sans GNU time. */
+    /** Coût : temps réel et temps des processeurs, en nanosecondes ; plus grande mémoire résidente, en octets, NaN sans GNU time. */
     public final double[] pris;
 
-    /** @param note fichier où noter ce qu'il prend */
+    /** @param note fichier où le script écrit le coût */
     public Lancement(Path note, Object... commande) throws IOException {
         Process bash = new ProcessBuilder(Stream.concat(Stream.of("bash", "-c", MESURE, note), Arrays.stream(commande)).map(String::valueOf)
                 .collect(Collectors.toList())).redirectErrorStream(true).start();
@@ -46,7 +46,7 @@ public final class Lancement {
             statut == 0 && lignes.size() > 1 ? 1024 * Double.parseDouble(lignes.get(0)) : Double.NaN};
     }
 
-    /** @throws IOException si le statut n'est pas 0 : Ctrl+C peut l'avoir arrêté */
+    /** @throws IOException si le statut n'est pas 0, par exemple après Ctrl+C */
     public Lancement reussi() throws IOException {
         if (statut != 0) {
             throw new IOException("un programme s'est arrêté, statut " + statut + " : " + derniereLigne());

@@ -1,7 +1,6 @@
 /**
- * Mesure de la base et des variantes : l'erreur d'une image, l'intervalle d'une mesure.
+ * Mesure de la base et des variantes : erreur d'une image, intervalle de confiance d'une valeur.
  *
- * <p>Y entre ce dont plusieurs mesures se servent. Rien d'ici n'est dans le programme, et rien du programme n'en
- * dépend.
+ * <p>Ce paquet contient ce que plusieurs mesures utilisent. Le programme ne dépend pas de ce module.
  */
 package lancer.mesures;

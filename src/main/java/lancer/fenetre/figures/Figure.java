@@ -21,10 +21,10 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.inspection.Inspection;
 
-/** La chaîne d'un pixel par-dessus l'image : contacts, rayons, lampes. Calculée une fois, peinte souvent. */
+/** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */
 public final class Figure {
 
     private static final Color REFLET = new Color(0x66E0FF);
@@ -37,15 +37,15 @@ public final class Figure {
     static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
             new float[] {3, 4}, 0);
 
-    /** Morceaux d'un trait, chacun plein ou tireté. */
+    /** Nombre de morceaux d'un trait ; chacun est plein ou en tirets. */
     private static final int MORCEAUX = 48;
-    /** Bornes qui évitent de tirer un trait depuis l'œil même, ni vers l'infini, en unités de la scène. */
+    /** Distances minimale à l'œil et maximale d'un bout de trait, en unités de la scène. */
     private static final double PRES = 1e-3;
     private static final double LOIN = 1e6;
-    /** Part de la distance en deçà de laquelle un objet est devant, et non la surface où le trait s'arrête. */
+    /** Un objet cache le trait s'il est à moins de cette part de la distance ; plus loin, c'est la surface touchée. */
     private static final double DEVANT = 1 - 1e-4;
 
-    /** Rayon d'un anneau, et longueur d'une pointe, pour un caractère haut de un. */
+    /** Rayon d'un anneau et longueur d'une flèche, en hauteurs de caractère ; demi-angle d'une flèche, en radians. */
     private static final double TAILLE = 0.75;
     private static final double OUVERTURE = 0.4;
 
@@ -53,32 +53,32 @@ public final class Figure {
     private final Scene scene;
     private final List<Trait> traits = new ArrayList<>();
     private final List<double[]> anneaux = new ArrayList<>();
-    /** Place où se lit le numéro de chaque anneau, depuis la dernière fois qu'il a été peint. */
+    /** Position du numéro de chaque anneau, à sa dernière peinture. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
 
-    /** Figure à calculer hors du fil des événements. @param seul rebond à montrer, avec ses lampes ; 0 : tous */
+    /** À appeler hors du fil des événements. @param seul rebond à montrer, avec ses lampes ; 0 pour tous */
     public Figure(Inspection pixel, int seul) {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
-        for (Etape etape : pixel.getEtapes()) {
-            boolean montre = seul == 0 || seul == etape.numero;
-            if (depart != null && (montre || seul == etape.numero - 1)) {
-                tracer(depart, etape.contact == null ? depart.add(LOIN, etape.V) : etape.contact, REFLET,
-                        etape.contact == null);
+        for (Segment segment : pixel.getSegments()) {
+            boolean montre = seul == 0 || seul == segment.numero;
+            if (depart != null && (montre || seul == segment.numero - 1)) {
+                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.V) : segment.contact, REFLET,
+                        segment.contact == null);
             }
-            depart = etape.contact;
+            depart = segment.contact;
             if (depart != null) {
                 double[] ou = projeter(depart);
-                anneaux.add(new double[] {ou[0], ou[1], etape.numero, montre ? 1 : 0});
+                anneaux.add(new double[] {ou[0], ou[1], segment.numero, montre ? 1 : 0});
                 if (montre) {
-                    etape.lampes.forEach(lampe -> tracer(etape.contact, lampe));
+                    segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
                 }
             }
         }
     }
 
-    /** Le rebond dont le numéro se lit en ce point de l'écran ; 0 s'il n'y en a pas. */
+    /** Le rebond dont le numéro est affiché en ce point de l'écran ; 0 s'il n'y en a pas. */
     public int numeroEn(java.awt.Point ou) {
         return numeros.entrySet().stream().filter(e -> e.getValue().contains(ou)).mapToInt(Map.Entry::getKey)
                 .findFirst().orElse(0);
@@ -94,7 +94,7 @@ public final class Figure {
         }
     }
 
-    /** L'endroit de l'image où se voit un point, et sa profondeur depuis l'œil. */
+    /** La projection d'un point sur l'image, et sa profondeur depuis l'œil. */
     private double[] projeter(Point p) {
         Point vu = camera.projeter(p);
         return new double[] {vu.x, vu.y, p.z - camera.getOeil().z};
@@ -133,7 +133,7 @@ public final class Figure {
         return new double[] {debut, fin};
     }
 
-    /** La part de l'image d'un segment : de petits morceaux, chacun derrière quelque chose ou non. */
+    /** La projection d'un segment, en petits morceaux, cachés ou non. */
     private final class Trait {
 
         final double[] x = new double[MORCEAUX + 1];
@@ -204,7 +204,7 @@ public final class Figure {
         g.draw(trait);
     }
 
-    /** @param g en pixels de l'écran, de police lisible @param place celle de l'image @param vue ce qui s'en voit */
+    /** @param g en pixels de l'écran @param place position de l'image @param vue taille de la partie visible */
     public void peindre(Graphics2D g, Rectangle place, Dimension vue) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double rayon = TAILLE * g.getFont().getSize2D();

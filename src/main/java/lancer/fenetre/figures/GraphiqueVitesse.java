@@ -28,11 +28,11 @@ import javax.swing.UIManager;
 import lancer.Constantes;
 import lancer.auto.Candidat;
 
-/** Réglages, chacun un point : son temps en abscisse, son erreur en ordonnée, en échelles logarithmiques. */
+/** Graphique des réglages : temps en abscisse, erreur en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
-    /** L'erreur que fait l'écran seul en arrondissant à un niveau entier. */
+    /** Erreur d'arrondi de l'écran, à un niveau entier. */
     private static final double ARRONDI = 1 / Math.sqrt(12);
 
     private static final double Y_MIN = ARRONDI / 3;
@@ -47,17 +47,17 @@ public final class GraphiqueVitesse extends JPanel {
     private final Consumer<String> siAtteint;
     private final Predicate<Candidat> estPresent;
     private List<Candidat> points = Collections.emptyList();
-    /** Réglages que rien ne domine, du moins cher au plus cher. */
+    /** Réglages dont aucun autre n'est à la fois plus rapide et plus juste, du moins cher au plus cher. */
     private List<Candidat> front = Collections.emptyList();
     private final List<double[]> mesures = new ArrayList<>();
     private int choisi = -1;
-    /** Secondes que prend l'image à une nanoseconde le rayon, pour un rayon par pixel. */
+    /** Durée de l'image, en secondes, pour un rayon par pixel et une nanoseconde par rayon. */
     private double parRayon = 1;
     private double xMin;
     private double xMax;
     private double yMax;
 
-    /** @param clic reçoit un réglage choisi @param siAtteint la légende d'un visé @param estPresent dit s'il se voit */
+    /** @param clic reçoit le réglage choisi @param siAtteint reçoit la légende du réglage sous la souris */
     public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
         this.siAtteint = siAtteint;
         this.estPresent = estPresent;
@@ -92,7 +92,7 @@ public final class GraphiqueVitesse extends JPanel {
                     avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1);
                     e.consume();
                 } else if (touche == KeyEvent.VK_ENTER && choisi >= 0) {
-                    // sans point choisi, Entrée est pour l'image
+                    // si aucun point n'est choisi, Entrée sert à l'image
                     clic.accept(front.get(choisi));
                     e.consume();
                 }
@@ -107,7 +107,7 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /**
-     * @param ici les réglages présents, s'ils sont évalués ; ou {@code null}
+     * @param ici les réglages de l'image, s'ils sont évalués, ou {@code null}
      * @param pixels nombre de pixels que dessine chaque fil
      */
     public void montrer(List<Candidat> essayes, Candidat ici, double pixels) {
@@ -128,7 +128,7 @@ public final class GraphiqueVitesse extends JPanel {
         repaint();
     }
 
-    /** Temps de l'image à ce réglage : ses rayons, à la durée d'un rayon pendant ses essais. */
+    /** Temps estimé de l'image : nombre de ses rayons, multiplié par la durée d'un rayon des essais. */
     private double secondes(Candidat p) {
         return p.prix * p.nsParRayon * parRayon;
     }
@@ -137,7 +137,7 @@ public final class GraphiqueVitesse extends JPanel {
         return points.stream().anyMatch(estPresent);
     }
 
-    /** Ajoute ce que l'image dessinée a pris, en secondes, et l'erreur qui y est mesurée. */
+    /** Ajoute un point mesuré sur l'image dessinée. @param temps en secondes */
     public void ajouterMesure(double temps, double erreur, double incertitude) {
         mesures.add(new double[] {temps, erreur, incertitude});
         montrer(points, null, parRayon * NS_PAR_S);
@@ -170,7 +170,7 @@ public final class GraphiqueVitesse extends JPanel {
                 .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(secondes(p)), y(p.erreur)))).orElse(null);
     }
 
-    /** Le réglage en mots, son prix, et ce qu'on y gagne sur le présent. */
+    /** Texte du réglage : prix, erreur, et comparaison avec les réglages de l'image. */
     private String legende(Candidat p) {
         String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
                 .map(autre -> String.format(Locale.FRANCE, "\u00A0; au lieu du présent, %s de temps et %s d'erreur",
@@ -181,7 +181,7 @@ public final class GraphiqueVitesse extends JPanel {
                 nombre(secondes(p)), p.prix, erreur, p.auPlus < 2 ? "" : "x") + gain;
     }
 
-    /** Le réglage tel qu'on le dirait : {@code 16 rayons là où c'est utile, reflets : 10}. */
+    /** Le réglage en mots, par exemple {@code 16 rayons là où c'est utile, reflets : 10}. */
     private static String enMots(Candidat reglage) {
         String n = reglage.section == null ? null : reglage.section.valeur("n");
         String rayons = n == null ? reglage.toString().replaceFirst(", .*", "")
@@ -191,7 +191,7 @@ public final class GraphiqueVitesse extends JPanel {
                 : reglage.seuil == 0 ? " sans seuil" : " jusqu'au seuil 1/" + Math.round(1 / reglage.seuil));
     }
 
-    /** Dit si l'erreur attendue peut être nulle : seule sa plus grande valeur est alors sûre. */
+    /** Dit si l'erreur attendue peut être nulle : seule sa borne supérieure est alors affichée. */
     private static boolean auPlus(Candidat p) {
         return p.auMoins <= Y_MIN;
     }
@@ -231,7 +231,7 @@ public final class GraphiqueVitesse extends JPanel {
         }
         g.setColor(gris());
         g.drawRect(GAUCHE, HAUT, droite - GAUCHE, bas - HAUT);
-        ecrire(g, "sous l'arrondi de l'écran", GAUCHE + 4, bas - 5, 0);
+        ecrire(g, "sous l'arrondi de l'écran", droite - 4, y(ARRONDI) + 14, 1);
         ecrire(g, "temps de l'image sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
     }
@@ -248,7 +248,7 @@ public final class GraphiqueVitesse extends JPanel {
             double pied = auPlus(p) ? y(Y_MIN) - RAYON : y(p.auMoins);
             trait(g, x, pied, x, y(p.auPlus), couleur);
             if (auPlus(p)) {
-                // au plus : un plafond, et une flèche vers le bas
+                // borne supérieure : un trait horizontal, et une flèche vers le bas
                 trait(g, x - RAYON, y(p.auPlus), x + RAYON, y(p.auPlus), couleur);
                 trait(g, x - RAYON, pied - RAYON, x, pied, couleur);
                 trait(g, x + RAYON, pied - RAYON, x, pied, couleur);
@@ -271,13 +271,14 @@ public final class GraphiqueVitesse extends JPanel {
         }
     }
 
-    /** Nomme ce point à sa hauteur, plus haut ou plus bas, du côté où il y a la place. */
+    /** Écrit le nom de ce point, décalé de {@code dy}, du côté où il y a de la place. */
     private void nommer(Graphics2D g, String debut, Candidat p, int dy) {
-        double x = x(secondes(p));
-        ecrire(g, debut + enMots(p).replaceFirst(",.*", ""), x, y(p.erreur) + dy, x > getWidth() / 2.0 ? 1 : 0);
+        String nom = debut + enMots(p).replaceFirst(",.*", "");
+        double x = x(secondes(p)) + 3 * RAYON;
+        boolean tient = x + g.getFontMetrics().stringWidth(nom) < getWidth() - DROITE;
+        ecrire(g, nom, tient ? x : x - 6 * RAYON, y(p.erreur) + dy, tient ? 0 : 1);
     }
 
-    /** Une encre lisible sur le fond de l'apparence, un gris, et un autre qui s'efface. */
     private static Color encre() {
         return UIManager.getColor("Tree.textForeground");
     }
@@ -305,13 +306,13 @@ public final class GraphiqueVitesse extends JPanel {
         g.draw(new Line2D.Double(x0, y0, x1, y1));
     }
 
-    /** @param cale 0 : à partir de x ; 1 : jusqu'à x */
+    /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
     private static void ecrire(Graphics2D g, String texte, double x, double y, double cale) {
         g.setColor(encre());
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
     }
 
-    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes ; d'autres aussi si elles sont proches. */
+    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes ; d'autres aussi si les bornes sont proches. */
     private static List<Double> graduations(double min, double max) {
         double[] fois = max < 10 * min ? new double[] {1, 2, 3, 4, 5, 7} : new double[] {1, 2, 5};
         return IntStream.range(-3, 10).boxed().flatMap(k -> Arrays.stream(fois).mapToObj(n -> n * Math.pow(10, k)))

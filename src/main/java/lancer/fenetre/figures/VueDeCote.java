@@ -27,10 +27,10 @@ import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Eclairage;
-import lancer.contrat.Ecoute.Etape;
+import lancer.contrat.Ecoute.Segment;
 import lancer.inspection.Inspection;
 
-/** La figure du cours : l'œil, l'écran, les sphères rencontrées et les rayons, vus de côté (z à droite, y en haut). */
+/** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
 @SuppressWarnings("serial")
 public final class VueDeCote extends JPanel {
 
@@ -41,7 +41,7 @@ public final class VueDeCote extends JPanel {
 
     private Inspection pixel;
     private int seul;
-    /** Place où se lit le numéro de chaque contact. */
+    /** Position du numéro de chaque contact. */
     private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
     private double echelle;
     private double y0;
@@ -61,7 +61,7 @@ public final class VueDeCote extends JPanel {
         });
     }
 
-    /** @param nouveauSeul le numéro du seul rebond à montrer de près ; 0 : tous */
+    /** @param nouveauSeul le numéro du seul rebond à montrer de près ; 0 pour tous */
     public void montrer(Inspection nouvelle, int nouveauSeul) {
         seul = nouveauSeul;
         pixel = nouvelle;
@@ -81,9 +81,9 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    /** Prend une échelle où l'œil, l'écran et les contacts tiennent ; ou le rebond choisi et son plus proche voisin. */
+    /** Choisit l'échelle qui contient l'œil, l'écran et les contacts, ou le rebond choisi et un contact voisin. */
     private void cadrer() {
-        List<Point> vus = pixel.getEtapes().stream().map(etape -> etape.contact).filter(Objects::nonNull)
+        List<Point> vus = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
                 .collect(Collectors.toCollection(ArrayList::new));
         vus.add(0, pixel.camera.getEcran(0, 0));
         int rang = Math.min(seul, vus.size() - 1);
@@ -98,7 +98,7 @@ public final class VueDeCote extends JPanel {
         }
         DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
         DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
-        // de quoi voir le bord de ce qui est touché
+        // la marge laisse voir le bord des objets touchés
         double marge = rang == 0 ? 1 + z.getMax() / 10
                 : 0.2 * Math.max(z.getMax() - z.getMin(), y.getMax() - y.getMin()) + 0.01;
         z0 = rang == 0 ? z.getMin() : z.getMin() - marge;
@@ -129,25 +129,25 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
         g.drawString("œil", (float) h(depart.z), (float) v(depart.y) - 6);
         numeros.clear();
-        for (Etape etape : pixel.getEtapes()) {
-            boolean montre = seul == 0 || seul == etape.numero;
-            Point bout = etape.contact == null ? depart.add(2 * getWidth() / echelle, etape.V) : etape.contact;
-            entourer(g, etape.contact);
+        for (Segment segment : pixel.getSegments()) {
+            boolean montre = seul == 0 || seul == segment.numero;
+            Point bout = segment.contact == null ? depart.add(2 * getWidth() / echelle, segment.V) : segment.contact;
+            entourer(g, segment.contact);
             if (montre) {
-                etape.lampes.forEach(lampe -> eclairer(g, bout, lampe));
+                segment.lampes.forEach(lampe -> eclairer(g, bout, lampe));
             }
             g.setColor(RAYON);
-            if (montre || seul == etape.numero - 1) {
+            if (montre || seul == segment.numero - 1) {
                 g.draw(ligne(depart, bout));
             }
-            if (etape.contact != null) {
-                numeroter(g, etape);
+            if (segment.contact != null) {
+                numeroter(g, segment);
             }
             depart = bout;
         }
     }
 
-    /** Une lampe, et ce qui la cache ; en tirets jusqu'à celle-ci, si l'on regarde ce rebond de près. */
+    /** Peint une lampe, ou l'objet qui la cache ; en tirets jusqu'à une lampe cachée, si un rebond est choisi. */
     private void eclairer(Graphics2D g, Point contact, Eclairage lampe) {
         entourer(g, lampe.cache);
         g.setColor(LAMPE);
@@ -159,17 +159,17 @@ public final class VueDeCote extends JPanel {
         }
     }
 
-    private void numeroter(Graphics2D g, Etape etape) {
+    private void numeroter(Graphics2D g, Segment segment) {
         g.setColor(UIManager.getColor("Tree.textForeground"));
-        String numero = String.valueOf(etape.numero);
+        String numero = String.valueOf(segment.numero);
         Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
-        float x = (float) h(etape.contact.z) + 4;
-        float y = (float) v(etape.contact.y) - 4;
-        numeros.put(etape.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
+        float x = (float) h(segment.contact.z) + 4;
+        float y = (float) v(segment.contact.y) - 4;
+        numeros.put(segment.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
         g.drawString(numero, x, y);
     }
 
-    /** Le bord d'une sphère, là où il est en vue : Java ne peint juste, d'un grand cercle, qu'un petit arc. */
+    /** Peint le bord visible d'une sphère : d'un grand cercle, Java ne peint juste qu'un petit arc. */
     private void entourer(Graphics2D g, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;

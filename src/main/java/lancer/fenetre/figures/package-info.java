@@ -1,6 +1,5 @@
 /**
- * Figures que la fenêtre peint de nombres : les rayons d'un pixel, leur vue de côté, le front.
- *
- * <p>N'y entre rien qui connaisse la fenêtre, ni qui dessine une scène.
+ * Figures de la fenêtre : les rayons d'un pixel sur l'image, leur vue de côté, le graphique des réglages. Ce paquet ne
+ * connaît pas la fenêtre et ne dessine pas de scène.
  */
 package lancer.fenetre.figures;

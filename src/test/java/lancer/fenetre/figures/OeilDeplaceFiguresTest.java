@@ -37,7 +37,7 @@ class OeilDeplaceFiguresTest {
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), new Origines(), camera, 0, x, y);
         pixel.faire();
-        assertTrue(pixel.getEtapes().get(0).contact != null && pixel.getEtapes().get(0).lampes.get(0).eclaire());
+        assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).lampes.get(0).eclaire());
         return pixel;
     }
 
@@ -84,7 +84,7 @@ class OeilDeplaceFiguresTest {
             assertTrue(new Color(image.getRGB((int) vue.h(bord.z), (int) vue.v(bord.y))).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
-        Point contact = pixel.getEtapes().get(0).contact;
+        Point contact = pixel.getSegments().get(0).contact;
         for (Point passe : new Point[] {new Point(0, (y + ecran.y) / 2, (z + plan) / 2), ecran,
             new Point(0, (contact.y + ecran.y) / 2, (contact.z + plan) / 2)}) {
             assertTrue(voisins(image, vue.h(passe.z), vue.v(passe.y), true), "le rayon en " + passe);

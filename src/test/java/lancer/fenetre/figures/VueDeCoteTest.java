@@ -35,7 +35,7 @@ class VueDeCoteTest {
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, sommet - rayon, z), rayon)), Collections.emptyList());
         Inspection pixel = new Inspection(scene, new Origines(), new Camera(40, 40), 0, 20, 23);
         pixel.faire();
-        assertTrue(pixel.getEtapes().get(0).contact != null);
+        assertTrue(pixel.getSegments().get(0).contact != null);
         VueDeCote vue = new VueDeCote(numero -> { });
         vue.setSize(L, H);
         vue.montrer(pixel, 0);
@@ -74,8 +74,8 @@ class VueDeCoteTest {
             vue.montrer(pixel, 2);
             vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
             Set<Objet3D> voisines = new HashSet<>();
-            pixel.getEtapes().stream().filter(etape -> etape.numero <= 3 && etape.contact != null)
-                    .forEach(etape -> voisines.add(etape.contact.objet));
+            pixel.getSegments().stream().filter(segment -> segment.numero <= 3 && segment.contact != null)
+                    .forEach(segment -> voisines.add(segment.contact.objet));
             double pres = vue.h(1) - vue.h(0);
             vue.montrer(pixel, 0);
             vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());

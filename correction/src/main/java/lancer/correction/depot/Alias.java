@@ -7,11 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
- * Les noms du cours que des étudiants ont changés, tels que l'enseignant les déclare ({@link Tableau}) : {@code id,nom écrit,nom du
- * cours}.
+ * Les noms du cours que des étudiants ont changés, déclarés par l'enseignant dans un {@link Tableau} : {@code id,nom écrit,nom du cours}.
  */
 public final class Alias {
 
@@ -19,10 +18,10 @@ public final class Alias {
     private static final Pattern NOM = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}");
 
     private final Map<String, Map<String, String>> noms = new HashMap<>();
-    /** Les lignes qui ne conviennent pas, et pourquoi. */
+    /** Les lignes refusées, et pourquoi. */
     public final List<String> fautes;
 
-    /** Lit {@code alias.csv} dans ce dossier, s'il y est. */
+    /** Lit {@code alias.csv} dans ce dossier, s'il existe. */
     public Alias(Path dossier, Collection<String> ids) {
         fautes = Tableau.lire(dossier.resolve("alias.csv"), TITRES, ids, (id, ligne) -> {
             String sien = ligne.get(1);
@@ -38,16 +37,16 @@ public final class Alias {
     }
 
     private static boolean estDuCours(String nom) {
-        return Modele.classes().contains(nom) || Modele.classes().stream()
-                .anyMatch(c -> Pattern.compile(" " + Pattern.quote(nom) + "\\(").matcher(Modele.squelette(c)).find());
+        return SourcesDuCours.classes().contains(nom) || SourcesDuCours.classes().stream()
+                .anyMatch(c -> Pattern.compile(" " + Pattern.quote(nom) + "\\(").matcher(SourcesDuCours.squelette(c)).find());
     }
 
-    /** Noms que cet étudiant a changés : celui du cours, et le sien. */
+    /** Noms que cet étudiant a changés : celui du cours, puis le sien. */
     public Map<String, String> de(String id) {
         return noms.getOrDefault(id, Map.of());
     }
 
-    /** La ligne qui déclare un nom, prête à coller. */
+    /** La ligne d'{@code alias.csv} qui déclare un nom. */
     static String ligne(String id, String sien, String duCours) {
         return (id.matches("[^,;\"\\s]+") ? id : "\"" + id.replace("\"", "\"\"") + "\"") + "," + sien + "," + duCours;
     }

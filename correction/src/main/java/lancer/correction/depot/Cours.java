@@ -11,18 +11,18 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
- * Les classes du cours, telles que le JDK les lit, sous les noms qu'un étudiant leur donne, et que l'enseignant a déclarés : ce que nous
- * écrivons nous-mêmes, ce qui appelle le rendu et le corrigé, prend les siens. Son texte n'est jamais changé.
+ * Les classes du cours, lues par le JDK, sous les noms que l'étudiant leur donne et que l'enseignant a déclarés. Les classes de la
+ * correction qui appellent le rendu et le corrigé prennent ces noms. Le texte de l'étudiant n'est jamais modifié.
  */
 public final class Cours {
 
-    /** Qui lit du Java. */
+    /** Lecture de textes Java. */
     public interface Lecture {
 
-        /** Une valeur par texte, celle que dit {@link lancer.correction.enfant.Lecteur#lire}. */
+        /** Une valeur par texte, celle de {@link lancer.correction.enfant.Lecteur#lire}. */
         List<?> lire(List<String> textes) throws Arret;
     }
 
@@ -30,36 +30,36 @@ public final class Cours {
     private final Map<String, Type> squelette;
     private final Map<String, Type> corrige;
 
-    /** @param noms celui de l'étudiant, par celui du cours */
+    /** @param noms ceux de l'étudiant, par nom du cours */
     public Cours(Lecture lecture, Map<String, String> noms) throws Arret {
         this.noms = noms;
-        squelette = lire(lecture, Modele::squelette);
-        corrige = lire(lecture, Modele::corrige);
+        squelette = lire(lecture, SourcesDuCours::squelette);
+        corrige = lire(lecture, SourcesDuCours::corrige);
     }
 
     private Map<String, Type> lire(Lecture lecture, Function<String, String> source) throws Arret {
-        List<String> textes = Modele.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
+        List<String> textes = SourcesDuCours.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
         Iterator<?> lus = lecture.lire(textes).iterator();
         return textes.stream().map(t -> Source.types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
-    /** Vrai s'il en a changé un nom, que l'enseignant a déclaré. */
+    /** Dit si l'enseignant a déclaré un nom changé. */
     public boolean renomme() {
         return !noms.isEmpty();
     }
 
-    /** Le nom qu'il donne à une classe du cours : le même, le plus souvent. */
+    /** Le nom que l'étudiant donne à une classe du cours. */
     public String classe(String duCours) {
         return noms.getOrDefault(duCours, duCours);
     }
 
-    /** Un texte à nous, où chaque nom du cours est celui qu'il lui donne. */
+    /** Un texte de la correction, où chaque nom du cours est remplacé par celui de l'étudiant. */
     public String dans(String texte) {
         return noms.isEmpty() ? texte : Pattern.compile("(?<!\")\\b(?:" + String.join("|", noms.keySet()) + ")\\b")
                 .matcher(texte).replaceAll(m -> Matcher.quoteReplacement(noms.get(m.group())));
     }
 
-    /** Des classes à nous, par nom complet, où de même. */
+    /** Des classes de la correction, par nom complet, avec les mêmes remplacements. */
     public Map<String, String> dans(Map<String, String> classes) {
         Map<String, String> autres = new HashMap<>();
         classes.forEach((nom, texte) -> autres.put("lancer/" + classe(nom.replace("lancer/", "")), dans(texte)));
@@ -71,7 +71,9 @@ public final class Cours {
         return squelette.get(classe(classe));
     }
 
-    /** Empreintes des méthodes de cette classe qui ne sont le travail de personne : celles du projet à compléter et du corrigé. */
+    /**
+     * Empreintes des méthodes de cette classe dans le projet à compléter et dans le corrigé : elles ne sont pas le travail d'un étudiant.
+     */
     public Set<String> arbres(String classe) {
         return Stream.of(squelette, corrige).flatMap(types -> types.get(classe(classe)).methodes.stream()).map(m -> m.arbre)
                 .collect(Collectors.toSet());

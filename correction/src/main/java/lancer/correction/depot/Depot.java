@@ -24,8 +24,7 @@ import org.apache.commons.compress.archivers.zip.ZipFile;
 import org.apache.commons.io.function.IOSupplier;
 
 /**
- * Les rendus d'une classe : un dossier, l'archive de Moodle telle quelle, ou un seul rendu. Chaque étudiant a sa ligne,
- * que son rendu soit lisible ou non.
+ * Les rendus d'une classe : un dossier, l'archive de Moodle, ou un seul rendu. Chaque étudiant y figure, même si son rendu est illisible.
  */
 public final class Depot {
 
@@ -34,30 +33,30 @@ public final class Depot {
     private static final int EMBOITEMENT_MAX = 3;
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
-    /** Fichiers que les systèmes et les outils ajoutent, et qui ne sont le travail de personne. */
+    /** Fichiers que les systèmes et les outils ajoutent. */
     private static final Pattern DEBRIS = Pattern.compile(
             "(.*/)?(__MACOSX|\\.git|\\.idea|\\.settings|\\.metadata|\\.vscode|"
             + "target|bin|build|out|node_modules)/.*|(.*/)?(\\._.*|\\.DS_Store)");
-    /** Fichiers, parmi eux et d'autres, que l'énoncé demande d'enlever. */
+    /** Fichiers d'outils que l'énoncé demande d'enlever. */
     private static final Pattern OUTIL = Pattern.compile("(?:.*/)?(\\.idea|\\.settings|\\.metadata|\\.vscode|target|bin|build|out"
             + "|\\.classpath|\\.project|[^/]*\\.iml|[^/]*\\.class)(?:/.*)?");
     private static final Pattern UN_SEUL_RENDU =
             Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|lancer-?(java|base).*|brume|antialias|blinn");
     /**
-     * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis en
-     * mode plat du nom du fichier (moodle, {@code mod/assign/classes/downloader.php}).
+     * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis, en mode plat, du nom
+     * du fichier (moodle, {@code mod/assign/classes/downloader.php}).
      */
     private static final Pattern MOODLE = Pattern.compile("(?s)([^/]*?)_(\\d{1,18})_assignsubmission_([a-z]+)(?:_(.*))?");
 
-    /** Un fichier, un dossier ou un lien de ce qui est rendu, du disque ou d'une archive. */
+    /** Un fichier, un dossier ou un lien d'un rendu, sur le disque ou dans une archive. */
     private static final class Entree {
 
         /** Nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
         final String chemin;
         final boolean lien;
-        /** Taille en octets, telle qu'elle est annoncée ; négative si elle ne l'est pas. */
+        /** Taille annoncée, en octets ; négative si elle n'est pas annoncée. */
         final long taille;
-        /** Flux pour le lire. */
+        /** Flux de lecture. */
         final IOSupplier<InputStream> contenu;
 
         Entree(String chemin, boolean lien, long taille, IOSupplier<InputStream> contenu) {
@@ -78,7 +77,7 @@ public final class Depot {
     private Depot() {
     }
 
-    /** @throws Panne s'il n'y a rien là, ou si l'archive entière est illisible */
+    /** @throws Panne si cet endroit n'a pas de rendu, ou si l'archive entière est illisible */
     public static List<Rendu> lire(Path rendus) {
         Depot depot = new Depot();
         String nom = rendus.toAbsolutePath().normalize().getFileName().toString();
@@ -108,14 +107,17 @@ public final class Depot {
         return liste;
     }
 
-    /** Tout ce que contient un dossier, dans l'ordre. Un lien n'est pas suivi ; ce qui se lit mal ne coûte qu'à lui, à sa lecture. */
+    /**
+     * Ajoute le contenu d'un dossier, par ordre alphabétique. Un lien n'est pas suivi ; un fichier illisible n'empêche pas de lire les
+     * autres.
+     */
     private static void ajouter(Path dossier, String debut, List<Entree> entrees) {
         Set<String> vus = new HashSet<>();
         try (Stream<Path> flux = Files.list(dossier)) {
             for (Path f : flux.sorted().collect(Collectors.toList())) {
                 String chemin = debut + f.getFileName();
                 while (!vus.add(chemin)) {
-                    // des octets que la langue de cette machine ne sait pas lire : deux noms se lisent pareils
+                    // deux noms différents peuvent se lire pareils, si la langue de la machine n'a pas leurs caractères
                     chemin = debut + "'" + chemin.substring(debut.length());
                 }
                 if (Files.isDirectory(f, LinkOption.NOFOLLOW_LINKS)) {
@@ -127,17 +129,17 @@ public final class Depot {
                 }
             }
         } catch (IOException | UncheckedIOException e) {
-            // le reste se lit quand même
+            // le reste du dossier est lu quand même
         }
     }
 
-    /** Les entrées d'une archive, dans l'ordre ; des « / » même si elle vient de Windows. */
+    /** Les entrées d'une archive, dans l'ordre, avec des « / » même si elle vient de Windows. */
     private static List<Entree> entrees(ZipFile zip) {
         return Collections.list(zip.getEntries()).stream().map(e -> new Entree(e.getName().replace('\\', '/'), e.isUnixSymlink(),
                 e.getSize(), () -> zip.getInputStream(e))).collect(Collectors.toList());
     }
 
-    /** Donne chaque entrée à l'étudiant que dit le premier nom de son chemin, ou toutes au même. */
+    /** Donne chaque entrée à l'étudiant que désigne le premier nom de son chemin, ou toutes au même étudiant. */
     private void repartir(String nom, List<Entree> entrees) {
         Set<String> noms = entrees.stream().filter(e -> !DEBRIS.matcher(e.chemin).matches()).map(Entree::premierNom)
                 .collect(Collectors.toSet());
@@ -152,13 +154,13 @@ public final class Depot {
                 prendre(seul(nom), entree.chemin, entree, 0);
             } else if (moodle.matches()) {
                 Rendu rendu = seul(premier);
-                // un texte en ligne, ou ce qu'un autre greffon a remis, n'est pas un fichier
+                // un texte en ligne, ou le contenu d'un autre greffon, n'est pas un fichier
                 if (moodle.group(3).equals("file")) {
                     String reste = moodle.group(4) == null ? "" : moodle.group(4);
                     prendre(rendu, joindre(reste, suite), entree, 0);
                 }
             } else if (!DEBRIS.matcher(fichier ? premier : premier + "/").matches() && (!fichier || estArchive(premier))) {
-                // « dupont » et « dupont.zip » : deux rendus, deux lignes
+                // « dupont » et « dupont.zip » sont deux rendus
                 String id = fichier && !noms.contains(sansFin(premier)) ? sansFin(premier) : premier;
                 prendre(rendu(id, id), fichier ? premier : suite, entree, 0);
             }
@@ -172,7 +174,7 @@ public final class Depot {
 
     private Rendu rendu(String id, String nom) {
         return rendus.computeIfAbsent(id, i -> {
-            // de deux noms qui, une fois propres, sont le même, le second en a un autre
+            // deux noms peuvent devenir égaux une fois nettoyés : le second reçoit un numéro
             String sien = Rendu.propre(i);
             for (int k = 2; !ids.add(sien); k++) {
                 sien = Rendu.propre(i) + " " + k;
@@ -185,7 +187,7 @@ public final class Depot {
         return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
-    /** Clé pour ranger « Étudiant 2 » avant « Étudiant 10 ». */
+    /** Clé de tri qui range « Étudiant 2 » avant « Étudiant 10 ». */
     private static String naturel(String nom) {
         return Pattern.compile("\\d{1,18}").matcher(nom).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
     }
@@ -198,14 +200,14 @@ public final class Depot {
         return a.isEmpty() ? b : b.isEmpty() ? a : a + "/" + b;
     }
 
-    /** Prend une entrée, si c'est une source ou une archive ; ce qui s'y lit mal ne coûte qu'à elle. */
+    /** Lit une entrée, si c'est une source ou une archive. Une entrée illisible n'empêche pas de lire les autres. */
     private void prendre(Rendu rendu, String chemin, Entree entree, int niveau) {
         Matcher outil = OUTIL.matcher(chemin);
         if (outil.matches()) {
             rendu.outils.add(Rendu.propre(outil.group(1)));
         }
         boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
-        // ce qu'on lit pèse ce qu'on en lit, quoi qu'il annonce
+        // un fichier lu compte pour les octets lus, quelle que soit la taille annoncée
         if (DEBRIS.matcher(chemin).matches() || entree.chemin.endsWith("/")
                 || !rendu.compter(source || estArchive(chemin) ? 0 : Math.max(0, entree.taille))) {
             return;

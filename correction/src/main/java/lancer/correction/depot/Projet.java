@@ -16,18 +16,16 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Arret;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
-/**
- * Les classes d'un rendu : celles de la base, et celles de chaque variante, retrouvées où que l'étudiant les ait mises.
- */
+/** Les classes d'un rendu : celles de la base et celles de chaque variante, quel que soit leur dossier. */
 public final class Projet {
 
     public static final String NOMS = "noms";
     public static final String OUTILS = "outils";
     public static final String TEXTE = "texte";
     public static final String FIXME = "fixme";
-    /** Les consignes, par leur nom ; FIXME dépend de ce qui est juste. */
+    /** Les consignes de forme, par leur nom. FIXME dépend aussi des vérifications réussies. */
     public static final Map<String, String> CONSIGNES = new TreeMap<>(Map.of(
             NOMS, "le paquet et les noms sont ceux du cours",
             OUTILS, "aucun des fichiers que les outils ajoutent",
@@ -36,33 +34,33 @@ public final class Projet {
 
     static final String DE_COTE = " : laissé de côté, ";
 
-    /** Nombre au-delà duquel on ne cherche plus laquelle est la meilleure. */
+    /** Nombre maximal de copies du projet qui sont comparées. */
     private static final int COPIES_MAX = 3;
     private static final int NOMS_DITS = 5;
 
     private static final Pattern VARIANTE =
             Pattern.compile("(?i)(?:^|/)[^/]*?(brume|anti[-_ ]?alias|anti[-_ ]?crenelage|blinn)[^/]*/");
-    /** Fichiers qui ne sont pas jugés : Tests, Etapes, ce sont les nôtres qui notent, pas la copie de l'étudiant. */
+    /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
     private static final Pattern DE_TEST =
             Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
-    /** Bibliothèques que la correction a. */
+    /** Bibliothèques que la correction fournit. */
     private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
-    /** Classes du cours que rien d'autre qu'elles n'appelle comme le cours les appelle. */
+    /** Classes du cours que les autres classes n'appellent pas : leurs méthodes ne sont pas adaptées. */
     private static final List<String> SANS_PONT = List.of("Toile", "Main", "LecteurScene", "Constantes");
 
-    /** Les classes de la base : {@code lancer/Vecteur} et son texte. */
+    /** Les classes de la base, par nom complet ({@code lancer/Vecteur}), avec leur texte. */
     public final Map<String, String> base;
     private final Map<String, Type> types;
     /** Sources de chaque variante rendue. */
     public final Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
     public final List<String> remarques;
-    /** Les classes du cours, sous les noms qu'il leur donne. */
+    /** Les classes du cours, sous les noms de l'étudiant. */
     public final Cours cours;
-    /** Les classes du cours qui ne sont plus celles du projet à compléter, parmi celles qu'il a rendues. */
+    /** Les classes du cours que l'étudiant a modifiées, par rapport au projet à compléter. */
     public final Set<String> changees;
-    /** Écarts à ce que l'énoncé demande : par consigne, ce qu'on en dit. */
+    /** Écarts aux consignes de l'énoncé, par consigne. */
     public final Map<String, String> ecarts = new TreeMap<>();
-    /** Raisons pour lesquelles l'enseignant doit regarder ce rendu lui-même. */
+    /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
 
     private Projet(Cours cours, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
@@ -75,16 +73,17 @@ public final class Projet {
         if (!signatures.isEmpty()) {
             dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
-        changees = Modele.classes().stream().filter(c -> texte(c) != null
+        changees = SourcesDuCours.classes().stream().filter(c -> texte(c) != null
                 && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
     }
 
-    /** Les textes, avec la forme attendue des méthodes dont il a changé les paramètres : c'est dit une fois, rien n'en souffre. */
+    /** Les textes, complétés par les méthodes de forme attendue. Les adaptations sont signalées une fois, sans pénalité. */
     private Map<String, String> avecPonts(Map<String, Type> siens, List<String> signatures) {
         Map<String, String> textes = new TreeMap<>();
         siens.forEach((nom, type) -> textes.put(nom, type.texte));
-        Modele.classes().stream().filter(c -> !SANS_PONT.contains(c)).forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
-                (nom, texte) -> siens.get(nom).avec(Methode.ponts(cours.squelette(c), siens.get(nom), signatures))));
+        SourcesDuCours.classes().stream().filter(c -> !SANS_PONT.contains(c))
+                .forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
+                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(cours.squelette(c), siens.get(nom), signatures))));
         return textes;
     }
 
@@ -93,16 +92,16 @@ public final class Projet {
     }
 
     /**
-     * Chaque copie du projet que contient un rendu, de celle où il y a le plus de travail à celle où il y en a le moins.
+     * Les copies du projet que contient un rendu, de la plus modifiée à la moins modifiée.
      *
-     * @param commun le cours, sous ses noms ; @param alias les noms que l'enseignant dit changés : celui du cours, et celui de l'étudiant
+     * @param commun le cours, sans noms changés ; @param alias noms que l'enseignant déclare changés : celui du cours, puis le sien
      */
     public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
         fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
-        Set<String> duCours = new TreeSet<>(Modele.classes());
+        Set<String> duCours = new TreeSet<>(SourcesDuCours.classes());
         duCours.addAll(alias.values());
         List<Type> tous = Source.lire(fichiers, lecture, duCours, remarques);
         Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
@@ -117,7 +116,7 @@ public final class Projet {
             groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
         }
         Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
-        Modele.VARIANTES.stream().filter(groupes::containsKey)
+        SourcesDuCours.VARIANTES.stream().filter(groupes::containsKey)
                 .forEach(nom -> variantes.put(nom, choisir(groupes.get(nom)).values().iterator().next()));
         Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()));
         if (bases.isEmpty()) {
@@ -150,7 +149,7 @@ public final class Projet {
         }).sorted(Comparator.comparing(projet -> -projet.changees.size())).collect(Collectors.toList());
     }
 
-    /** Dit quelque chose à l'étudiant et à l'enseignant. */
+    /** Ajoute une remarque pour l'étudiant et pour l'enseignant. */
     private void dire(String quoi) {
         remarques.add(quoi);
         aRegarder.add(quoi);
@@ -165,17 +164,17 @@ public final class Projet {
         }
     }
 
-    /** Constate ce qui manque, et quel nom inconnu pourrait en tenir lieu : l'enseignant en décide. */
+    /** Signale les classes et les méthodes absentes, avec les noms inconnus qui pourraient les remplacer. L'enseignant décide. */
     private void absences(String id) {
-        List<Type> inconnus = types.values().stream().filter(t -> !Modele.classes().contains(t.nom)
-                && Modele.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
+        List<Type> inconnus = types.values().stream().filter(t -> !SourcesDuCours.classes().contains(t.nom)
+                && SourcesDuCours.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
         List<String> absentes = new ArrayList<>();
-        for (String classe : Modele.classes()) {
+        for (String classe : SourcesDuCours.classes()) {
             Set<String> attendues = cours.squelette(classe).nommees();
             if (texte(classe) != null) {
-                (Modele.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
+                (SourcesDuCours.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
                         .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m));
-            } else if (Modele.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
+            } else if (SourcesDuCours.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
                     && types.values().stream().noneMatch(t -> t.noms.contains(classe))) {
                 String siens = inconnus.stream().filter(t -> 2 * t.parmi(attendues) > attendues.size()).map(t -> " ; " + t.nom + " a "
                         + t.parmi(attendues) + " de ses " + attendues.size() + " méthodes" + declaration(id, t.nom, classe))
@@ -187,31 +186,32 @@ public final class Projet {
                 }
             }
         }
-        // qui n'en a presque aucune n'a que commencé, ou a rendu autre chose
-        if (!absentes.isEmpty() && 2 * absentes.size() < Modele.A_COMPLETER.size()) {
+        // si presque toutes les classes sont absentes, l'étudiant a seulement commencé, ou a rendu autre chose
+        if (!absentes.isEmpty() && 2 * absentes.size() < SourcesDuCours.A_COMPLETER.size()) {
             aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
                     : " ; les classes qui ne sont pas du cours : " + inconnus.stream().map(t -> t.nom).collect(Collectors.joining(", "))));
         }
-        long presentes = Modele.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
-        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !Modele.classes().contains(n)).sorted()
+        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
+        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !SourcesDuCours.classes().contains(n)).sorted()
                 .collect(Collectors.toList());
         if (presentes < 2 && autres.size() > presentes) {
-            aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + Modele.A_COMPLETER.size()
+            aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + SourcesDuCours.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
                     + quelques(autres));
         }
     }
 
-    /** Cherche la seule méthode inconnue qui prend et rend la même chose que celle qui manque ; ou l'autre classe où elle est. */
+    /** Cherche la seule méthode inconnue de mêmes types que la méthode absente ou, à défaut, une autre classe qui contient celle-ci. */
     private void chercher(String id, String classe, String methode) {
         Set<String> connues = cours.squelette(classe).nommees();
         Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
                 .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
                 && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
-        List<String> ailleurs = Modele.classes().stream().filter(c -> type(c).nommees().contains(methode)).collect(Collectors.toList());
+        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode))
+                .collect(Collectors.toList());
         if (semblables.size() == 1) {
             String nom = semblables.iterator().next();
-            // un nom qui sert encore ailleurs ne peut être changé partout
+            // si ce nom sert encore ailleurs, il ne peut être changé partout
             String ligne = ailleurs.isEmpty() ? declaration(id, nom, methode) : "";
             if (ligne.isEmpty() || aRegarder.stream().noneMatch(r -> r.endsWith(ligne))) {
                 aRegarder.add(classe + "." + methode + " absente ; " + nom + " prend et rend la même chose" + ligne);
@@ -242,18 +242,19 @@ public final class Projet {
         }
     }
 
-    /** Une consigne n'est pas suivie. */
+    /** Note qu'une consigne n'est pas suivie. */
     public void noter(String consigne, String ecart) {
         ecarts.merge(consigne, ecart, (a, b) -> a + " ; " + b);
     }
 
     /**
-     * Des dossiers qui contiennent des classes, les copies du projet, par leur dossier : celui qui a le plus de classes
-     * du cours, et ceux qui n'ajoutent que ce qui lui manque ; puis les autres.
+     * Choisit les copies du projet parmi les dossiers qui contiennent des classes. La première est le dossier qui a le plus de classes du
+     * cours, complété par les dossiers qui n'ajoutent que des classes absentes. Les autres suivent.
      */
     private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes) {
         List<String> racines = new ArrayList<>(groupes.keySet());
-        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(t -> Modele.A_COMPLETER.contains(t.nom)).count())
+        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream()
+                .filter(t -> SourcesDuCours.A_COMPLETER.contains(t.nom)).count())
                 .thenComparing(String::length));
         Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
@@ -265,12 +266,12 @@ public final class Projet {
         return copies;
     }
 
-    /** Le texte d'une classe du cours, sous le nom qu'il lui donne ; {@code null} si elle n'est pas rendue. */
+    /** Le texte d'une classe du cours, sous le nom de l'étudiant ; {@code null} si elle n'est pas rendue. */
     public String texte(String classe) {
         return base.get("lancer/" + cours.classe(classe));
     }
 
-    /** Ce qui s'en lit ; rien si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
+    /** La classe lue ; vide si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
     public Type type(String classe) {
         return types.getOrDefault("lancer/" + cours.classe(classe), Type.rien(""));
     }

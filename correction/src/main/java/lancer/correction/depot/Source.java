@@ -16,10 +16,10 @@ import java.util.stream.IntStream;
 import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 
-/** Un fichier d'un rendu, et les classes que le JDK y lit : elles viennent dans le paquet {@code lancer}, même s'il en nomme un autre. */
+/** Un fichier d'un rendu, et ses classes lues par le JDK. Elles sont mises dans le paquet {@code lancer}, même s'il en nomme un autre. */
 public final class Source {
 
-    /** Motif de ce dont on peut faire un nom de fichier : rien qui sorte de son dossier, et rien de trop long. */
+    /** Motif d'un nom utilisable comme nom de fichier : court, et sans séparateur de dossiers. */
     private static final Pattern NOM_DE_PAQUET = Pattern.compile("(?!.{201})(?:\\w++(?:\\.\\w++)*+)?");
     private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
@@ -29,9 +29,9 @@ public final class Source {
     final String chemin;
     /** Le dossier où commencent les paquets. */
     final String racine;
-    /** Le paquet, une fois arrangé. */
+    /** Le paquet, après correction. */
     String paquet;
-    /** Remarques sur ce qu'il a fallu arranger. */
+    /** Remarques sur les corrections faites. */
     final List<String> remarques = new ArrayList<>();
     private final String texte;
     private final List<?> lu;
@@ -53,7 +53,7 @@ public final class Source {
         }
     }
 
-    /** Les classes que déclare un fichier, telles que le JDK les lit. */
+    /** Les classes que déclare un fichier, lues par le JDK. */
     static List<Type> types(List<?> lu, String texte) {
         return ((List<?>) lu.get(3)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
     }
@@ -61,7 +61,7 @@ public final class Source {
     /**
      * Les classes de ces fichiers.
      *
-     * @param duCours les noms des classes du cours, et ceux qu'il leur donne ; @param remarques reçoit les fichiers que l'on n'a pu lire
+     * @param duCours noms des classes du cours, et ceux de l'étudiant ; @param remarques reçoit les fichiers illisibles
      */
     static List<Type> lire(Map<String, byte[]> octets, Cours.Lecture lecture, Set<String> duCours, List<String> remarques) throws Arret {
         Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
@@ -84,13 +84,13 @@ public final class Source {
         return types.stream().anyMatch(t -> noms.contains(t.nom));
     }
 
-    /** L'en-tête, aux mêmes lignes, où ces paquets sont {@code lancer}. */
+    /** L'en-tête, aux mêmes lignes, où ces paquets sont remplacés par {@code lancer}. */
     private String arranger(Set<String> paquets) {
         StringBuilder neuf = new StringBuilder();
         int la = 0;
         for (Object nom : (List<?>) lu.get(2)) {
             int debut = (Integer) ((List<?>) nom).get(1);
-            // le plus long d'abord : un paquet remplacé, ceux qui le contiennent restent
+            // les noms viennent du plus long au plus court : le paquet remplacé est le plus long
             if (debut >= la && paquets.contains(((List<?>) nom).get(0))) {
                 int fin = (Integer) ((List<?>) nom).get(2);
                 neuf.append(texte, la, debut).append("lancer").append(texte.substring(debut, fin).replaceAll("[^\n]", ""));
@@ -99,7 +99,7 @@ public final class Source {
         }
         neuf.append(texte, la, entete);
         if (paquets.contains(paquet) && !paquet.equals("lancer")) {
-            // sur la première ligne : les numéros des autres restent ceux de l'étudiant
+            // sur la première ligne : les numéros de ligne de l'étudiant ne changent pas
             neuf.insert(0, paquet.isEmpty() ? "package lancer; " : "");
             remarques.add(paquet.isEmpty() ? "la ligne « package lancer; » manque" : "le paquet est « " + paquets.stream()
                     .filter(p -> !p.isEmpty() && !p.equals("lancer")).collect(Collectors.joining(" », « ")) + " » au lieu de « lancer »");
@@ -108,13 +108,15 @@ public final class Source {
         return neuf.toString();
     }
 
-    /** Ses classes, chacune avec son texte, à ses lignes : à part, si plusieurs, dont une du cours, se partagent la place. */
+    /**
+     * Ses classes, chacune avec son texte, aux mêmes lignes. Si le fichier en déclare plusieurs, dont une du cours, elles sont séparées.
+     */
     private List<Type> classes(Set<String> paquets, Set<String> duCours) {
         String debut = arranger(paquets);
         String nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
-        // « Vecteur (1).java », « Copie de Vecteur.java » : ce qu'il déclare dit mieux ce qu'il est
+        // « Vecteur (1).java », « Copie de Vecteur.java » : le nom déclaré est plus sûr que celui du fichier
         String nom = !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
-        // une faute hors de toute classe peut en avoir changé les limites
+        // une faute de syntaxe hors de toute classe peut avoir changé les limites des classes
         if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare(duCours) || types.get(0).debut < entete
                 || !((List<?>) lu.get(4)).stream().map(Integer.class::cast)
                 .allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
@@ -133,7 +135,7 @@ public final class Source {
         return types;
     }
 
-    /** Raison pour laquelle cette classe est à laisser de côté : ce que déclare ce fichier cacherait ce qui ne lui appartient pas. */
+    /** Raison d'ignorer cette classe : elle en cacherait une de Java ou de la correction. */
     String intrusion(String classe) {
         if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
             return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
@@ -155,7 +157,7 @@ public final class Source {
         }
     }
 
-    /** Le texte, quel qu'en soit le codage, sans marque d'ordre des octets, et ses lignes finies par {@code \n}. */
+    /** Le texte, décodé, sans marque d'ordre des octets, avec des fins de ligne {@code \n}. */
     public static String decoder(byte[] octets) {
         return new String(octets, codage(octets)).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
     }
@@ -165,7 +167,7 @@ public final class Source {
                 && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;
         }
-        // sans marque : en Java, une lettre sur deux octets a presque toujours le même nul, avant ou après
+        // UTF-16 sans marque : en Java, un octet sur deux est presque toujours nul
         long[] nuls = IntStream.range(0, 2).mapToLong(k -> IntStream.range(0, octets.length / 2).filter(n -> octets[2 * n + k] == 0)
                 .count()).toArray();
         if (4 * Math.max(nuls[0], nuls[1]) > octets.length) {

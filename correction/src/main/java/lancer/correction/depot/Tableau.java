@@ -13,8 +13,8 @@ import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
 
 /**
- * Un petit tableau que l'enseignant écrit, et que le programme n'écrit jamais : un étudiant par ligne, des virgules ou des
- * points-virgules, les titres si l'on veut. Une ligne qui ne convient pas est nommée, et ne coûte qu'elle.
+ * Un petit tableau écrit par l'enseignant, jamais par le programme : un étudiant par ligne, des virgules ou des points-virgules, avec ou
+ * sans titres. Une ligne fautive est signalée et ignorée.
  */
 public final class Tableau {
 
@@ -24,9 +24,9 @@ public final class Tableau {
     /**
      * Lit un tableau, s'il existe.
      *
-     * @param titres les colonnes, séparées par des virgules : l'identifiant d'abord ; la dernière peut manquer
-     * @param prendre reçoit l'identifiant et la ligne ; rend ce qui ne va pas, vide si tout va
-     * @return les lignes qui ne conviennent pas, et pourquoi
+     * @param titres les colonnes, séparées par des virgules, l'identifiant d'abord ; la dernière peut manquer
+     * @param prendre reçoit l'identifiant et la ligne ; rend la faute, vide s'il n'y en a pas
+     * @return les lignes refusées, et pourquoi
      */
     public static List<String> lire(Path fichier, String titres, Collection<String> ids, BiFunction<String, CSVRecord, String> prendre) {
         List<String> fautes = new ArrayList<>();

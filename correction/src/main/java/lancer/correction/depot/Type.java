@@ -5,34 +5,34 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** Une classe, telle que le JDK la lit, et le texte où elle vient. */
+/** Une classe lue par le JDK, et le texte qui la contient. */
 public final class Type {
 
     public final String nom;
-    /** Où elle commence et finit dans son fichier. */
+    /** Début et fin de la classe dans son fichier. */
     final int debut;
     final int fin;
-    /** Empreinte de son arbre : ni les commentaires, ni la présentation, ni les noms des variables locales. */
+    /** Empreinte de l'arbre syntaxique, qui ignore les commentaires, la présentation et les noms des variables locales. */
     public final String empreinte;
-    /** Noms qu'elle emploie, {@code float} et {@code System.in} compris. */
+    /** Noms utilisés, {@code float} et {@code System.in} compris. */
     public final Set<String> noms = new TreeSet<>();
-    public final List<Methode> methodes;
+    public final List<Signature> methodes;
     Source source;
     String texte;
-    /** Longueur de ce qui suit, dans ce texte, la fin de la classe. */
+    /** Longueur du texte après la fin de la classe. */
     private int reste;
 
-    /** @param lue voir {@link lancer.correction.enfant.Lecteur#lire} ; @param fichier le texte d'où elle vient */
+    /** @param lue voir {@link lancer.correction.enfant.Lecteur#lire} ; @param fichier texte qui contient la classe */
     Type(List<?> lue, String fichier) {
         nom = (String) lue.get(0);
         debut = (Integer) lue.get(1);
         fin = (Integer) lue.get(2);
         empreinte = (String) lue.get(3);
         ((List<?>) lue.get(4)).forEach(n -> noms.add((String) n));
-        methodes = ((List<?>) lue.get(5)).stream().map(m -> new Methode((List<?>) m, fichier)).collect(Collectors.toList());
+        methodes = ((List<?>) lue.get(5)).stream().map(m -> new Signature((List<?>) m, fichier)).collect(Collectors.toList());
     }
 
-    /** Celle dont on n'a rien pu lire, que le nom. */
+    /** Une classe dont seul le nom est connu. */
     static Type rien(String nom) {
         return new Type(List.of(nom, 0, 0, "", List.of(), List.of()), "");
     }
@@ -44,12 +44,12 @@ public final class Type {
         return this;
     }
 
-    /** Son nom complet, des « / » entre les paquets. */
+    /** Son nom complet, avec des « / » entre les paquets. */
     String chemin() {
         return (source.paquet.isEmpty() ? "" : source.paquet.replace('.', '/') + "/") + nom;
     }
 
-    /** Le texte, où ceci est ajouté à la fin de la classe. */
+    /** Le texte, avec ces membres ajoutés à la fin de la classe. */
     String avec(String membres) {
         int ici = texte.length() - reste - 1;
         return membres.isEmpty() || ici < 0 || texte.charAt(ici) != '}' ? texte
@@ -64,7 +64,7 @@ public final class Type {
         return nommees;
     }
 
-    /** Nombre de méthodes qu'elle a, de celles-ci. */
+    /** Nombre de ces méthodes que la classe contient. */
     long parmi(Set<String> attendues) {
         return attendues.stream().filter(nommees()::contains).count();
     }

@@ -1,7 +1,6 @@
 /**
- * Travaux rendus par les étudiants, retrouvés et lus : les noms et les archives de Moodle, les classes où qu'ils les aient mises, le
- * codage, le paquet et les paramètres remis comme on les attend.
+ * Lecture des rendus : noms et archives de Moodle, recherche des classes, codage, paquet, adaptation des paramètres.
  *
- * <p>Rien n'y entre qui exécute un rendu, ni qui le juge.
+ * <p>Ce paquet n'exécute ni ne juge un rendu.
  */
 package lancer.correction.depot;

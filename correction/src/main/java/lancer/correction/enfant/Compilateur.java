@@ -24,16 +24,16 @@ import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 
 /**
- * Compile, dans une machine virtuelle à part, avec le compilateur d'Eclipse, qui écrit toutes les classes même fautives.
- * Les sources viennent dans la demande, par leur nom, et la réponse a les fautes, puis les classes : de ce qu'il lui faut
- * écrire entre temps, il ne reste rien. Une demande commence par sa sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
+ * Compile, dans une autre machine virtuelle, par le compilateur d'Eclipse, qui écrit même les classes fautives. La demande contient les
+ * sources, par nom. La réponse contient les fautes, puis les classes. Les fichiers provisoires sont effacés. Une demande commence par sa
+ * sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
  */
 public final class Compilateur {
 
     public static final char COMPILER = 'C';
     public static final char LIRE = 'L';
 
-    /** La dernière version de Java que ce compilateur connaisse. */
+    /** Dernière version de Java que ce compilateur connaît. */
     private static final int NIVEAU_MAX = 25;
 
     private static final int FAUTES_MAX = 500;
@@ -45,10 +45,10 @@ public final class Compilateur {
     public static void main(String[] args) throws IOException {
         PrintStream sortie = System.out;
         System.setOut(System.err);
-        // celui d'Eclipse, et non celui du JDK, qui est un service lui aussi
+        // le compilateur d'Eclipse, et non celui du JDK, qui est aussi un service
         JavaCompiler compilateur = ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::get)
                 .filter(c -> c.getClass().getName().startsWith("org.eclipse.")).findFirst().get();
-        // un seul pour tous : il garde ouvertes les archives où il trouve les classes
+        // un seul gestionnaire de fichiers pour tous : il garde ouvertes les archives des classes
         StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
         DataInputStream demandes = new DataInputStream(System.in);
         while (true) {
@@ -68,7 +68,7 @@ public final class Compilateur {
         try {
             return compiler(compilateur, gestion, dossier, textes);
         } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
-            // ce que le compilateur ne supporte pas : il ne servira plus
+            // une source fait échouer le compilateur
             return m -> {
                 Echange.ecrireValeur(m, null, o -> null);
                 Echange.ecrireTout(m, Map.of());
@@ -88,7 +88,7 @@ public final class Compilateur {
             Files.createDirectories(fichier.getParent());
             fichiers.add(Files.write(fichier, texte.getValue()));
         }
-        // nos propres classes d'abord : de deux classes de même nom, la première est la bonne
+        // les classes de la correction d'abord : de deux classes de même nom, la première est gardée
         fichiers.sort(Comparator.comparing((Path f) -> !f.getFileName().toString().matches("(Appels|Sonde)\\.java"))
                 .thenComparing(f -> f));
         String niveau = String.valueOf(Math.min(NIVEAU_MAX, Runtime.version().feature()));
@@ -117,7 +117,6 @@ public final class Compilateur {
         };
     }
 
-    /** Efface un dossier et tout ce qu'il contient. */
     public static void effacer(Path dossier) throws IOException {
         try (Stream<Path> flux = Files.walk(dossier)) {
             flux.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);

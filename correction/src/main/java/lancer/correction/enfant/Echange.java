@@ -15,19 +15,18 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 
 /**
- * Messages que le correcteur et une machine virtuelle à part se disent : des messages numérotés, dont la longueur est dite
- * d'abord. Rien n'y est reconnu à ce qui l'entoure : aucun texte ne peut passer pour la fin d'un autre.
+ * Messages entre le correcteur et une autre machine virtuelle. Chaque message a un numéro et une longueur, écrits avant lui : aucun texte
+ * ne peut passer pour la fin d'un message.
  */
 public final class Echange {
 
-    /** Taille que peut avoir, en octets, une réponse ordinaire. */
+    /** Taille maximale d'une réponse ordinaire, en octets. */
     public static final int REPONSE_MAX = 1 << 16;
-    /** La même chose, où l'on attend une image ou des classes. */
+    /** Taille maximale d'une réponse qui contient une image ou des classes, en octets. */
     public static final int GROSSE_REPONSE_MAX = 8 << 20;
 
     /**
-     * Signes qui commandent un terminal ou changent le sens de l'écriture, et moitiés de caractères ; ni les tabulations, ni les fins de
-     * ligne.
+     * Caractères qui commandent un terminal ou changent le sens d'écriture, et moitiés de caractères ; sauf tabulations et fins de ligne.
      */
     public static final Pattern NUISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}&&[^\n\t]]");
 
@@ -42,14 +41,13 @@ public final class Echange {
         void ecrire(DataOutputStream message) throws IOException;
     }
 
-    /** Les octets d'un message. */
     public static byte[] message(Redaction redaction) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         redaction.ecrire(new DataOutputStream(octets));
         return octets.toByteArray();
     }
 
-    /** Envoie un message, d'une seule écriture. */
+    /** Envoie un message en une seule écriture. */
     public static void envoyer(OutputStream flux, int numero, byte[] message) throws IOException {
         flux.write(message(m -> {
             m.writeInt(numero);
@@ -69,7 +67,7 @@ public final class Echange {
         return new String(lireOctets(message), StandardCharsets.UTF_8);
     }
 
-    /** @throws EOFException si le message est plus court qu'il ne le dit : rien n'est réservé pour ce qui n'y est pas */
+    /** @throws EOFException si le message est plus court que la longueur annoncée ; aucune mémoire n'est réservée avant */
     public static byte[] lireOctets(DataInputStream message) throws IOException {
         int longueur = message.readInt();
         if (longueur < 0 || longueur > message.available()) {
@@ -78,7 +76,7 @@ public final class Echange {
         return message.readNBytes(longueur);
     }
 
-    /** Des fichiers, ou des classes, par leur nom. */
+    /** Écrit des fichiers, ou des classes, par leur nom. */
     public static void ecrireTout(DataOutputStream message, Map<String, byte[]> tout) throws IOException {
         message.writeInt(tout.size());
         for (Map.Entry<String, byte[]> un : tout.entrySet()) {
@@ -97,7 +95,7 @@ public final class Echange {
         return tout;
     }
 
-    /** Un objet du rendu, tel qu'on se le dit : son numéro, et sa classe. */
+    /** Désignation d'un objet du rendu : son numéro et sa classe. */
     public static class Objet {
 
         public final int numero;
@@ -109,7 +107,7 @@ public final class Echange {
         }
     }
 
-    /** Un argument, ou ce qu'une méthode rend. @param nommer ce qui dit de tout autre objet lequel c'est */
+    /** Écrit un argument, ou un résultat de méthode. @param nommer désigne un objet d'une autre classe */
     public static void ecrireValeur(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
         if (valeur == null) {
             message.writeChar('n');
@@ -139,7 +137,7 @@ public final class Echange {
         }
     }
 
-    /** @param trouver l'objet que celui-ci désigne */
+    /** @param trouver rend l'objet désigné */
     public static Object lireValeur(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
         switch (message.readChar()) {
             case 'n':
@@ -165,18 +163,18 @@ public final class Echange {
         }
     }
 
-    /** Un texte en une ligne, et pas trop long, qui n'agit sur rien de ce qui le montre. */
+    /** Un texte sans caractère nuisible, en une ligne de longueur limitée. */
     public static String protege(String texte) {
         return protege(texte, TEXTE_MAX);
     }
 
-    /** Le même, d'au plus tant de signes, et « … » s'il en avait plus. */
+    /** Le même, d'au plus {@code max} caractères, puis « … » s'il est coupé. */
     public static String protege(String texte, int max) {
         String court = texte.length() > max ? texte.substring(0, max) + "…" : texte;
         return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
     }
 
-    /** Fait d'une liste peu de lignes, chacune pas trop longue : de quoi tenir dans une page, quoi qu'un rendu contienne. */
+    /** Limite une liste à quelques lignes de longueur limitée, pour une page. */
     public static void abreger(List<String> liste) {
         liste.replaceAll(Echange::protege);
         if (liste.size() > LIGNES_MAX) {

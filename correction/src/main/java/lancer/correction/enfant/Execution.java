@@ -24,13 +24,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * La machine virtuelle où tourne un rendu. Elle ne sait pas ce qu'on vérifie : on lui demande d'appeler une méthode,
- * elle dit ce que la méthode a rendu. Ni valeur attendue, ni verdict, ni secret n'y entre ; ce qu'un rendu peut y
- * falsifier n'est jamais que sa propre réponse.
+ * La machine virtuelle où s'exécute un rendu. Elle ne connaît pas les vérifications : elle reçoit l'ordre d'appeler une méthode, et répond
+ * ce que la méthode rend. Elle ne contient ni valeur attendue, ni verdict, ni secret : un rendu ne peut falsifier que sa propre réponse.
  *
- * <p>Une demande commence par sa sorte : {@link #CLASSES}, celles du rendu, une fois pour toutes ; {@link #APPEL}, d'une
- * méthode, par son numéro dans {@code lancer.Appels} ; {@link #SONDE}, une méthode de la sonde, et la scène qu'elle lit ;
- * {@link #OUBLI} des objets déjà rendus, et la réponse dit combien de fils le rendu a laissés.
+ * <p>Une demande commence par sa sorte. {@link #CLASSES} donne les classes du rendu, une seule fois. {@link #APPEL} appelle une méthode,
+ * par son numéro dans {@code lancer.Appels}. {@link #SONDE} appelle une méthode de la sonde, avec la scène qu'elle lit. {@link #OUBLI}
+ * oublie les objets déjà rendus ; la réponse est le nombre de fils que le rendu a laissés.
  */
 public final class Execution {
 
@@ -39,9 +38,9 @@ public final class Execution {
     public static final char SONDE = 'S';
     public static final char OUBLI = 'N';
 
-    /** Ce par quoi commence une réponse : ce que rend la méthode… */
+    /** Sorte d'une réponse : le résultat de la méthode. */
     public static final char RENDU = 'R';
-    /** … une exception, des appels sans fin, une faute de compilation : où, et ce qu'elle en dit. */
+    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, avec un lieu et un message. */
     public static final char EXCEPTION = 'E';
     public static final char SANS_FIN = 'D';
     public static final char FAUTE = 'C';
@@ -54,14 +53,14 @@ public final class Execution {
     }
 
     /**
-     * Chargeur de classes, avant celles d'ailleurs qui auraient le même nom. Toutes sont définies d'abord, puis leurs
-     * octets oubliés : aucune ne peut lire les autres.
+     * Chargeur de classes, prioritaire sur les autres classes de même nom. Il définit toutes les classes, puis oublie leurs octets : aucune
+     * ne peut lire les autres.
      */
     public static final class Classes extends ClassLoader {
 
         private final Map<String, byte[]> octets;
 
-        /** @param octets ceux de chaque classe, par son nom complet ; @param pere d'où viennent les autres */
+        /** @param octets ceux de chaque classe, par nom complet ; @param pere chargeur des autres classes */
         public Classes(Map<String, byte[]> octets, ClassLoader pere) {
             super(pere);
             this.octets = new HashMap<>(octets);
@@ -69,7 +68,7 @@ public final class Execution {
                 try {
                     loadClass(nom);
                 } catch (ClassNotFoundException | LinkageError | RuntimeException | StackOverflowError e) {
-                    // il n'est rien resté de cette classe, ou Java n'en veut pas (SecurityException) : ce qui la nomme le dira
+                    // cette classe manque, ou Java la refuse (SecurityException) : l'appel qui la nomme échouera
                 }
             }
         }
@@ -87,7 +86,7 @@ public final class Execution {
         DataInputStream demandes = new DataInputStream(new FileInputStream(FileDescriptor.in));
         OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
-        // ce qu'un rendu affiche pour se mettre au point ne coûte rien
+        // les affichages d'un rendu sont ignorés
         PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
         System.setOut(puits);
         System.setErr(puits);
@@ -99,12 +98,12 @@ public final class Execution {
                 Echange.envoyer(reponses, numero, execution.repondre(new DataInputStream(new ByteArrayInputStream(demande))));
             }
         } finally {
-            // les fils que le rendu a laissés ne retiennent personne
+            // les fils que le rendu a laissés ne doivent pas empêcher l'arrêt
             Runtime.getRuntime().halt(0);
         }
     }
 
-    /** La sortie, où un rendu ne peut écrire par mégarde : {@code FileDescriptor.out} est désormais celle des erreurs. */
+    /** La sortie des réponses, hors de portée d'un rendu : {@code FileDescriptor.out} désigne désormais la sortie d'erreur. */
     private static FileDescriptor aPart() throws ReflectiveOperationException {
         Field numero = FileDescriptor.class.getDeclaredField("fd");
         numero.setAccessible(true);
@@ -158,7 +157,7 @@ public final class Execution {
         return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", List.of(Object.class), objet));
     }
 
-    /** Le premier argument d'une sonde est une scène, qu'elle lit dans un fichier : le voici. */
+    /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
     private void sonder(DataInputStream demande, DataOutputStream reponse) throws IOException {
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
         Files.write(scene, Echange.lireOctets(demande));
@@ -182,12 +181,12 @@ public final class Execution {
         }
     }
 
-    /** Une exception du rendu : son nom, la première ligne de son code ; une faute de compilation, ce qu'elle est. */
+    /** Répond par une exception du rendu, avec la première ligne de son code, ou par une faute de compilation. */
     private static void cause(Throwable e, DataOutputStream reponse) throws IOException {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        // une classe dont il n'est rien resté manque à tout ce qui la nomme
+        // une classe qui n'a pu être définie manque à toutes celles qui la nomment
         char sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
         reponse.writeChar(sorte);
         Echange.ecrireTexte(reponse, Echange.protege((sorte == FAUTE ? "" : sorte == SANS_FIN ? "appels sans fin (StackOverflowError)"

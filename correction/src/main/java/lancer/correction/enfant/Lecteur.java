@@ -38,16 +38,16 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /**
- * Ce que le JDK lit d'un fichier source : son paquet, ses classes, leurs méthodes, et où tout cela commence et finit. Rien n'y est
- * compilé ni exécuté. Les réponses ne sont faites que de listes, de textes et de nombres.
+ * Lecture d'un fichier source par le JDK : paquet, classes, méthodes et leurs positions. Rien n'est compilé ni exécuté. Les réponses ne
+ * contiennent que des listes, des textes et des nombres.
  */
 public final class Lecteur {
 
-    /** Nombre de classes, de méthodes et de noms au-delà duquel on ne les rapporte plus. */
+    /** Nombre maximal de classes d'une réponse, puis de méthodes ou de noms. */
     public static final int CLASSES_MAX = 200;
     private static final int NOMS_MAX = 2000;
 
-    /** Celui du JDK, et non celui d'Eclipse. */
+    /** Le compilateur du JDK, et non celui d'Eclipse. */
     private static final JavaCompiler JDK = ToolProvider.getSystemJavaCompiler();
     private static final StandardJavaFileManager GESTION = JDK.getStandardFileManager(null, null, StandardCharsets.UTF_8);
 
@@ -60,12 +60,12 @@ public final class Lecteur {
     }
 
     /**
-     * Lit des fichiers. Pour chacun : paquet, fin de l'en-tête, noms qui y sont, classes, lieux des fautes de syntaxe. Pour chaque nom,
-     * le paquet, puis ce dont part chaque importation, du plus long au plus court : texte, début, fin. Pour chaque classe : nom, début,
-     * fin, empreinte, noms employés, méthodes. Pour chaque méthode : nom, type rendu (vide d'un constructeur), types des paramètres,
-     * modificateurs, début, fin, empreinte, nombre d'instructions.
+     * Lit des fichiers. Pour chaque fichier : paquet, fin de l'en-tête, noms de l'en-tête, classes, positions des fautes de syntaxe. Pour
+     * chaque nom de l'en-tête (le paquet, puis les préfixes de chaque importation, du plus long au plus court) : texte, début, fin. Pour
+     * chaque classe : nom, début, fin, empreinte, noms utilisés, méthodes. Pour chaque méthode : nom, type de retour (vide pour un
+     * constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
      *
-     * @return une valeur par fichier, {@code null} pour celui qui fait échouer le lecteur
+     * @return une valeur par fichier, {@code null} si le lecteur échoue
      */
     public static List<?> lire(Collection<String> textes) {
         return textes.stream().map(Lecteur::lire).collect(Collectors.toList());
@@ -86,7 +86,7 @@ public final class Lecteur {
         try {
             return new Lecteur(tache.parse().iterator().next(), Trees.instance(tache).getSourcePositions()).fichier(fautes);
         } catch (IOException | RuntimeException | Error e) {
-            // trop emboîté, ou ce qui déroute le lecteur : ce fichier ne coûte que lui
+            // une imbrication trop profonde fait échouer le lecteur : les autres fichiers sont lus quand même
             return null;
         }
     }
@@ -137,14 +137,14 @@ public final class Lecteur {
                 methode.getModifiers().getFlags().toString(), debut(methode), fin(methode), sienne.condense(), sienne.instructions);
     }
 
-    /** Un type par son seul nom : ni paquet, ni paramètres. */
+    /** Le nom seul d'un type, sans paquet ni paramètres. */
     private static String type(Tree type) {
         return String.valueOf(type).replaceFirst("(?s)<.*", "").replaceFirst(".*\\.(?=\\w)", "");
     }
 
     /**
-     * L'arbre de méthodes ou de classes, en un texte où ne comptent ni les commentaires, ni la présentation, ni les parenthèses et les
-     * accolades de trop, ni l'accès, ni les noms des variables locales et des paramètres.
+     * L'arbre de méthodes ou de classes, en un texte. Il ignore les commentaires, la présentation, les parenthèses et les accolades
+     * inutiles, les accès, les noms des variables locales et des paramètres.
      */
     private static final class Empreinte extends TreeScanner<Void, Tree> {
 
@@ -200,7 +200,7 @@ public final class Lecteur {
             if (texte.length() == avant && locales.containsKey(arbre.toString())) {
                 texte.append('#').append(locales.get(arbre.toString()));
             } else if (texte.length() == avant) {
-                // une feuille : un nom, un type, ou une valeur
+                // une feuille de l'arbre : un nom, un type ou une valeur
                 texte.append(arbre);
                 noms.add(arbre instanceof LiteralTree ? "" : arbre.toString());
             } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {

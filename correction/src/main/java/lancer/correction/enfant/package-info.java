@@ -1,7 +1,6 @@
 /**
- * Programmes qui tournent dans une machine virtuelle à part, près du code d'un étudiant : le compilateur, l'exécution, et la façon dont
- * l'un et l'autre répondent.
+ * Programmes qui s'exécutent dans une autre machine virtuelle, avec le code d'un étudiant : le compilateur, l'exécution, et leurs messages.
  *
- * <p>N'y entre que ce qu'on peut laisser voir à un rendu : rien qui connaisse le corrigé, les notes, ni un autre paquet d'ici.
+ * <p>Un rendu peut voir ce paquet : il ne connaît ni le corrigé, ni les notes, ni un autre paquet de la correction.
  */
 package lancer.correction.enfant;

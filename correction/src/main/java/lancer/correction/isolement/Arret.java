@@ -1,11 +1,11 @@
 package lancer.correction.isolement;
 
-/** Un programme qu'il a fallu arrêter, ou qui s'est arrêté de lui-même, avant d'avoir répondu. */
+/** Arrêt d'un programme, forcé ou spontané, avant sa réponse. */
 public final class Arret extends Exception {
 
     private static final long serialVersionUID = 1;
 
-    /** Vrai si un autre que nous l'a tué. */
+    /** Vrai si un autre programme que le correcteur l'a tué. */
     public final boolean tue;
 
     public Arret(String cause, boolean tue) {

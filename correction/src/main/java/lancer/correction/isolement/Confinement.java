@@ -16,21 +16,18 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/**
- * Façon de lancer Java sans réseau ni disque, par bubblewrap, ou sans confinement là où il ne marche pas et où on
- * l'accepte.
- */
+/** Lancement de Java sans réseau ni disque, par bubblewrap ; sans confinement si bubblewrap ne marche pas et que l'enseignant l'accepte. */
 public final class Confinement {
 
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
     private static final int ESSAI_SECONDES = 20;
-    /** Place de Java : Linux en dit le vrai chemin, sans lien. */
+    /** Dossier de Java, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
     /**
-     * Par sorte de processeur : son numéro (linux/audit.h), celui de l'appel clone, et ceux qu'on refuse : fork, vfork, unshare, et ceux
-     * dont la mémoire n'est celle d'aucun processus (shmget, msgget, memfd_create, memfd_secret).
+     * Par processeur : son numéro (linux/audit.h), celui de l'appel clone, puis ceux des appels refusés. Ce sont fork, vfork, unshare, et
+     * ceux qui réservent une mémoire hors des processus (shmget, msgget, memfd_create, memfd_secret).
      */
     private static final Map<String, int[]> APPELS = Map.of("amd64", new int[] {0xC000003E, 56, 57, 58, 272, 29, 68, 319, 447},
             "aarch64", new int[] {0xC00000B7, 220, 97, 194, 186, 279, 447});
@@ -39,7 +36,7 @@ public final class Confinement {
     public final boolean confine;
     /** Raison qui empêche de confiner, vide s'il n'y en a pas. */
     public final String manque;
-    /** Ce qu'on demande de plus à bubblewrap, et le filtre qu'on lui donne. */
+    /** Options supplémentaires de bubblewrap, et fichier de son filtre. */
     private final List<String> enPlus;
     private final Path filtre;
 
@@ -54,29 +51,30 @@ public final class Confinement {
         this.filtre = filtre;
     }
 
-    /** Essaie bubblewrap, et d'abord en y interdisant les espaces d'utilisateurs, que les anciens ne savent pas interdire. */
+    /** Essaie bubblewrap, d'abord en interdisant les espaces d'utilisateurs : les anciennes versions ne savent pas les interdire. */
     public static Confinement essayer() {
         Confinement ferme = essayer(List.of("--unshare-user", "--disable-userns"));
         return ferme.confine ? ferme : essayer(List.of());
     }
 
     /**
-     * Programme (seccomp(2)) qui refuse ces appels, et ceux d'une autre sorte de processeur : un rendu a des fils, et ne lance aucun
-     * programme. Là où l'on ne connaît pas les numéros, rien n'est refusé.
+     * Programme (seccomp(2)) qui refuse ces appels, et ceux d'un autre processeur : un rendu peut lancer des fils, mais aucun programme. Si
+     * les numéros sont inconnus, rien n'est refusé.
      */
     private static Path filtre() throws IOException {
         int[] a = APPELS.get(System.getProperty("os.arch"));
         List<Integer> programme = new ArrayList<>();
         if (a != null) {
             int refus = a.length + 8;
-            // lire la sorte, puis le numéro ; un très grand est d'une autre sorte (x32) ; clone3 n'existe pas : clone en tient lieu
+            // lit le processeur, puis le numéro ; un très grand numéro est celui d'un autre processeur (x32) ; clone3 est refusé, et Java
+            // utilise clone
             programme.addAll(List.of(0x20, 4, 0x15 | refus - 2 << 24, a[0], 0x20, 0, 0x35 | refus - 4 << 16, 0x40000000,
                     0x15 | refus - 4 << 16, CLONE3, 0x15 | refus - 9 << 16, a[1]));
             IntStream.range(2, a.length).forEach(k -> programme.addAll(List.of(0x15 | refus - 5 - k << 16, a[k])));
-            // permettre ; clone : lire ses options, et permettre CLONE_THREAD
+            // permet l'appel ; pour clone, lit ses options et permet CLONE_THREAD
             programme.addAll(List.of(0x05, 2, 0x20, 16, 0x45 | 1 << 24, 0x10000));
         }
-        // permettre, EPERM, ENOSYS
+        // trois fins du programme : permettre, EPERM, ENOSYS
         programme.addAll(List.of(0x06, 0x7FFF0000, 0x06, 0x00050001, 0x06, 0x00050026));
         ByteBuffer octets = ByteBuffer.allocate(4 * programme.size()).order(ByteOrder.nativeOrder());
         programme.forEach(octets::putInt);
@@ -87,7 +85,7 @@ public final class Confinement {
 
     private static Confinement essayer(List<String> enPlus) {
         List<String> essai = enveloppe(enPlus);
-        // le filtre par l'entrée
+        // bwrap lit le filtre sur son entrée
         essai.addAll(List.of("--seccomp", "0", "/usr/bin/true"));
         try {
             Path filtre = filtre();
@@ -109,18 +107,18 @@ public final class Confinement {
     }
 
     /**
-     * La commande qui lance, dans une machine virtuelle à part, une classe de cette archive. Confinée, elle n'a du disque
-     * que Java, une copie de l'archive et un dossier vide ; rien n'y dit comment s'appelle quoi que ce soit ici.
+     * La commande qui lance une classe de cette archive dans une autre machine virtuelle. Confinée, celle-ci ne voit du disque que Java,
+     * une copie de l'archive et un dossier vide, sans aucun nom de la machine.
      *
-     * @param temporaire où, à défaut de confinement, ces classes écrivent ce qu'elles effaceront
-     * @param visibles vrai si les archives de ce chemin se voient à leur place, parce qu'aucun code d'étudiant n'y tourne
+     * @param temporaire dossier provisoire, sans confinement
+     * @param visibles vrai si les archives de ce chemin sont visibles, car aucun code d'étudiant ne s'exécute
      */
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
             Limites limites) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
-            // pas de fichier sans fin ; l'archive par un descripteur : un lien se lirait dans mountinfo, un argument dans la commande
+            // la taille des fichiers est limitée ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
             commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; f=$1; shift; exec \"$@\""
                     + (classes.equals(BOITE) ? " 8<\"$f\" 9<\"$0\"" : ""), chemin, String.valueOf(filtre)));
         }
@@ -137,7 +135,7 @@ public final class Confinement {
                 "-XX:MaxDirectMemorySize=32m",
                 "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
                 "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
-                // la sortie est celle des réponses, et d'elles seules
+                // la sortie standard ne sert qu'aux réponses
                 "-XX:+DisplayVMOutputToStderr", "-Xlog:disable",
                 "--add-opens", "java.base/java.io=ALL-UNNAMED",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
@@ -166,12 +164,12 @@ public final class Confinement {
                 commande.addAll(List.of("--ro-bind-try", java, java));
             }
         } catch (IOException e) {
-            // pas de /etc : rien à montrer
+            // pas de dossier /etc
         }
         if (!JAVA.startsWith("/usr/")) {
             commande.addAll(List.of("--ro-bind", JAVA, JAVA));
         }
-        // de /proc, Java n'a besoin que de savoir où il est ; le vrai dirait d'où vient ce qu'on voit
+        // Java a seulement besoin de /proc/self/exe ; le vrai /proc montrerait l'origine des fichiers
         commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",
                 "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp"));
         return commande;

@@ -22,42 +22,40 @@ import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
 /**
- * Une machine virtuelle à part, à qui l'on demande une chose après l'autre. Elle est surveillée du dehors : ce qu'elle
- * calcule, ce qu'elle écrit, combien de processus elle lance. Le temps d'attente se compte en tours de la surveillance,
- * non à l'horloge : une machine suspendue puis reprise n'a pas attendu.
+ * Une autre machine virtuelle, qui traite une demande à la fois. Le correcteur surveille son temps de calcul, ses réponses et le nombre de
+ * ses processus. L'attente est comptée en tours de surveillance, et non en temps réel : la mise en veille de la machine ne compte pas.
  *
- * <p>Les demandes sont numérotées. Ce qui vient sans avoir été demandé, ou plus gros qu'il n'est permis, n'est pas lu :
- * c'est la fin de cette machine, qui ne répond plus à rien.
+ * <p>Les demandes sont numérotées. Une réponse inattendue ou trop longue n'est pas lue : cette machine virtuelle est arrêtée.
  */
 public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
     private static final long PAGE = 4096;
-    /** Unités de temps par seconde, dans ce que dit Linux (sysconf, {@code _SC_CLK_TCK}). */
+    /** Unités de temps par seconde de Linux (sysconf, {@code _SC_CLK_TCK}). */
     private static final double TICS = 100;
-    /** Mémoire que prennent, en plus de la mémoire de Java, la machine virtuelle et les programmes qu'elle lance. */
+    /** Mémoire de la machine virtuelle hors du tas et de ses programmes, en mégaoctets. */
     private static final long HORS_DU_TAS = 400;
     private static final byte[] FIN = new byte[0];
-    /** Statut de qui est tué, par le système qui n'a plus de mémoire ou par une main. */
+    /** Statut d'un processus tué, par le système à court de mémoire ou par un utilisateur. */
     private static final int TUE = 128 + 9;
-    /** Le numéro attendu quand rien n'est demandé. */
+    /** Numéro attendu entre deux demandes. */
     private static final int RIEN = 0;
 
     private final Process processus;
     private final Limites limites;
     private final BlockingQueue<byte[]> reponses = new LinkedBlockingQueue<>();
-    /** Fil qui écrit les demandes : un rendu qui n'en lirait aucune ne doit bloquer que lui. */
+    /** Fil qui écrit les demandes : un rendu qui ne les lit pas ne bloque que ce fil. */
     private final ExecutorService ecrivain = Executors.newSingleThreadExecutor(tache -> fil(tache, "écrivain"));
     private int demandes = RIEN;
     private volatile int attendu = RIEN;
     private volatile int longueurMax;
     private volatile boolean inattendu;
     private double calculMax;
-    /** Le temps de processeur au premier contrôle de la demande, et au dernier ; quand celui-ci a eu lieu. */
+    /** Temps de processeur au premier et au dernier contrôle de la demande ; instant du dernier. */
     private double debut;
     private double dernier;
     private long controle;
-    /** Nombre de fils et mémoire tenue, en octets, au dernier contrôle. */
+    /** Nombre de fils, et mémoire en octets, au dernier contrôle. */
     private int fils;
     private long tenue;
 
@@ -78,14 +76,14 @@ public final class Enfant implements AutoCloseable {
         return fil;
     }
 
-    /** Lance, et lit jusqu'à la fin, dans le même fil : bubblewrap est tué quand finit celui qui l'a lancé. */
+    /** Lance le processus et lit ses réponses dans le même fil : bubblewrap est tué à la fin du fil qui l'a lancé. */
     private void lancer(List<String> commande, CompletableFuture<Process> lancement) {
         try {
             Process enfant = new ProcessBuilder(commande).redirectError(ProcessBuilder.Redirect.DISCARD).start();
             lancement.complete(enfant);
             lire(enfant.getInputStream());
         } catch (IOException | RuntimeException e) {
-            // lancé, il est mort : c'est la fin, elle aussi
+            // si le processus était déjà lancé, c'est la fin de ses réponses
             lancement.completeExceptionally(e);
         }
         reponses.add(FIN);
@@ -106,7 +104,7 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    /** Une demande commence : le temps de processeur permis, en secondes, se compte à partir d'ici. */
+    /** Commence une demande : le temps de processeur permis, en secondes, est compté à partir d'ici. */
     public void commencer(double calculPermis) {
         calculMax = calculPermis;
         debut = Double.NaN;
@@ -116,8 +114,8 @@ public final class Enfant implements AutoCloseable {
     /**
      * Envoie une demande, et attend sa réponse.
      *
-     * @param max ce que la réponse peut peser, en octets
-     * @throws Arret si elle ne vient pas dans les limites ; la machine est alors arrêtée
+     * @param max taille maximale de la réponse, en octets
+     * @throws Arret si elle ne vient pas dans les limites ; la machine virtuelle est alors arrêtée
      */
     public DataInputStream demander(byte[] demande, int max) throws Arret {
         longueurMax = max;
@@ -127,7 +125,7 @@ public final class Enfant implements AutoCloseable {
             try {
                 Echange.envoyer(processus.getOutputStream(), numero, demande);
             } catch (IOException e) {
-                // il est mort, ou ferme son entrée : l'attente le dira
+                // le processus est mort, ou ferme son entrée : l'attente le constatera
             }
         });
         return new DataInputStream(new ByteArrayInputStream(attendre()));
@@ -158,7 +156,7 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    /** @return vrai si l'enfant a calculé depuis le contrôle précédent */
+    /** @return vrai si le processus a calculé depuis le contrôle précédent */
     private boolean controler() throws Arret {
         List<ProcessHandle> tous = processus.descendants().collect(Collectors.toList());
         if (tous.size() > Limites.PROCESSUS) {
@@ -184,22 +182,22 @@ public final class Enfant implements AutoCloseable {
         return travaille;
     }
 
-    /** Temps de processeur, en secondes, d'un processus et de ceux qu'il a lancés et qui ont fini (proc(5), {@code stat}). */
+    /** Temps de processeur, en secondes, d'un processus et de ses descendants finis (proc(5), {@code stat}). */
     private double mesurer(ProcessHandle processus) {
         try {
             String stat = Files.readString(Paths.get("/proc", "" + processus.pid(), "stat"), StandardCharsets.ISO_8859_1);
-            // après le nom, où un programme met ce qu'il veut
+            // le nom du programme, qui précède, peut contenir n'importe quel caractère
             String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
             fils += Integer.parseInt(champs[17]);
             tenue += Long.parseLong(champs[21]) * PAGE;
             return IntStream.range(11, 15).mapToLong(k -> Long.parseLong(champs[k])).sum() / TICS;
         } catch (IOException | RuntimeException e) {
-            // il a fini, ou ce système ne le dit pas ainsi
+            // le processus est fini, ou ce système n'a pas /proc
             return processus.info().totalCpuDuration().orElse(Duration.ZERO).toMillis() / 1e3;
         }
     }
 
-    /** Arrête la machine, qui n'a pas répondu comme il le fallait. */
+    /** Arrête la machine virtuelle, dont la réponse n'est pas dans les limites. */
     public Arret arreter(String cause) {
         close();
         return new Arret(cause, false);
@@ -218,7 +216,7 @@ public final class Enfant implements AutoCloseable {
                 : new Arret("arrêté : il s'est arrêté de lui-même (System.exit ?), statut " + statut, statut == TUE);
     }
 
-    /** Tue la machine virtuelle, et tout ce qu'elle a lancé. */
+    /** Tue la machine virtuelle et ses descendants. */
     @Override
     public void close() {
         ecrivain.shutdownNow();

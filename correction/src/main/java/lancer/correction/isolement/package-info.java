@@ -1,6 +1,6 @@
 /**
- * Façon de lancer une machine virtuelle sans réseau ni disque, la surveiller du dehors, et l'arrêter.
+ * Lancement, surveillance et arrêt d'une machine virtuelle sans réseau ni disque.
  *
- * <p>Rien n'y entre qui sache ce qu'on lui demande de calculer.
+ * <p>Ce paquet ne connaît pas le contenu des demandes.
  */
 package lancer.correction.isolement;

@@ -8,15 +8,11 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/**
- * Réponses en chemin, pour un pixel, des méthodes du corrigé et de celles de l'étudiant, et la première réponse
- * qui s'écarte.
- */
+/** Réponses intermédiaires, pour un pixel, des méthodes du corrigé et de celles de l'étudiant, et la première réponse différente. */
 public final class Chemin {
 
     private static final double PRES = 1e-6;
 
-    /** Une réponse. */
     public static final class Pas {
 
         public final String nom;
@@ -34,7 +30,7 @@ public final class Chemin {
 
     public final int x;
     public final int y;
-    /** Réponses de la sonde par le corrigé, et par l'étudiant. */
+    /** Réponses de la sonde, avec le corrigé puis avec le rendu. */
     final String reference;
     final String etudiant;
     public final List<Pas> pas;
@@ -50,12 +46,12 @@ public final class Chemin {
                 .map(nom -> new Pas(nom, attendus, siens)).collect(Collectors.toList());
     }
 
-    /** La première réponse qui s'écarte, {@code null} s'il n'y en a pas. */
+    /** La première réponse différente, {@code null} s'il n'y en a pas. */
     public Pas getPremierEcart() {
         return pas.stream().filter(p -> !p.pareil).findFirst().orElse(null);
     }
 
-    /** Nombre de réponses avant la première qui s'écarte. */
+    /** Nombre de réponses avant la première différente. */
     int rangDuPremierEcart() {
         return getPremierEcart() == null ? Integer.MAX_VALUE : pas.indexOf(getPremierEcart());
     }

@@ -7,21 +7,21 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
-/** Constats sur un rendu dont tout est jugé : les consignes, de quoi le comparer aux autres, et ce que l'enseignant doit regarder. */
+/** Constats sur un rendu déjà jugé : les consignes, les données pour le comparer aux autres, ce que l'enseignant doit examiner. */
 final class Constats {
 
-    /** Ce que dit une vérification d'appels sans fin ; une boucle sans fin est autre chose. */
+    /** Message d'une récursion sans fin, à distinguer d'une boucle sans fin. */
     private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
     /** Nombre d'instructions au-delà duquel deux méthodes ne sont pas égales par hasard. */
     private static final int LONGUE = 5;
 
-    private final Juge juge;
+    private final JugeRendu juge;
     private final Projet projet;
     private final Resultat resultat;
 
-    Constats(Juge juge, Projet projet) {
+    Constats(JugeRendu juge, Projet projet) {
         this.juge = juge;
         this.projet = projet;
         this.resultat = juge.resultat;
@@ -34,35 +34,36 @@ final class Constats {
         compiler();
     }
 
-    /** Classes du rendu où ce nom est employé. */
+    /** Classes du rendu qui utilisent ce nom. */
     private String emploient(String nom) {
-        return juge.changees(Modele.classes()).stream().filter(c -> projet.type(c).noms.contains(nom)).collect(Collectors.joining(", "));
+        return juge.changees(SourcesDuCours.classes()).stream().filter(c -> projet.type(c).noms.contains(nom))
+                .collect(Collectors.joining(", "));
     }
 
     private void consignes() {
-        juge.changees(Modele.A_COMPLETER).stream().filter(c -> !juge.aUneFaute(c) && projet.texte(c).contains("FIXME"))
+        juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> !juge.aUneFaute(c) && projet.texte(c).contains("FIXME"))
                 .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
-        Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(Grille.CONSIGNES + "." + nom, projet.ecarts.containsKey(nom)
-                ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
+        Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(GrilleDeNotation.CONSIGNES + "." + nom,
+                projet.ecarts.containsKey(nom) ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
     }
 
-    /** Retient de quoi comparer ce rendu aux autres : ce qui n'est ni donné, ni la solution du cours. */
+    /** Retient les méthodes et les classes à comparer aux autres rendus : celles qui ne sont ni données, ni celles du corrigé. */
     private void retenir() {
-        for (String classe : juge.changees(Modele.classes())) {
+        for (String classe : juge.changees(SourcesDuCours.classes())) {
             Set<String> communs = projet.cours.arbres(classe);
             projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
                     .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
         }
-        // un nom déclaré change l'empreinte de toute classe qui l'emploie
-        juge.changees(projet.cours.renomme() ? List.of() : Modele.DONNEES)
+        // un nom déclaré change l'empreinte de toutes les classes qui l'utilisent
+        juge.changees(projet.cours.renomme() ? List.of() : SourcesDuCours.DONNEES)
                 .forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
     }
 
-    /** L'image et les étapes doivent dire la même chose. */
+    /** Compare l'image et les étapes, qui doivent concorder. */
     private void confronter() {
         List<Verification> perdues = juge.verifications(v -> v.compte && !resultat.verdicts.get(v.id()).compte());
         List<String> autres = Reference.SCENES.keySet().stream().filter(scene -> !resultat.verdicts
-                .get(Grille.IMAGE + "." + scene).compte()).collect(Collectors.toList());
+                .get(GrilleDeNotation.IMAGE + "." + scene).compte()).collect(Collectors.toList());
         if (autres.isEmpty() && !perdues.isEmpty()) {
             resultat.regarder("image juste, mais " + perdues.size() + (perdues.size() > 1 ? " vérifications perdues, dont"
                     : " vérification perdue :") + " « " + perdues.get(0).titre + " »");
@@ -77,7 +78,7 @@ final class Constats {
             resultat.regarder(grain);
         }
         if (resultat.verdicts.entrySet().stream().filter(e -> e.getValue().rate() && SANS_FIN.matcher(e.getValue().message).find())
-                .map(e -> e.getKey().matches("(reflets|" + Grille.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
+                .map(e -> e.getKey().matches("(reflets|" + GrilleDeNotation.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
             resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
         }
         String lisent = emploient("System.in");
@@ -86,7 +87,7 @@ final class Constats {
         }
     }
 
-    /** Les fautes de compilation : d'abord celles qui coûtent quelque chose. */
+    /** Ajoute les fautes de compilation, d'abord celles qui coûtent des points. */
     private void compiler() {
         Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
                 .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());

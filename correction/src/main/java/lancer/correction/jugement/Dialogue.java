@@ -13,8 +13,8 @@ import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
 
 /**
- * Messages qu'une vérification, qui tourne ici, dit à la machine où tourne le rendu : chaque appel d'une doublure y appelle la
- * vraie méthode, et rapporte ce qu'elle rend. Public pour les doublures, qui sont d'un autre paquet.
+ * Messages d'une vérification, exécutée ici, à la machine virtuelle du rendu. Chaque appel d'une doublure y appelle la vraie méthode, et en
+ * rapporte le résultat. Cette classe est publique pour les doublures, qui sont dans un autre paquet.
  */
 public final class Dialogue {
 
@@ -22,7 +22,7 @@ public final class Dialogue {
 
     private final Machines.Rendue machine;
     private final Map<Integer, Doublure> doublures = new HashMap<>();
-    /** Raison pour laquelle plus rien n'est demandé à la machine, {@code null} si rien ne l'empêche. */
+    /** Raison de ne plus rien demander à la machine virtuelle, ou {@code null}. */
     String refus;
     private Panne panne;
 
@@ -30,7 +30,7 @@ public final class Dialogue {
         this.machine = machine;
     }
 
-    /** Fait quelque chose, dans ce fil, où les doublures parlent à cette machine. */
+    /** Exécute un travail dans ce fil, où les doublures appellent cette machine virtuelle. */
     void mener(Runnable travail) {
         COURANT.set(this);
         try {
@@ -44,7 +44,7 @@ public final class Dialogue {
         }
     }
 
-    /** Une autre vérification commence. @return pourquoi la machine s'est arrêtée à la précédente, ou {@code null} */
+    /** Commence une vérification. @return pourquoi la machine virtuelle s'est arrêtée à la précédente, ou {@code null} */
     String recommencer() {
         String arret = refus;
         refus = null;
@@ -54,14 +54,14 @@ public final class Dialogue {
         } catch (Arret e) {
             refus = e.getMessage();
         } catch (Panne e) {
-            // JUnit la tairait : elle est dite à la fin
+            // JUnit cacherait cette panne : elle est levée à la fin
             panne = e;
             refus = e.getMessage();
         }
         return arret;
     }
 
-    /** Le rendu n'a pas répondu comme on peut l'attendre : le message dit en quoi. */
+    /** Réponse fautive du rendu, que le message décrit. */
     static final class Echec extends RuntimeException {
 
         private static final long serialVersionUID = 1;
@@ -71,7 +71,7 @@ public final class Dialogue {
         }
     }
 
-    /** Un objet du rendu, tel qu'il s'est décrit, avec ses champs publics. */
+    /** Un objet du rendu, avec ses champs publics. */
     public static final class Recu extends Echange.Objet {
 
         private List<?> champs = List.of();
@@ -85,7 +85,7 @@ public final class Dialogue {
             return rang < champs.size() ? rendre(type, champs.get(rang)) : null;
         }
 
-        /** Un champ réel. @param attendue la classe, ou la mère, de l'objet */
+        /** Un champ réel. @param attendue la classe attendue de l'objet, ou sa classe mère */
         public double reel(String attendue, int rang) {
             Double reel = champ(Double.class, rang);
             if (reel == null) {
@@ -95,7 +95,7 @@ public final class Dialogue {
         }
     }
 
-    /** Doublure, ici, d'un objet du rendu. */
+    /** Remplaçant, dans la vérification, d'un objet du rendu. */
     public abstract static class Doublure extends Echange.Objet {
 
         protected Doublure(Recu recu) {
@@ -106,11 +106,11 @@ public final class Dialogue {
 
         /** Met à jour les champs publics. */
         protected void relire(Recu recu) {
-            // une doublure sans champ n'a rien à relire
+            // une doublure sans champ n'a rien à mettre à jour
         }
     }
 
-    /** Appelle une méthode du rendu. @param rend ce qu'elle doit rendre */
+    /** Appelle une méthode du rendu. @param rend type attendu du résultat */
     public static <T> T appeler(Class<T> rend, int methode, Object... arguments) {
         Dialogue ici = COURANT.get();
         if (ici.refus != null) {
@@ -128,7 +128,7 @@ public final class Dialogue {
         }
     }
 
-    /** Valeur qu'une méthode rend : si c'est un objet, ses champs le suivent. */
+    /** Résultat d'une méthode ; si c'est un objet, ses champs le suivent. */
     private static Object lireObjet(DataInputStream reponse) throws IOException {
         Object valeur = Echange.lireValeur(reponse, Recu::new);
         if (valeur instanceof Recu) {
@@ -175,7 +175,7 @@ public final class Dialogue {
         }
     }
 
-    /** Contenu d'une réponse de la machine. @throws Echec si le rendu n'a pas su répondre */
+    /** Contenu d'une réponse de la machine virtuelle. @throws Echec si le rendu n'a pas répondu */
     static <T> T reponse(DataInputStream reponse, Machines.Lecture<T> lecture) throws IOException {
         char sorte = reponse.readChar();
         if (sorte == Execution.RENDU) {
@@ -184,10 +184,10 @@ public final class Dialogue {
         String ou = Echange.protege(Echange.lireTexte(reponse));
         String quoi = Echange.protege(Echange.lireTexte(reponse));
         if (sorte == Execution.SANS_FIN) {
-            // ce que les vérifications des reflets attrapent
+            // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
         }
-        throw new Echec(sorte == Execution.FAUTE ? Juge.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
+        throw new Echec(sorte == Execution.FAUTE ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
                 : ou);
     }
 }

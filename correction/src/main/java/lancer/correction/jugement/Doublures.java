@@ -16,17 +16,16 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.enfant.Execution;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
- * Écrit, d'après les classes du projet à compléter, deux sources qui se répondent. Pour chaque classe sa doublure,
- * contre laquelle les vérifications sont compilées, et lancées ici. Et {@code lancer.Appels}, compilée avec les classes
- * de l'étudiant, qui appelle par son numéro chaque méthode publique : chaque appel y est écrit en toutes lettres, dans
- * sa propre méthode, de sorte qu'une signature qui manque à l'étudiant ne coûte que le sien.
+ * Écrit, d'après les classes du projet à compléter, deux sources qui se correspondent. La doublure de chaque classe sert à compiler les
+ * vérifications, et s'exécute ici. {@code lancer.Appels} est compilée avec les classes de l'étudiant, et appelle chaque méthode publique
+ * par son numéro. Chaque appel y est dans sa propre méthode : si une signature manque à l'étudiant, seul cet appel échoue.
  */
 final class Doublures {
 
-    /** Classes que les vérifications emploient, une classe avant celles qui en dérivent. Une couleur passe par sa valeur. */
+    /** Classes que les vérifications utilisent, une classe avant celles qui en dérivent. Une couleur est transmise par sa valeur. */
     private static final List<String> CLASSES = List.of("Couleur", "Tuple", "Point", "Vecteur", "PointContact", "Rayon",
             "Camera", "Lampe", "Objet3D", "Sphere", "Scene", "Lancer");
 
@@ -36,7 +35,7 @@ final class Doublures {
     private static final String ENTETE = "package lancer;\nimport lancer.correction.jugement.Dialogue;\n";
     private static final String RECU = "Dialogue.Recu";
 
-    /** Les vérifications, les doublures et ce qu'il leur faut, par nom complet. */
+    /** Les vérifications, les doublures et les classes nécessaires, par nom complet. */
     final Map<String, String> sources = new LinkedHashMap<>();
     private final StringBuilder appels = new StringBuilder();
     private String noms = "";
@@ -47,7 +46,7 @@ final class Doublures {
     Doublures(Map<String, byte[]> classes) {
         try {
             ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
-            sources.put("lancer/Tests", Modele.ressource("modele/lancer/Tests.java"));
+            sources.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
@@ -58,11 +57,11 @@ final class Doublures {
 
     /** La source de {@code lancer.Appels}. */
     String getAppels() {
-        return Modele.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
+        return SourcesDuCours.ressource("Appels.txt").replace("NOMS", noms).replace("CHAMPS", champs).replace("APPELS", appels);
     }
 
     private void doubler(String nom, Class<?> classe) {
-        // ceux de sa mère d'abord : leurs rangs sont les mêmes dans toutes ses filles
+        // les champs de la classe mère d'abord : leurs rangs sont les mêmes dans toutes ses classes filles
         List<Field> publics = Arrays.stream(classe.getFields()).filter(f -> !Modifier.isStatic(f.getModifiers()))
                 .sorted(Comparator.comparing(f -> f.getDeclaringClass() == classe)).collect(Collectors.toList());
         noms = "if (o instanceof " + nom + ") return \"" + nom + "\";\n" + noms;
@@ -72,7 +71,7 @@ final class Doublures {
                     .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }
         if (nom.equals("Couleur")) {
-            sources.put("lancer/" + nom, Modele.corrige(nom));
+            sources.put("lancer/" + nom, SourcesDuCours.corrige(nom));
             return;
         }
         StringBuilder relire = new StringBuilder();
@@ -121,7 +120,7 @@ final class Doublures {
                 + numero + (statique ? "" : ", this") + arguments(m) + "); }\n";
     }
 
-    /** Ajoute un appel, et rend son numéro. */
+    /** Ajoute un appel. @return son numéro */
     private int numeroter(String appel, boolean muet) {
         appels.append("public static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return " + appel)
                 + "; }\n");
@@ -136,7 +135,7 @@ final class Doublures {
         return Arrays.stream(e.getParameterTypes()).allMatch(Doublures::passe);
     }
 
-    /** Les arguments d'un appel, pris du tableau {@code a}. */
+    /** Les arguments d'un appel, lus dans le tableau {@code a}. */
     private static String passes(Executable e, int premier) {
         return chacun(e, (type, k) -> (type.equals("Couleur") ? "couleur(a[" : "(" + type + ") (a[") + (premier + k) + "])")
                 .collect(Collectors.joining(", "));

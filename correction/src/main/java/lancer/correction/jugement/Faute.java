@@ -3,13 +3,13 @@ package lancer.correction.jugement;
 import java.text.MessageFormat;
 import java.text.ParsePosition;
 import java.util.List;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Une faute de compilation. */
 final class Faute {
 
-    /** Les messages les plus ordinaires du compilateur d'Eclipse, puis les mêmes en français ; les autres sont cités. */
-    private static final String[] MESSAGES = Modele.ressource("compilateur.txt")
+    /** Messages ordinaires du compilateur d'Eclipse, chacun suivi de sa traduction ; les autres sont cités. */
+    private static final String[] MESSAGES = SourcesDuCours.ressource("compilateur.txt")
             .replace("{java}", "" + Runtime.version().feature()).split(" = |\n");
 
     final String fichier;
@@ -28,7 +28,7 @@ final class Faute {
         return fichier.replaceFirst(".*/", "").replaceFirst("\\.java$", "");
     }
 
-    /** Vrai si elle n'en est pas une pour une version de Java plus récente. */
+    /** Dit si le code est juste dans une version plus récente de Java. */
     boolean demandeJava() {
         return message.startsWith("demande Java ");
     }
@@ -38,7 +38,7 @@ final class Faute {
         return fichier.replaceFirst(".*/", "") + ":" + ligne + " : " + message;
     }
 
-    /** Lit le message d'un bout à l'autre, sans jamais revenir : il vient d'un rendu, et peut être long. */
+    /** Traduit un message sans retour en arrière : il vient d'un rendu, et peut être long. */
     static String francais(String message) {
         String court = message.replace("lancer.", "").replace("java.lang.", "");
         for (int k = 0; k < MESSAGES.length; k += 2) {

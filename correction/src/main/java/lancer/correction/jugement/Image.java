@@ -11,9 +11,9 @@ import org.apache.commons.csv.CSVRecord;
 public final class Image {
 
     private static final double PRES = 1e-6;
-    /** Niveaux à partir desquels un pixel est faux. */
+    /** Écart, en niveaux, au-delà duquel un pixel est faux. */
     private static final int FAUX = 2;
-    /** Part de pixels faux que les arrondis, aux bords des boules et des ombres, suffisent à expliquer. */
+    /** Part de pixels faux que les arrondis, au bord des sphères et des ombres, peuvent causer. */
     private static final double PART_PERMISE = 0.005;
 
     public final int largeur;
@@ -21,8 +21,8 @@ public final class Image {
     private final float[] rvb;
 
     /**
-     * @param texte ce que répond la sonde : les couleurs, en flottants, en base 64
-     * @throws Dialogue.Echec si ce n'en est pas
+     * @param texte réponse de la sonde : les couleurs, en nombres de 32 bits, en base 64
+     * @throws Dialogue.Echec si la réponse n'est pas une image
      */
     Image(int largeur, int hauteur, String texte) {
         this(largeur, hauteur);
@@ -48,7 +48,7 @@ public final class Image {
         }
     }
 
-    /** Une ligne d'un fichier de résultats : les couleurs y sont celles de l'écran, un octet par composante. */
+    /** Ligne d'un fichier de résultats : les couleurs y ont un octet par composante. */
     List<?> ligne(String nom) {
         byte[] octets = new byte[rvb.length];
         for (int k = 0; k < rvb.length; k++) {
@@ -57,17 +57,17 @@ public final class Image {
         return List.of("image", nom, largeur, hauteur, Base64.getEncoder().encodeToString(octets));
     }
 
-    /** Une composante, limitée à [0, 1], en niveaux de 255 ; 0 si ce n'est pas un nombre. */
+    /** Une composante limitée à [0, 1], en niveaux de 1/255 ; 0 si ce n'est pas un nombre. */
     private double niveau(int k) {
         return rvb[k] > 0 ? 255 * Math.min(1, rvb[k]) : 0;
     }
 
-    /** Écart d'un pixel à celui d'une autre image, en niveaux : la plus grande différence d'une composante. */
+    /** Plus grande différence d'une composante entre deux pixels, en niveaux. */
     double ecart(Image autre, int pixel) {
         return IntStream.range(3 * pixel, 3 * pixel + 3).mapToDouble(k -> Math.abs(niveau(k) - autre.niveau(k))).max().getAsDouble();
     }
 
-    /** Leur différence, quatre fois plus forte. */
+    /** Différence des deux images, multipliée par quatre. */
     public Image difference(Image autre) {
         Image difference = new Image(largeur, hauteur);
         for (int k = 0; k < rvb.length; k++) {
@@ -80,7 +80,7 @@ public final class Image {
         return IntStream.range(0, pixels()).filter(p -> ecart(autre, p) > FAUX).count();
     }
 
-    /** Vrai si c'est la même image, à des arrondis près. */
+    /** Dit si les images sont les mêmes, aux arrondis près. */
     boolean pareille(Image autre) {
         return faux(autre) <= PART_PERMISE * pixels();
     }
@@ -91,7 +91,7 @@ public final class Image {
         return faux + (faux > 1 ? " pixels faux" : " pixel faux") + " sur " + pixels() + ", de plus de " + FAUX + " niveaux";
     }
 
-    /** Nombre de composantes qui sont les mêmes dans les deux images, à quelques arrondis près. */
+    /** Nombre de composantes égales dans les deux images, aux arrondis près. */
     long pareilles(Image autre) {
         return IntStream.range(0, rvb.length).filter(k -> Math.abs(rvb[k] - autre.rvb[k]) < PRES).count();
     }
@@ -100,7 +100,7 @@ public final class Image {
         return largeur * hauteur;
     }
 
-    /** Le pixel comme un écran le veut. */
+    /** Le code du pixel pour l'écran. */
     public int code(int x, int y) {
         int code = 0;
         for (int k = 0; k < 3; k++) {

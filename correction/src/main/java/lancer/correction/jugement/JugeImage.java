@@ -6,30 +6,30 @@ import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
-/** Fait dessiner des classes, et juge l'image d'un rendu : est-ce celle du corrigé, sinon d'où vient qu'elle en diffère ? */
+/** Juge l'image d'un rendu : est-elle celle du corrigé, et sinon, d'où vient la différence ? */
 final class JugeImage {
 
-    /** Nombre de fois que le temps d'une vérification est permis à un dessin. */
+    /** Temps permis à un dessin, en fois celui d'une vérification. */
     private static final double TEMPS = 4;
-    /** Pixels où l'on cherche d'où vient la faute. */
+    /** Nombre de pixels où la cause d'une différence est cherchée. */
     private static final int PIXELS_ESSAYES = 200;
 
-    private final Juge juge;
+    private final JugeRendu juge;
     private final Reference reference;
     final Resultat resultat;
 
-    JugeImage(Juge juge, Reference reference) {
+    JugeImage(JugeRendu juge, Reference reference) {
         this.juge = juge;
         this.reference = reference;
         this.resultat = juge.resultat;
     }
 
     /**
-     * Une scène dont on juge l'image, par la méthode {@code getCouleurPixel} de ces classes.
+     * L'image d'une scène jugée, par la méthode {@code getCouleurPixel} de ces classes.
      *
-     * @throws Dialogue.Echec si elles ne savent pas dessiner, avec pourquoi
+     * @throws Dialogue.Echec si le dessin échoue, avec la raison
      */
     Image dessiner(Assemblage assemblage, String scene) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
@@ -38,12 +38,12 @@ final class JugeImage {
                 reference.scene(scene), taille[0], taille[1], taille[2]));
     }
 
-    /** Une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec de même */
+    /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */
     Image tracer(Assemblage assemblage, String scene, int largeur, int hauteur, int profondeur) throws Arret {
         return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
     }
 
-    /** Réponses, en chemin, que font les méthodes de ces classes. */
+    /** Réponses intermédiaires des méthodes de ces classes. */
     String decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         return sonder(assemblage, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));
@@ -59,12 +59,12 @@ final class JugeImage {
         }
     }
 
-    /** Dessine chaque scène et compare ; de la première qui diffère, cherche d'où cela vient. */
+    /** Dessine et compare chaque scène, puis cherche la cause de la première différence. */
     void juger() {
         String fausse = null;
         for (String scene : Reference.SCENES.keySet()) {
             Verdict verdict = juger(scene);
-            resultat.verdicts.put(Grille.IMAGE + "." + scene, verdict);
+            resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene, verdict);
             fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
         }
         if (fausse != null) {
@@ -79,12 +79,12 @@ final class JugeImage {
     private Verdict juger(String scene) {
         try {
             Image image = dessiner(juge.ensemble, scene);
-            // là où le rendu a raison, au ciel au moins, il l'a à un demi-pixel près : c'est là qu'on voit lequel
+            // même un rendu faux a des pixels justes, au moins au ciel : ils disent s'il vise le centre des pixels
             resultat.centre = resultat.images.isEmpty() ? image.pareilles(reference.grille.getImage(scene, true))
                     > image.pareilles(reference.grille.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
             Image attendue = reference.grille.getImage(scene, resultat.centre);
-            // d'une seule couleur, c'est celle du projet à compléter, tant que getCouleurPixel l'est
+            // une image d'une seule couleur est celle du projet à compléter, sauf si getCouleurPixel est écrite
             boolean commencee = juge.aEcrit("Lancer", "getCouleurPixel") || IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
             return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.RATE : Etat.NON_COMMENCE,
@@ -97,21 +97,21 @@ final class JugeImage {
         }
     }
 
-    /** Dessine une extension et la base du même rendu, que l'enseignant compare lui-même : rien n'en est jugé. */
+    /** Dessine une extension, et la base du même rendu. L'enseignant les compare : le programme ne les juge pas. */
     void montrer(String extension, Assemblage variante) {
         String message = "l'image de l'extension, celle de la base et celle du corrigé sont plus bas";
         try {
             resultat.images.put(extension, etendre(variante, extension, false));
-            resultat.images.put(extension + Grille.BASE, etendre(juge.ensemble, extension, false));
+            resultat.images.put(extension + GrilleDeNotation.BASE, etendre(juge.ensemble, extension, false));
         } catch (Arret | Dialogue.Echec e) {
             message = "l'image n'a pas pu être dessinée : " + e.getMessage();
         }
         resultat.verdicts.put(extension + ".image", new Verdict(Etat.A_NOTER, message));
     }
 
-    /** @param section vrai si la scène garde la section de l'extension, que le corrigé lit et qu'un rendu peut refuser */
+    /** @param section vrai pour garder la section de l'extension, que le corrigé lit et qu'un rendu peut refuser */
     Image etendre(Assemblage assemblage, String extension, boolean section) throws Arret {
-        String scene = Modele.scene(Grille.EXTENSIONS.get(extension)[2]);
+        String scene = SourcesDuCours.scene(GrilleDeNotation.EXTENSIONS.get(extension)[2]);
         return tracer(assemblage, section ? scene : scene.replaceFirst("(?s)\\[Brume\\].*?(?=\\n\\[)", ""), 160, 120, 5);
     }
 
@@ -120,7 +120,7 @@ final class JugeImage {
         Image attendue = reference.grille.getImage(scene, resultat.centre);
         int pire = IntStream.range(0, image.pixels()).boxed().max(Comparator.comparing(p -> image.ecart(attendue, p))).get();
         resultat.chemin = chemin(scene, pire % image.largeur, pire / image.largeur);
-        // un pixel très faux l'est souvent par ce qu'il reflète : un autre, moins faux, montre mieux d'où cela vient
+        // un pixel très faux l'est souvent par un reflet : un pixel moins faux montre mieux la cause
         int pas = Math.max(1, image.pixels() / PIXELS_ESSAYES);
         for (int p = pas / 2; p < image.pixels(); p += pas) {
             if (image.ecart(attendue, p) > 1) {
@@ -128,16 +128,16 @@ final class JugeImage {
                 resultat.chemin = autre.rangDuPremierEcart() < resultat.chemin.rangDuPremierEcart() ? autre : resultat.chemin;
             }
         }
-        // d'abord parmi celles qui ont raté des vérifications ; à défaut, parmi les autres
+        // d'abord les classes qui ont raté des vérifications, puis les autres
         for (boolean faute : new boolean[] {true, false}) {
             if (resultat.classesFautives.isEmpty()) {
-                juge.changees(Modele.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
+                juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
                         .forEach(resultat.classesFautives::add);
             }
         }
     }
 
-    /** Vrai si, avec cette classe, le corrigé ne dessine plus son image. */
+    /** Dit si cette classe change l'image du corrigé. */
     private boolean change(String scene, String classe) {
         try {
             Image image = juge.seule(classe).arrete ? null : dessiner(juge.seule(classe), scene);
@@ -148,7 +148,7 @@ final class JugeImage {
         }
     }
 
-    /** Compare au même point de l'écran pour les deux : celui que vise, pour ce pixel, le {@code getCouleurPixel} du rendu. */
+    /** Compare au même point de l'écran : celui que vise le {@code getCouleurPixel} du rendu pour ce pixel. */
     private Chemin chemin(String scene, int x, int y) throws Arret {
         double decalage = resultat.centre ? 0.5 : 0;
         return new Chemin(x, y, reference.chemin(scene, x + decalage, y + decalage),

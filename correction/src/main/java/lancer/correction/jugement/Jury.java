@@ -29,23 +29,22 @@ public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
     private static final int TOUR_MS = 20;
-    /** Durée permise à un rendu, en secondes : chacune de ses réponses à temps, leur somme serait sans fin. */
+    /** Durée maximale d'un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
     private static final int ENTIER_MAX = 300;
-    /** Propriété où {@code lancer.Tests} lit la sienne. */
+    /** Propriété de Java que lit {@code lancer.Tests}. */
     private static final String GRAINE = "tests.graine";
 
     private final Machines machines;
     private final Limites limites;
-    /** Machines qui compilent, et qu'aucun rendu n'occupe. */
+    /** Machines virtuelles de compilation disponibles. */
     private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
     public final Reference reference;
-    /** Noms que l'enseignant déclare. */
     private Alias alias;
 
     /**
      * @param travail dossier de travail
      * @param graine le nombre d'où viennent les valeurs des vérifications
-     * @throws Panne si la machine ne peut juger
+     * @throws Panne si cette machine ne peut juger
      */
     public Jury(Path travail, Confinement confinement, Limites limites, long graine) {
         boolean sansCompilateur = ToolProvider.getSystemJavaCompiler() == null;
@@ -57,7 +56,7 @@ public final class Jury implements AutoCloseable {
         System.setProperty(GRAINE, String.valueOf(graine));
         try {
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            // chaud, ce qui a compilé le corrigé compile le premier rendu
+            // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
             compilations.add(machines.new Compilation());
             reference = new Reference(machines, compilations.peek(), confinement.manque, graine);
         } catch (IOException e) {
@@ -67,7 +66,7 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    /** @param fini appelé pour chaque rendu dès qu'il est jugé, d'un fil ou d'un autre */
+    /** @param fini appelé pour chaque rendu jugé, dans un fil quelconque */
     public List<Resultat> juger(List<Rendu> rendus, Alias declares, Consumer<Resultat> fini) {
         alias = declares;
         ExecutorService ensemble = Executors.newFixedThreadPool(Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()));
@@ -85,7 +84,7 @@ public final class Jury implements AutoCloseable {
             }
             for (int rang = 0; rang < resultats.size(); rang++) {
                 if (resultats.get(rang).nonCorrige) {
-                    // une panne peut venir d'un voisin qui prenait tout : seul, un rendu se juge peut-être
+                    // un autre rendu a pu prendre toutes les ressources : seul, celui-ci peut être jugé
                     resultats.set(rang, surveiller(rendus.get(rang)));
                     fini.accept(resultats.get(rang));
                 }
@@ -98,7 +97,7 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    /** Juge un rendu dans son propre fil : s'il n'en finit pas, on l'y laisse. */
+    /** Juge un rendu dans son propre fil, qui est abandonné s'il ne finit pas. */
     private Resultat surveiller(Rendu rendu) throws InterruptedException {
         Machines.Compilation libre = compilations.poll();
         Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
@@ -111,7 +110,7 @@ public final class Jury implements AutoCloseable {
                         + Echange.protege(String.valueOf(e instanceof Panne ? e.getMessage() : e)))));
                 resultat.get().nonCorrige = true;
             } catch (Throwable e) {
-                // quoi qu'il nous fasse, ce rendu ne coûte sa note qu'à lui
+                // un rendu qui fait échouer le correcteur n'empêche pas de juger les autres
                 resultat.set(refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")")));
             }
         }, "jury");
@@ -139,9 +138,9 @@ public final class Jury implements AutoCloseable {
         }
         Resultat resultat = null;
         try {
-            // de plusieurs copies, celle qui réussit le plus
+            // de plusieurs copies, celle qui réussit le plus de critères est gardée
             for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours, alias.de(rendu.id))) {
-                try (Juge juge = new Juge(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
+                try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
                 }

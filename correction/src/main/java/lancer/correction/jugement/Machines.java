@@ -33,25 +33,22 @@ import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
 import org.opentest4j.AssertionFailedError;
 
-/** Les machines virtuelles à part : celle qui compile, et celle, relancée à chaque mort, où tourne un rendu. */
+/** Les autres machines virtuelles : celle qui compile, et celle qui exécute un rendu, relancée après chaque arrêt. */
 final class Machines {
 
     private final Confinement confinement;
     private final Limites limites;
-    /** L'archive des seules classes que voit un rendu avec les siennes. */
+    /** L'archive des classes qu'un rendu voit, avec les siennes. */
     private final Path outillage;
 
-    /**
-     * Lieux d'où viennent JUnit, ini4j, le compilateur et nous, pour compiler ; jamais la base, même si elle est dans le
-     * chemin des classes.
-     */
+    /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
     private final String chemin = Stream.concat(
             Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
             .filter(c -> c.getName().startsWith("org.eclipse."))).map(Machines::lieu).distinct()
             .collect(Collectors.joining(File.pathSeparator));
 
-    /** @param dossier ce qui y est s'efface */
+    /** @param dossier son contenu est effacé */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
@@ -66,7 +63,7 @@ final class Machines {
         }
     }
 
-    /** Copie les classes d'un paquet : le rendu ne doit voir ni le corrigé, ni les vérifications, ni JUnit. */
+    /** Copie les classes d'un paquet. Le rendu ne doit voir ni le corrigé, ni les vérifications, ni JUnit. */
     private static void copier(String paquet, Path lieu, ZipOutputStream zip) throws IOException {
         try (FileSystem archive = Files.isDirectory(lieu) ? null : FileSystems.newFileSystem(lieu, (ClassLoader) null);
                 Stream<Path> flux = Files.walk((archive == null ? lieu : archive.getPath("/")).resolve(paquet))) {
@@ -77,7 +74,7 @@ final class Machines {
         }
     }
 
-    /** Lieu d'où vient une classe : une archive, ou un dossier. */
+    /** L'archive ou le dossier d'une classe. */
     static String lieu(Class<?> classe) {
         try {
             return Path.of(classe.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
@@ -91,7 +88,7 @@ final class Machines {
         T lire(DataInputStream reponse) throws IOException;
     }
 
-    /** Une demande qui commence par sa sorte, et a des textes ou des classes. */
+    /** Une demande : sa sorte, puis des textes ou des classes. */
     private static Echange.Redaction demande(char sorte, Map<String, byte[]> tout) {
         return message -> {
             message.writeChar(sorte);
@@ -99,16 +96,15 @@ final class Machines {
         };
     }
 
-    /** Une machine virtuelle à part, tant qu'elle répond comme il faut. */
+    /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
     private abstract class Machine implements AutoCloseable {
 
         Enfant enfant;
 
         /**
-         * Lance la machine, si elle ne l'est pas, et attend d'elle une première réponse : ce qui l'arrête ensuite vient de ce qu'on
-         * lui donne.
+         * Lance la machine virtuelle si besoin, et attend une première réponse : un arrêt ultérieur vient alors de la demande.
          *
-         * @return vrai si elle est neuve
+         * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
         boolean lancer(Class<?> principale, String chemin, Limites siennes) {
@@ -127,7 +123,7 @@ final class Machines {
             }
         }
 
-        /** Pose une question, et lit toute la réponse ; ce qui n'en est pas une arrête la machine. */
+        /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
         <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
             try {
                 DataInputStream reponse = enfant.demander(Echange.message(demande), max);
@@ -137,7 +133,7 @@ final class Machines {
                         return lue;
                     }
                 } catch (IOException | ClassCastException e) {
-                    // plus courte qu'elle ne le dit, ou d'une autre forme
+                    // réponse trop courte, ou d'une autre forme
                 }
                 throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
             } catch (IOException e) {
@@ -157,12 +153,12 @@ final class Machines {
         }
     }
 
-    /** Un assemblage de classes compilé : les octets de chacune, par son nom, et les fautes. */
+    /** Un assemblage de classes compilé : les octets de chacune, par nom, et les fautes. */
     static final class Assemblage {
 
         final Map<String, byte[]> classes;
         final List<Faute> fautes;
-        /** Vrai si une vérification n'y a pas fini. */
+        /** Vrai si une vérification de cet assemblage n'a pas fini. */
         boolean arrete;
 
         Assemblage(Map<String, byte[]> classes, List<Faute> fautes) {
@@ -175,10 +171,10 @@ final class Machines {
         }
     }
 
-    /** Lit et compile des sources, puis d'autres : aucun rendu ne tourne ici. */
+    /** Machine virtuelle qui lit et compile des sources ; elle n'exécute aucun rendu. */
     final class Compilation extends Machine {
 
-        /** Ce que le JDK lit de ces textes, voir {@link Lecteur#lire} ; une valeur chacun. */
+        /** Lecture de ces textes par le JDK, une valeur par texte : voir {@link Lecteur#lire}. */
         List<?> lire(List<String> textes) throws Arret {
             Map<String, String> tous = new LinkedHashMap<>();
             textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
@@ -207,8 +203,8 @@ final class Machines {
         }
 
         /**
-         * @param sources le texte de chaque fichier, par son nom : {@code lancer/Vecteur}
-         * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou si un autre le tue
+         * @param sources le texte de chaque fichier, par nom : {@code lancer/Vecteur}
+         * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou s'il est tué
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
             Assemblage assemblage = demander(Compilateur.COMPILER, sources, reponse -> {
@@ -224,7 +220,7 @@ final class Machines {
         }
     }
 
-    /** Machine où tourne un rendu, qui n'a que les classes de son assemblage. */
+    /** Machine virtuelle qui exécute un rendu, avec les seules classes de son assemblage. */
     final class Rendue extends Machine {
 
         final Map<String, byte[]> classes;
@@ -233,20 +229,20 @@ final class Machines {
             this.classes = classes;
         }
 
-        /** Commence une autre demande, qui n'a plus besoin des objets rendus à la précédente. */
+        /** Commence une demande qui n'utilise plus les objets de la précédente. */
         void oublier() throws Arret {
             commencer(1);
             if (!demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX,
                     r -> r.readChar() == Execution.RENDU && r.readInt() == 0)) {
-                // des fils courent encore : une machine neuve
+                // des fils s'exécutent encore : il faut une nouvelle machine virtuelle
                 close();
                 commencer(1);
             }
         }
 
         /**
-         * @param fois combien de fois le temps ordinaire d'une demande est permis à ce qui suit
-         * @throws Arret si ces classes arrêtent une machine neuve
+         * @param fois nombre de fois que le temps ordinaire d'une demande est permis
+         * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
             if (lancer(Execution.class, outillage.toString(), limites)) {
@@ -255,7 +251,7 @@ final class Machines {
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Réponse de la sonde sur cette scène. @param max ce que la réponse peut peser, en octets */
+        /** Réponse de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
         String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
             return demander(m -> {
                 m.writeChar(Execution.SONDE);

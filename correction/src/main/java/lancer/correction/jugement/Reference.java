@@ -11,15 +11,15 @@ import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
 /**
- * Référence à laquelle on compare : le corrigé, jugé comme un rendu, et le projet à compléter, qui dit ce que l'on réussit sans
- * rien faire. Une vérification ne compte que si le corrigé la passe et que le projet à compléter ne la passe pas.
+ * Références d'un jugement : le corrigé, jugé comme un rendu, et le projet à compléter, qui donne les vérifications déjà réussies. Une
+ * vérification ne compte que si le corrigé la réussit et que le projet à compléter la rate.
  */
 public final class Reference implements AutoCloseable {
 
-    /** Les scènes dont on juge l'image : largeur, hauteur, profondeur. */
+    /** Les scènes dont l'image est jugée : largeur, hauteur, profondeur. */
     public static final Map<String, int[]> SCENES = new LinkedHashMap<>();
 
     static {
@@ -28,75 +28,76 @@ public final class Reference implements AutoCloseable {
         SCENES.put("miroirs", new int[] {80, 60, 40});
     }
 
-    /** Les classes du cours, telles que le JDK les lit. */
+    /** Les classes du cours, lues par le JDK. */
     final Cours cours;
     final Verifications junit;
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Verdicts du projet à compléter, par vérification, chaque classe seule parmi celles du corrigé. */
+    /** Verdicts de chaque classe du projet à compléter, seule avec celles du corrigé. */
     private final Map<String, Verdict> seules = new HashMap<>();
     private final long graine;
-    public final Grille grille;
-    /** Le corrigé, compilé, et qui l'interroge. */
+    public final GrilleDeNotation grille;
+    /** Le corrigé compilé, et le juge qui l'exécute. */
     private final Assemblage assemblage;
-    private final Juge juge;
+    private final JugeRendu juge;
 
-    /** @param graine d'où sont tirées les scènes dont on juge l'image */
+    /** @param graine le nombre d'où viennent les scènes jugées */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         this.graine = graine;
         cours = new Cours(compilation::lire, Map.of());
         Rendu squelette = new Rendu("", "");
-        Modele.tout(Modele::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
+        SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
         Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
-        // les vérifications sont compilées contre les doublures des classes du projet à compléter
+        // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();
         junit = new Verifications(compilation.compiler(doublures.sources).classes);
         verifications = junit.lister();
-        juge = new Juge(this, compilation, machines, projet, new Resultat("", ""));
-        assemblage = juge.assembler(Modele.tout(Modele::corrige));
+        juge = new JugeRendu(this, compilation, machines, projet, new Resultat("", ""));
+        assemblage = juge.assembler(SourcesDuCours.tout(SourcesDuCours::corrige));
         Map<String, Verdict> duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
         verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
-        grille = new Grille(sansConfinement);
+        grille = new GrilleDeNotation(sansConfinement);
         remplir();
-        for (String classe : Modele.A_COMPLETER) {
+        for (String classe : SourcesDuCours.A_COMPLETER) {
             seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
 
-    /** Le texte d'une scène dont on juge l'image. */
+    /** Le texte d'une scène jugée. */
     String scene(String nom) {
-        return Modele.scene(nom, graine);
+        return SourcesDuCours.scene(nom, graine);
     }
 
-    /** Remplit la grille : les vérifications, les scènes, les extensions et les consignes, et ce que le corrigé en dessine. */
+    /** Remplit la grille : vérifications, scènes, extensions, consignes, images du corrigé. */
     private void remplir() throws Arret {
         verifications.forEach(grille::ajouter);
         for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
             String nom = scene.getKey();
             int[] taille = scene.getValue();
-            grille.ajouter(new Verification(Grille.IMAGE, "L'image entière", nom, "",
+            grille.ajouter(new Verification(GrilleDeNotation.IMAGE, "L'image entière", nom, "",
                     "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé"));
             grille.images.put(nom, juge.images.dessiner(assemblage, nom));
-            grille.images.put(nom + Grille.AU_CENTRE, juge.images.tracer(assemblage, scene(nom), taille[0], taille[1], taille[2]));
+            grille.images.put(nom + GrilleDeNotation.AU_CENTRE, juge.images.tracer(assemblage,
+                    scene(nom), taille[0], taille[1], taille[2]));
         }
-        for (String nom : Modele.VARIANTES) {
-            String[] titres = Grille.EXTENSIONS.get(nom);
+        for (String nom : SourcesDuCours.VARIANTES) {
+            String[] titres = GrilleDeNotation.EXTENSIONS.get(nom);
             grille.ajouter(new Verification(nom, titres[0], "image", "", titres[1]));
-            grille.images.put(nom, juge.images.etendre(juge.assembler(Modele.acheve(nom)), nom, true));
+            grille.images.put(nom, juge.images.etendre(juge.assembler(SourcesDuCours.acheve(nom)), nom, true));
         }
         Projet.CONSIGNES.forEach((nom, titre) ->
-                grille.ajouter(new Verification(Grille.CONSIGNES, "Consignes de rendu", nom, "", titre)));
+                grille.ajouter(new Verification(GrilleDeNotation.CONSIGNES, "Consignes de rendu", nom, "", titre)));
     }
 
-    /** Verdict de la classe du projet à compléter, seule parmi celles du corrigé, à cette vérification. */
+    /** Verdict de la classe du projet à compléter, seule avec celles du corrigé, à cette vérification. */
     Verdict duSquelette(Verification v) {
         return seules.get(v.id());
     }
 
-    /** Réponses, en chemin, que font les méthodes du corrigé. */
+    /** Réponses intermédiaires des méthodes du corrigé. */
     synchronized String chemin(String scene, double x, double y) throws Arret {
         return juge.images.decrire(assemblage, scene, x, y);
     }

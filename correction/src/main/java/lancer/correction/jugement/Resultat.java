@@ -14,8 +14,8 @@ import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
 
 /**
- * Tout ce qu'on a trouvé d'un rendu, écrit dans un fichier à lui. La note n'en est pas : elle dépend du barème, et de ce que
- * l'enseignant donne.
+ * Résultat du jugement d'un rendu, écrit dans son propre fichier. La note n'y est pas : elle dépend du barème et des points que donne
+ * l'enseignant.
  */
 public final class Resultat {
 
@@ -25,27 +25,26 @@ public final class Resultat {
     /** Raisons pour lesquelles rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
-    /** Vrai si c'est la machine, et non le rendu, qui en est la cause : ce n'est pas une note, et rien n'en est retenu. */
+    /** Vrai si la machine, et non le rendu, a empêché de juger : le rendu n'a alors pas de note. */
     public boolean nonCorrige;
-    /** Les fautes de compilation. */
     public final List<String> fautes = new ArrayList<>();
-    /** Verdicts par {@link Verification#id()}, et pour les variantes par leur nom. */
+    /** Verdicts par {@link Verification#id()}, et par nom pour les variantes. */
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
-    /** Raisons pour lesquelles l'enseignant doit le regarder lui-même. */
+    /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
-    /** Arbre de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni celle du projet à compléter, ni celle du corrigé. */
+    /** Empreinte de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni du projet à compléter, ni du corrigé. */
     public final Map<String, String> arbres = new LinkedHashMap<>();
-    /** Empreinte de chaque classe donnée qui a été changée. */
+    /** Empreinte de chaque classe donnée que l'étudiant a modifiée. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
-    /** Méthode de l'étudiant, par critère raté, qui en répond. */
+    /** Méthode de l'étudiant que vise chaque critère raté. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
-    /** Les images qui ont pu être dessinées : par scène, celles de toutes ses classes, et par extension, celle qu'elle fait. */
+    /** Les images dessinées : par scène, avec toutes les classes du rendu ; par extension, celle de l'extension. */
     public final Map<String, Image> images = new LinkedHashMap<>();
-    /** Vrai si ses rayons passent au centre des pixels, plutôt qu'à leurs coordonnées entières. */
+    /** Vrai si les rayons passent au centre des pixels, et non aux coordonnées entières. */
     public boolean centre;
-    /** Réponses des méthodes à un pixel très faux, {@code null} si rien n'est faux. */
+    /** Réponses intermédiaires pour un pixel très faux, {@code null} si l'image est juste. */
     public Chemin chemin;
-    /** Les classes qui, seules parmi celles du corrigé, changent l'image. */
+    /** Les classes qui, seules avec celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
 
     Resultat(String id, String nom) {
@@ -53,7 +52,7 @@ public final class Resultat {
         this.nom = nom;
     }
 
-    /** Ajoute une raison de regarder ce rendu, une fois. */
+    /** Ajoute une raison d'examiner ce rendu, sans doublon. */
     void regarder(String raison) {
         if (!aRegarder.contains(raison)) {
             aRegarder.add(raison);
@@ -65,7 +64,6 @@ public final class Resultat {
         return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, ""));
     }
 
-    /** Nombre de critères réussis. */
     long reussis() {
         return verdicts.values().stream().filter(Verdict::compte).count();
     }
@@ -78,7 +76,7 @@ public final class Resultat {
         return Map.of("empreinte", empreintes, "arbre", arbres, "methode", methodes);
     }
 
-    /** Écrit le résultat dans un fichier : une chose par ligne, sa sorte, puis ses valeurs. */
+    /** Écrit le résultat dans un fichier, une donnée par ligne : sa sorte, puis ses valeurs. */
     public void ecrire(Path fichier) throws IOException {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("étudiant", id, nom, nonCorrige, centre));
@@ -92,7 +90,6 @@ public final class Resultat {
         ecrire(fichier, lignes);
     }
 
-    /** Écrit un tableau. */
     public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
         try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
             csv.printRecords(lignes);

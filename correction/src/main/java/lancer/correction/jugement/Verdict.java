@@ -6,7 +6,7 @@ public final class Verdict {
     /** États, du meilleur au pire. */
     public enum Etat {
         REUSSI("réussi"),
-        /** La classe, seule parmi celles du corrigé, est juste ; une autre l'empêche de le montrer. */
+        /** La classe est juste, seule avec celles du corrigé ; une autre classe du rendu fait échouer la vérification. */
         CACHE("juste, caché par une autre classe"),
         /** Une extension rendue, dont l'enseignant donne les points. */
         A_NOTER("à noter"),
@@ -30,17 +30,17 @@ public final class Verdict {
         this.message = message;
     }
 
-    /** Raté, ou qui ne se compile pas, si c'est ce que dit ce message. */
+    /** Verdict d'un échec : raté, ou ne se compile pas, d'après le message. */
     static Verdict rate(String message) {
-        return new Verdict(message.startsWith(Juge.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
+        return new Verdict(message.startsWith(JugeRendu.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
     }
 
-    /** Vrai si c'est une faute : ratée, ou qui ne se compile pas. */
+    /** Dit si la vérification échoue. */
     public boolean rate() {
         return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
     }
 
-    /** Vrai si la vérification rapporte ses points. */
+    /** Dit si la vérification rapporte ses points. */
     public boolean compte() {
         return etat == Etat.REUSSI || etat == Etat.CACHE;
     }

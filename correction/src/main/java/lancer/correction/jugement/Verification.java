@@ -1,6 +1,6 @@
 package lancer.correction.jugement;
 
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestIdentifier;
@@ -13,11 +13,11 @@ public final class Verification {
     final String titreEtape;
     final String methode;
     public final String titre;
-    /** La classe du cours dont elle parle, vide s'il n'en est pas d'une. */
+    /** La classe du cours visée, vide s'il n'y en a pas. */
     public final String classe;
-    /** Faux si le projet à compléter la réussit déjà : elle ne rapporte rien. */
+    /** Faux si le projet à compléter réussit déjà ce critère, qui ne rapporte alors rien. */
     public boolean compte = true;
-    /** La classe de {@code lancer.Tests} où elle est, {@code null} si elle n'en est pas. */
+    /** La classe de {@code lancer.Tests} qui contient la vérification, {@code null} pour un autre critère. */
     String classeJava;
 
     Verification(String etape, String titreEtape, String methode, String classe, String titre) {
@@ -38,10 +38,10 @@ public final class Verification {
         return (MethodSource) test.getSource().get();
     }
 
-    /** La première de ses étiquettes qui soit, ou ne soit pas, une classe du cours. */
+    /** La première étiquette qui est le nom d'une classe du cours, ou qui ne l'est pas. */
     private static String etiquette(TestIdentifier test, boolean duCours) {
-        return test.getTags().stream().map(TestTag::getName).filter(e -> Modele.A_COMPLETER.contains(e) == duCours).sorted().findFirst()
-                .orElse("");
+        return test.getTags().stream().map(TestTag::getName).filter(e -> SourcesDuCours.A_COMPLETER.contains(e) == duCours)
+                .sorted().findFirst().orElse("");
     }
 
     public String id() {

@@ -20,13 +20,13 @@ import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
 
 /**
- * Les vérifications de {@code lancer.Tests}, listées et lancées ici : elles n'ont du rendu que des doublures,
- * et le rendu n'a rien d'elles.
+ * Les vérifications de {@code lancer.Tests}, listées et exécutées ici. Elles ne voient du rendu que des doublures, et le rendu ne les voit
+ * pas.
  */
 final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
-    /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas lancées. */
+    /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas exécutées. */
     private static final int ARRETS_MAX = 3;
 
     private final ClassLoader chargeur;
@@ -36,7 +36,7 @@ final class Verifications {
         chargeur = new Execution.Classes(classes, Verifications.class.getClassLoader());
     }
 
-    /** Lanceur sans les réglages de JUnit qui traîneraient là : les doublures parlent au nom du fil qui lance. */
+    /** Demande à JUnit, sans les réglages de l'environnement : les doublures dépendent du fil qui exécute. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
                 .enableImplicitConfigurationParameters(false).build();
@@ -49,12 +49,12 @@ final class Verifications {
                 .collect(Collectors.toList());
     }
 
-    /** Résultats que des vérifications, lancées l'une après l'autre, donnent des classes que tient une machine. */
+    /** Résultats de vérifications exécutées l'une après l'autre sur les classes d'une machine virtuelle. */
     static final class Bilan implements TestExecutionListener {
 
         /** Verdicts par {@link Verification#id()}. */
         final Map<String, Verdict> verdicts = new HashMap<>();
-        /** Nombre de celles qui n'ont pas fini, et pourquoi la dernière. */
+        /** Nombre de vérifications qui n'ont pas fini, et raison de la dernière. */
         int arrets;
         String pourquoi = "";
         private final Dialogue dialogue;
@@ -64,18 +64,18 @@ final class Verifications {
             verifications.forEach(v -> verdicts.put(v.id(), new Verdict(Etat.RATE, "la vérification n'a pas pu commencer")));
         }
 
-        /** Vrai si, faute de finir, les dernières n'ont pas été lancées. */
+        /** Dit si les dernières vérifications n'ont pas été exécutées. */
         boolean coupe() {
             return arrets >= ARRETS_MAX;
         }
 
-        /** Note ce que donne cette vérification, et prépare la machine à la suivante. */
+        /** Note le résultat de cette vérification, et prépare la machine virtuelle à la suivante. */
         @Override
         public void executionFinished(TestIdentifier test, TestExecutionResult fin) {
             if (!test.isTest()) {
                 return;
             }
-            // une fois coupé, chacune dit pourquoi elle n'est pas lancée
+            // après trop d'arrêts, chaque vérification dit pourquoi elle n'est pas exécutée
             String arret = coupe() ? null : dialogue.recommencer();
             if (arret != null) {
                 arrets++;

@@ -1,7 +1,7 @@
 /**
- * Questions que l'on pose à un rendu et ce qu'on en trouve : les vérifications, classes ensemble puis chacune seule parmi celles du
- * corrigé, l'image, les variantes, et les références à qui l'on compare.
+ * Jugement d'un rendu : vérifications, avec toutes les classes puis chaque classe seule avec celles du corrigé ; image ; variantes ;
+ * références.
  *
- * <p>Y entre une vérification, ou ce qu'elle a donné ; ni points ni page, de sorte qu'un jugement gardé sert à tout barème.
+ * <p>Ce paquet ne connaît ni les points, ni les pages : un jugement gardé sert à tout barème.
  */
 package lancer.correction.jugement;

@@ -1,7 +1,7 @@
 /**
- * Le corrigé et le projet à compléter, d'un même texte, et l'écriture de ce projet.
+ * Le corrigé et le projet à compléter, tirés d'un même texte, et l'écriture de ce projet.
  *
- * <p>Le corrigé est un programme du cours de plus : ses réponses sont comparées à celles de la base, classe par classe.
- * Rien n'y entre qui dépende d'un rendu.
+ * <p>Le corrigé est un second programme du cours : ses réponses sont comparées à celles de la base, classe par classe. Ce paquet ne dépend
+ * d'aucun rendu.
  */
 package lancer.correction.modele;

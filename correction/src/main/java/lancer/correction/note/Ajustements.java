@@ -10,19 +10,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 
 /**
- * Les points que l'enseignant donne de sa main, dans {@code ajustements.csv} ({@link Tableau}) : {@code
- * id,critère,points,commentaire}, où le critère est une étape du barème, une extension, ou une ligne libre. Sans nombre, une
- * ligne ne donne rien encore.
+ * Les points que l'enseignant donne dans {@code ajustements.csv} ({@link Tableau}) : {@code id,critère,points,commentaire}. Le critère est
+ * une étape du barème, une extension ou une ligne libre. Une ligne sans nombre ne donne pas de points.
  */
 public final class Ajustements {
 
     private static final String TITRES = "id,critère,points,commentaire";
 
-    /** Des points donnés pour un critère, et pourquoi. */
+    /** Des points donnés pour un critère, avec un commentaire. */
     public static final class Ligne {
 
         public final double points;
@@ -37,13 +36,13 @@ public final class Ajustements {
     }
 
     private final Map<String, Map<String, Ligne>> lignes = new HashMap<>();
-    /** Les lignes qui ne conviennent pas, et pourquoi. */
+    /** Les lignes refusées, et pourquoi. */
     public final List<String> fautes;
 
-    /** Lit {@code ajustements.csv} dans ce dossier ; s'il n'y est pas, rien n'est donné. */
-    public Ajustements(Path dossier, Collection<String> ids, Grille grille, Bareme bareme) {
+    /** Lit {@code ajustements.csv} dans ce dossier, s'il existe. */
+    public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-        // ceux dont le maximum entre tel quel dans celui de la note
+        // critères dont le maximum s'ajoute à celui de la note
         List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());
         fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
             String critere = ligne.get(1);
@@ -70,8 +69,8 @@ public final class Ajustements {
     }
 
     /**
-     * Écrit {@code ajustements-a-remplir.csv} : les lignes déjà données, telles quelles, et une ligne sans nombre pour chaque
-     * extension rendue et chaque ligne libre qui reste à noter. Rempli, il remplace {@code ajustements.csv}.
+     * Écrit {@code ajustements-a-remplir.csv} : les lignes déjà données, puis une ligne sans nombre par extension rendue ou ligne libre à
+     * noter. Une fois rempli, ce fichier remplace {@code ajustements.csv}.
      */
     public void ecrireARemplir(Path dossier, List<Eleve> eleves) throws IOException {
         List<List<?>> tableau = new ArrayList<>(List.of(List.of(TITRES.split(","))));

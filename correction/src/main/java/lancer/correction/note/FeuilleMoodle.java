@@ -22,10 +22,10 @@ import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.QuoteMode;
 
 /**
- * La feuille de notes de Moodle, dont on ne change que les cases de la note et du commentaire (moodle, {@code
- * mod/assign/feedback/offline/importgradeslib.php}). Une note vide est ignorée par Moodle, mais un commentaire vide
- * efface celui qui y est : une case où il n'y a rien à dire est recopiée. Une note est la nôtre si notre commentaire la répète
- * dans la même ligne ; sinon elle est celle de l'enseignant, et reste.
+ * La feuille de notes de Moodle, dont seules les cases de la note et du commentaire sont modifiées (moodle,
+ * {@code mod/assign/feedback/offline/importgradeslib.php}). Moodle ignore une note vide, mais un commentaire vide efface l'ancien : une
+ * case inchangée est donc recopiée. Une note vient de la correction si le commentaire de la correction la répète sur la même ligne. Sinon,
+ * elle vient de l'enseignant, et n'est pas modifiée.
  */
 public final class FeuilleMoodle {
 
@@ -45,7 +45,7 @@ public final class FeuilleMoodle {
     private final int commentaire;
     private final int modifiable;
 
-    /** @throws Panne si ce n'est pas une feuille de notes que Moodle accepterait */
+    /** @throws Panne si Moodle n'accepterait pas cette feuille de notes */
     public FeuilleMoodle(Path fichier) {
         this.fichier = fichier;
         try {
@@ -81,9 +81,9 @@ public final class FeuilleMoodle {
     }
 
     /**
-     * Écrit {@code notes-a-deposer.csv}. Une note que nous n'avons pas écrite y reste : le rendu est à regarder.
+     * Écrit {@code notes-a-deposer.csv}. Une note que la correction n'a pas écrite est gardée : l'enseignant doit examiner ce rendu.
      *
-     * @return les rendus jugés dont la note n'est pas dans la feuille : elle ne les a pas, ou la leur est verrouillée
+     * @return les rendus jugés dont la note n'est pas dans la feuille : ils n'y sont pas, ou leur note est verrouillée
      */
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, Bareme bareme) throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();
@@ -98,7 +98,7 @@ public final class FeuilleMoodle {
         return parId.values();
     }
 
-    /** Note cette ligne, si elle est celle d'un de ces élèves, et se change ; il n'est alors plus à noter. */
+    /** Note cette ligne si elle est celle d'un de ces élèves et qu'elle peut changer. L'élève est alors retiré de {@code parId}. */
     private void noter(List<String> ligne, Map<String, Eleve> parId, Bareme bareme) {
         Matcher m = NUMERO.matcher(valeur(ligne, identifiant));
         Eleve eleve = m.matches() ? parId.get(m.group(1)) : null;
@@ -119,23 +119,20 @@ public final class FeuilleMoodle {
                     + (eleve.illisible() ? "" : " ; la nôtre serait " + neuve));
         }
         if (commentaire >= 0 && commentaire < ligne.size() && !(aNous && eleve.illisible())) {
-            // ce que l'enseignant y a mis reste ; ce que nous y avions mis s'en va, et revient avec une note à nous
+            // le texte de l'enseignant est gardé ; celui de la correction est remplacé avec la note
             String reste = NOTRE.matcher(dit).replaceAll("").trim();
             ligne.set(commentaire, !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
                     + eleve.atteinte + " »" + FIN);
         }
     }
 
-    /** @return NaN si ce n'est pas un nombre */
+    /** @return NaN si le texte n'est pas un nombre */
     private static double reel(String texte) {
         String propre = texte.trim().replace(',', '.');
         return propre.matches("\\d{1,9}(\\.\\d+)?") ? Double.parseDouble(propre) : Double.NaN;
     }
 
-    /**
-     * Écrit {@code retours.zip} : chaque page, dans le dossier où Moodle la cherche ({@code
-     * mod/assign/feedback/file/importziplib.php}).
-     */
+    /** Écrit {@code retours.zip} : chaque page est dans le dossier que Moodle lit ({@code mod/assign/feedback/file/importziplib.php}). */
     public static void ecrireRetours(Path dossier, List<Eleve> eleves) throws IOException {
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(dossier.resolve("retours.zip")))) {
             for (Eleve eleve : eleves) {

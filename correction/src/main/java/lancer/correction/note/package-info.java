@@ -1,6 +1,6 @@
 /**
- * Des jugements aux points : le barème de l'enseignant, la note d'un rendu, la feuille de notes de Moodle.
+ * Passage des jugements aux points : le barème, la note d'un rendu, la feuille de notes de Moodle.
  *
- * <p>Rien n'y entre qui juge : d'un autre barème, les mêmes jugements font une autre note.
+ * <p>Ce paquet ne juge pas : avec un autre barème, les mêmes jugements donnent d'autres notes.
  */
 package lancer.correction.note;

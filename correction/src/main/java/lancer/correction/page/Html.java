@@ -11,31 +11,31 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.Image;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 
-/** Façon d'écrire du HTML où rien de ce que vient d'un étudiant ne soit pris pour du HTML. */
+/** Écriture de HTML, où un texte d'étudiant ne peut être pris pour du HTML. */
 final class Html {
 
     private final StringBuilder texte = new StringBuilder();
 
-    /** HTML, tel quel. */
+    /** Ajoute du HTML. */
     Html brut(String html) {
         texte.append(html);
         return this;
     }
 
-    /** Un texte, quel qu'il soit. */
+    /** Ajoute un texte quelconque. */
     Html dire(Object valeur) {
         texte.append(echappe(String.valueOf(valeur)));
         return this;
     }
 
-    /** Un élément qui ne contient que ce texte. */
+    /** Ajoute un élément qui ne contient que ce texte. */
     Html element(String balise, Object valeur) {
         return brut("<" + balise + ">").dire(valeur).brut("</" + balise.replaceFirst(" .*", "") + ">");
     }
 
-    /** Un titre et une liste, s'il y a de quoi. */
+    /** Ajoute un titre et une liste, si elle n'est pas vide. */
     void liste(String titre, List<String> textes) {
         if (!textes.isEmpty()) {
             element("h2", titre).brut("<ul>");
@@ -54,7 +54,7 @@ final class Html {
                 .replace("\"", "&quot;").replace("'", "&#39;");
     }
 
-    /** Une image, dans la page même, s'il y en a une. @param reduction elle en montre un pixel sur tant, dans chaque sens */
+    /** Ajoute une image dans la page, s'il y en a une. @param reduction un pixel sur ce nombre est montré, dans chaque sens */
     Html image(Image montree, int reduction, String legende) {
         if (montree == null) {
             return this;
@@ -72,16 +72,16 @@ final class Html {
                 + "\" src=\"data:image/png;base64," + Base64.getEncoder().encodeToString(octets.toByteArray()) + "\">");
     }
 
-    /** La même, et sa légende ; rien s'il n'y a pas d'image. */
+    /** Ajoute une image et sa légende, s'il y a une image. */
     void figure(Image montree, int reduction, String legende) {
         if (montree != null) {
             brut("<figure>").image(montree, reduction, legende).element("figcaption", legende).brut("</figure>\n");
         }
     }
 
-    /** La page entière, sans rien qui vienne d'ailleurs. */
+    /** La page entière, sans référence extérieure. */
     String page(String titre) {
-        String[] modele = Modele.ressource("page.html").split("TITRE|CORPS");
+        String[] modele = SourcesDuCours.ressource("page.html").split("TITRE|CORPS");
         return modele[0] + echappe(titre) + modele[1] + texte + modele[2];
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import lancer.correction.jugement.Chemin;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
@@ -13,13 +13,13 @@ import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
 import lancer.correction.note.Eleve;
 
-/** La page d'un rendu : où il en est, ce qui ne va pas, avec un exemple, et les images. */
+/** La page d'un rendu : son avancement, ses fautes avec un exemple, et ses images. */
 final class PageEleve {
 
     private final Pages classe;
     private final Eleve eleve;
     private final Html html = new Html();
-    /** Les messages et les méthodes déjà dépliés : ils ne le sont pas de nouveau. */
+    /** Messages et méthodes déjà montrés ouverts. */
     private final Set<String> deplies = new HashSet<>();
 
     PageEleve(Pages classe, Eleve eleve) {
@@ -54,7 +54,7 @@ final class PageEleve {
     private void etapes() {
         html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
-        for (Grille.Etape etape : classe.grille.etapes) {
+        for (GrilleDeNotation.Etape etape : classe.grille.etapes) {
             Eleve.Part part = eleve.parts.get(etape.nom);
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
                     .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
@@ -67,7 +67,7 @@ final class PageEleve {
         html.brut("</table>\n");
     }
 
-    /** « 5/8 » ; d'une extension ou d'une ligne libre, les points, ou « à noter ». */
+    /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter ». */
     static String combien(Eleve.Part part) {
         return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
                 : part.reussis + "/" + part.comptent;
@@ -109,7 +109,7 @@ final class PageEleve {
             html.element("p", "Vos rayons passent un demi-pixel plus loin que (xe, ye), au centre du pixel : ici, ceux du corrigé aussi.");
         }
         for (String scene : Reference.SCENES.keySet()) {
-            Verdict verdict = resultat.verdicts.get(Grille.IMAGE + "." + scene);
+            Verdict verdict = resultat.verdicts.get(GrilleDeNotation.IMAGE + "." + scene);
             html.element("p", "« " + scene + " », " + verdict.etat.texte + " : " + verdict.message);
             Image lui = resultat.images.get(scene);
             if (lui == null) {

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
-import lancer.correction.jugement.Grille;
+import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
@@ -20,15 +20,15 @@ import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 
-/** Les pages d'une classe : celle de chacun, celle de tous, et le tableau à part. */
+/** Les pages d'une classe : celle de chaque rendu, celle de tous, et le tableau. */
 public final class Pages {
 
     private static final int REMARQUES_MONTREES = 3;
 
-    final Grille grille;
+    final GrilleDeNotation grille;
     final Bareme bareme;
 
-    public Pages(Grille grille, Bareme bareme) {
+    public Pages(GrilleDeNotation grille, Bareme bareme) {
         this.grille = grille;
         this.bareme = bareme;
     }
@@ -36,7 +36,7 @@ public final class Pages {
     /**
      * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}.
      *
-     * @param avis ce qu'il faut dire avant tout de cette classe
+     * @param avis messages à montrer en tête
      */
     public void ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
@@ -58,11 +58,11 @@ public final class Pages {
         grille.etapes.forEach(e -> titres.add(e.nom));
         List<List<?>> lignes = new ArrayList<>(List.of(titres));
         for (Eleve e : eleves) {
-            // ce qui n'a pu être jugé n'a pas zéro : rien
+            // un rendu qui n'a pu être jugé n'a pas de note
             boolean juge = !e.illisible();
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
                     juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
-                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(Grille.IMAGE).complete() ? "oui" : "non",
+                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
             e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
             ligne.replaceAll(Pages::sansFormule);
@@ -71,7 +71,7 @@ public final class Pages {
         Resultat.ecrire(fichier, lignes);
     }
 
-    /** Un tableur prendrait pour une formule un texte qui commence ainsi, ou sa suite, là où « ; » sépare les cases. */
+    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
     static String sansFormule(String texte) {
         return Echange.protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
     }
@@ -111,7 +111,7 @@ public final class Pages {
         return html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
     }
 
-    /** Liste de ce que le programme ne peut décider seul, d'abord. */
+    /** Liste de ce que l'enseignant doit décider. */
     private void aRegarder(Html html, List<Eleve> eleves) {
         List<Eleve> siens = eleves.stream().filter(e -> !e.aRegarder.isEmpty()).collect(Collectors.toList());
         html.element("h2", "À regarder").brut(siens.isEmpty()
@@ -125,9 +125,9 @@ public final class Pages {
         html.brut(siens.isEmpty() ? "" : "</table>\n");
     }
 
-    /** La première chose à corriger, celle de l'étape la plus tôt. */
+    /** La première faute à corriger, dans l'ordre des étapes. */
     void aReprendre(Eleve eleve, Html html, String debut, String fin) {
-        for (Grille.Etape etape : grille.etapes) {
+        for (GrilleDeNotation.Etape etape : grille.etapes) {
             for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
                 if (verdict.rate() && bareme.poids(etape.nom) > 0) {
@@ -163,27 +163,27 @@ public final class Pages {
         html.brut("</tr>\n");
     }
 
-    /** La note ; suivie de son maximum, si des lignes libres l'ont changé. */
+    /** La note, suivie de son maximum si des lignes libres l'ont changé. */
     private String noteDe(Eleve eleve) {
         return String.format(Locale.FRANCE, "%.2f", eleve.total()) + (eleve.sur == bareme.total ? ""
                 : "/" + Html.nombre(eleve.sur));
     }
 
-    /** De chaque extension rendue, à la même échelle : son image, celle de la base du même étudiant, celle du corrigé. */
+    /** Pour chaque extension rendue : son image, celle de la base du même étudiant, celle du corrigé. */
     void extensions(Eleve eleve, Html html, int reduction) {
         Map<String, Image> images = eleve.resultat.images;
         grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
             html.brut("<div class=\"extension\">");
             html.figure(images.get(e.nom), reduction, e.court);
-            html.figure(images.get(e.nom + Grille.BASE), reduction, "la base");
+            html.figure(images.get(e.nom + GrilleDeNotation.BASE), reduction, "la base");
             html.figure(grille.getImage(e.nom, false), reduction, "le corrigé");
             html.brut("</div>\n");
         });
     }
 
-    /** Tableau : pour chaque étape, combien des rendus jugés en ont tout, une partie, rien ; qui l'a finie, et qui s'y est arrêté. */
+    /** Tableau, par étape, du nombre de rendus complets, partiels ou nuls, et des étudiants qui l'ont finie ou s'y sont arrêtés. */
     private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
-        Map<Grille.Etape, Long> arrets = new LinkedHashMap<>();
+        Map<GrilleDeNotation.Etape, Long> arrets = new LinkedHashMap<>();
         grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
                 : eleves.stream().filter(e -> e.arret.equals(etape.nom)).count()));
         long plus = Collections.max(arrets.values());
@@ -194,7 +194,7 @@ public final class Pages {
         }
         html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, "
                 + "pas commencé<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
-        for (Grille.Etape etape : arrets.keySet()) {
+        for (GrilleDeNotation.Etape etape : arrets.keySet()) {
             html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
             for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
                 long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.parts.get(etape.nom)))).count();

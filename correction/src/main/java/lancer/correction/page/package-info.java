@@ -1,6 +1,6 @@
 /**
- * Pages que lisent l'enseignant et l'étudiant : les pages HTML, et le tableau de la classe.
+ * Pages HTML et tableau de la classe, pour l'enseignant et les étudiants.
  *
- * <p>Rien n'y entre qui juge ou qui note ; tout texte venu d'un étudiant y passe par {@code Html}.
+ * <p>Ce paquet ne juge ni ne note. Tout texte d'un étudiant passe par {@code Html}.
  */
 package lancer.correction.page;

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 
 /** Ce que les étudiants mettent dans un rendu : des projets, des copies, des classes. */
@@ -63,9 +63,9 @@ class ProjetTest extends DepotEssai {
     @Test
     void unNomChangeSeConstateEtNeSeDevinePas() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
-        for (String classe : Modele.A_COMPLETER) {
-            ecrire(projet.resolve(classe.replace("Scene", "Monde") + ".java"), Modele.corrige(classe).replaceAll("\\bScene\\b", "Monde")
-                    .replace("getNormale", "normale"));
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            ecrire(projet.resolve(classe.replace("Scene", "Monde") + ".java"), SourcesDuCours.corrige(classe)
+                    .replaceAll("\\bScene\\b", "Monde").replace("getNormale", "normale"));
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
@@ -85,7 +85,7 @@ class ProjetTest extends DepotEssai {
         Path banque = rendus.resolve("Étudiant 1_11_assignsubmission_file/banque");
         ecrire(banque.resolve("Compte.java"), "package banque; class Compte { void debiter() { } }");
         ecrire(banque.resolve("Scene.java"), "package banque; class Scene { void jouer() { } }");
-        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), Modele.squelette("Vecteur"));
+        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), SourcesDuCours.squelette("Vecteur"));
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(List.of("un autre projet : aucune des 8 classes à compléter n'y est comme dans le cours ; les siennes sont Compte"),
                 projet(lus.get("11")).aRegarder);
@@ -209,14 +209,14 @@ class ProjetTest extends DepotEssai {
     @Test
     void desParametresEnFloatSeLaissentAppelerAvecDesDoubleEtCEstDitUneFois() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
-        ecrire(projet.resolve("Vecteur.java"), Modele.corrige("Vecteur").replace("double", "float"));
-        ecrire(projet.resolve("Couleur.java"), Modele.corrige("Couleur").replace("double", "float"));
+        ecrire(projet.resolve("Vecteur.java"), SourcesDuCours.corrige("Vecteur").replace("double", "float"));
+        ecrire(projet.resolve("Couleur.java"), SourcesDuCours.corrige("Couleur").replace("double", "float"));
         Projet lu = projet(lire(rendus).get("11"));
         String vecteur = lu.texte("Vecteur");
         assertTrue(vecteur.contains(" public  Vecteur(double p0, double p1, double p2) { this((float) p0, (float) p1, (float) p2); }"
                 + " public Vecteur mul(double p0) { return mul((float) p0); }"), vecteur);
         assertTrue(vecteur.contains(" public static Vecteur div(Vecteur p0, double p1) { return div(p0, (float) p1); }"), vecteur);
-        assertEquals(Modele.corrige("Vecteur").split("\n").length, vecteur.split("\n").length);
+        assertEquals(SourcesDuCours.corrige("Vecteur").split("\n").length, vecteur.split("\n").length);
         assertTrue(lu.texte("Couleur").contains("Couleur(double p0) { this((float) p0); }"), "une classe donnée aussi");
         assertEquals(1, lu.remarques.size(), lu.remarques.toString());
     }

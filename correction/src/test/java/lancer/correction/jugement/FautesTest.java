@@ -11,9 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -32,11 +31,11 @@ class FautesTest extends JuryEssai {
     @BeforeAll
     static void jugerLesFautes() throws IOException {
         Path rendus = dossier.resolve("rendus");
-        try (Stream<Path> flux = Files.list(RENDUS.resolve("fautes"))) {
-            for (Path faute : flux.collect(Collectors.toList())) {
-                Path rendu = rendus.resolve(faute.getFileName().toString());
-                ecrireCorrige(rendu);
-                copier(faute.resolve("Étudiant 1_101_assignsubmission_file"), rendu);
+        for (String ligne : Files.readAllLines(RENDUS.resolve("fautes.txt"))) {
+            if (!ligne.startsWith("#")) {
+                String[] faute = ligne.split("\\|");
+                Path rendu = rendus.resolve(faute[0]);
+                changer(Files.exists(rendu) ? sources(rendu) : ecrireCorrige(rendu), faute[1], faute[2], faute[3]);
             }
         }
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume"), rendus.resolve("image-renversee/brume"));
@@ -45,9 +44,11 @@ class FautesTest extends JuryEssai {
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
         ecrireCorrige(rendus.resolve("extensions"));
-        variante(rendus.resolve("extensions/brume"), Modele.corrige("Lancer").replace("getColor(scene, initial, contact, profondeur)",
+        variante(rendus.resolve("extensions/brume"), SourcesDuCours.corrige("Lancer")
+                .replace("getColor(scene, initial, contact, profondeur)",
                 "getColor(scene, initial, contact, profondeur).mul(0.5).add(new Couleur(0.4, 0.4, 0.4))"));
-        variante(rendus.resolve("extensions/antialias"), Modele.corrige("Lancer", "antialias").replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
+        variante(rendus.resolve("extensions/antialias"), SourcesDuCours.corrige("Lancer", "antialias")
+                .replace("+ 0.5) / N", "+ 0.5) / N + 0.5"));
         resultats = juger(rendus, Confinement.essayer(), PATIENTES);
     }
 
@@ -112,7 +113,7 @@ class FautesTest extends JuryEssai {
             Resultat resultat = resultats.get(une[0]);
             assertEquals(Verdict.Etat.A_NOTER, resultat.verdicts.get(une[1] + ".image").etat, une[0]);
             Image sienne = resultat.images.get(une[1]);
-            Image base = resultat.images.get(une[1] + Grille.BASE);
+            Image base = resultat.images.get(une[1] + GrilleDeNotation.BASE);
             assertFalse(sienne.pareille(base), une[0] + " : l'extension change l'image de sa base");
         }
         assertFalse(resultats.get("masquees").verdicts.containsKey("brume.image"), "elle n'est pas rendue");

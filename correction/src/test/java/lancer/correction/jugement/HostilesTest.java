@@ -12,11 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -31,17 +32,35 @@ class HostilesTest extends JuryEssai {
     @TempDir
     Path dossier;
 
+    /** Ceux de {@code hostiles.txt} qui ont ces noms ; deux d'entre eux ont aussi une classe qui cacherait la nôtre. */
+    private static void ecrireHostiles(Path rendus, Predicate<String> lesquels) throws IOException {
+        for (String hostile : Files.readString(RENDUS.resolve("hostiles.txt")).replaceAll("(?m)^#.*\n", "").trim().split("\n\n")) {
+            String[] parts = hostile.split("\n", 2);
+            if (lesquels.test(parts[0])) {
+                Path sources = attaque(rendus.resolve(parts[0]), parts[1]);
+                if (parts[0].equals("mathematiques")) {
+                    ecrire(sources, "Math", "package lancer; class Math { static double abs(double x) { return 0; } }");
+                } else if (parts[0].equals("faux-junit")) {
+                    ecrire(Files.createDirectories(sources.resolveSibling("org/junit/jupiter/api")), "Assertions",
+                            "package org.junit.jupiter.api; public class Assertions { "
+                            + "public static <V> V fail(String message) { return null; } "
+                            + "public static void assertEquals(Object attendu, Object obtenu, String message) { } }");
+                }
+            }
+        }
+    }
+
     @Test
     void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        ecrireCorrige(rendus.resolve("tout-noir"));
-        try (Stream<Path> flux = Files.list(RENDUS.resolve("hostiles"))) {
-            for (Path hostile : flux.collect(Collectors.toList())) {
-                copier(hostile.resolve("Étudiant 1_101_assignsubmission_file"), rendus.resolve(hostile.getFileName().toString()));
-            }
+        Path noir = ecrireCorrige(rendus.resolve("tout-noir"));
+        ecrire(noir, "Couleur", SourcesDuCours.corrige("Couleur"));
+        for (String composante : List.of("r", "v", "b")) {
+            changer(noir, "Couleur", "this." + composante + " = " + composante + ";", "this." + composante + " = 0;");
         }
+        ecrireHostiles(rendus, nom -> true);
         ecrireCorrige(rendus.resolve("ordinaire"));
         // remplir la mémoire, ou la sortie, demande du calcul, et plus encore sur une machine chargée
         Path gourmands = Files.createDirectories(dossier.resolve("gourmands"));
@@ -86,9 +105,7 @@ class HostilesTest extends JuryEssai {
     @Test
     void sansConfinementNonPlus() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        for (String nom : List.of("imitation", "mathematiques", "falsification", "faux-junit", "boucle", "sortie")) {
-            copier(RENDUS.resolve("hostiles/" + nom + "/Étudiant 1_101_assignsubmission_file"), rendus.resolve(nom));
-        }
+        ecrireHostiles(rendus, List.of("imitation", "mathematiques", "falsification", "faux-junit", "boucle", "sortie")::contains);
         ecrireCorrige(rendus.resolve("ordinaire"));
         Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));

@@ -14,7 +14,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.modele.Modele;
+import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -32,9 +32,9 @@ class IndependanceTest extends JuryEssai {
     /** Trois témoins : l'un achevé, l'un qui a une faute, l'un qui n'a rien commencé. */
     private void temoins(Path rendus) throws IOException {
         ecrireCorrige(rendus.resolve("acheve"));
-        ecrire(ecrireCorrige(rendus.resolve("fautif")), "Vecteur", Modele.corrige("Vecteur").replace("x * v.x + y", "x * v.x - y"));
-        for (String classe : Modele.A_COMPLETER) {
-            ecrire(Files.createDirectories(rendus.resolve("vide/src/lancer")), classe, Modele.squelette(classe));
+        ecrire(ecrireCorrige(rendus.resolve("fautif")), "Vecteur", SourcesDuCours.corrige("Vecteur").replace("x * v.x + y", "x * v.x - y"));
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            ecrire(Files.createDirectories(rendus.resolve("vide/src/lancer")), classe, SourcesDuCours.squelette(classe));
         }
     }
 
@@ -60,11 +60,11 @@ class IndependanceTest extends JuryEssai {
                 + ";\npublic class Evade { }\n");
         ecrire(ecrireCorrige(rendus.resolve("fin")), "A\nFIN\nFAUTE\tB", "package lancer; class A { int f() { return x; } }");
         ecrire(ecrireCorrige(rendus.resolve("tabulation")), "A\tB", "package lancer; class A { int f() { return x; } }");
-        ecrire(ecrireCorrige(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
+        ecrire(sources(rendus.resolve("emboitees")), "Vecteur", "package lancer; class Vecteur {" + "class A {".repeat(2000)
                 + "}".repeat(2001));
-        ecrire(ecrireCorrige(rendus.resolve("milliers")), "Vecteur", Modele.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
-        ecrire(ecrireCorrige(rendus.resolve("parentheses")), "Vecteur", Modele.corrige("Vecteur").replaceFirst("return new Vecteur\\(x \\+",
-                "return new Vecteur(" + "(".repeat(20_000) + "x +"));
+        ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
+        ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
+                .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
         String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
                 + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
                 + " java.io.DataOutputStream s = new java.io.DataOutputStream(new java.io.FileOutputStream(un));";

@@ -25,10 +25,11 @@ import lancer.mesures.scenes.Scenes;
 import lancer.texte.Texte;
 
 /**
- * Le juge : POV-Ray, qui ne doit rien à ce programme, dessine les mêmes scènes, et les deux images sont comparées pixel par pixel.
- * Ce qu'il a lu et dessiné reste dans {@code target/juge}. Lancé par {@code make juge}, avec les options que dit {@code USAGE}.
+ * Compare ce programme à un programme indépendant, POV-Ray : les deux dessinent les mêmes scènes, et les images sont comparées pixel par
+ * pixel. Les fichiers lus et dessinés par POV-Ray restent dans {@code target/juge}. Lancé par {@code make juge}, avec les options de
+ * {@code USAGE}.
  *
- * Statut de sortie : 0 les images sont d'accord ; 1 il y a désaccord, ou le juge n'a pu dessiner ; 2 la demande était fausse.
+ * <p>Statut de sortie : 0 si les images sont d'accord ; 1 en cas de désaccord, ou si POV-Ray n'a pu dessiner ; 2 si la demande est fausse.
  */
 public final class Juge {
 
@@ -66,7 +67,7 @@ public final class Juge {
         System.exit(executer(args, System.out, System.err));
     }
 
-    /** Fait ce que fait {@link #main}, sans quitter Java. @return le statut de sortie */
+    /** Exécute {@link #main} sans arrêter Java. @return le statut de sortie */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
         try {
             return new Juge(sortie, args).juger();
@@ -94,7 +95,7 @@ public final class Juge {
             for (Path livree : Scenes.livrees()) {
                 juger(livree, dessin.reflets, juge);
             }
-            // ce qu'elle conseille, dans son tunnel ; puis une grande foule, où quelques pixels sont sur un bord
+            // miroirs avec le nombre de reflets que son commentaire conseille, puis une foule dont quelques pixels sont sur un bord
             juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
             juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
         }
@@ -132,18 +133,18 @@ public final class Juge {
     }
 
     /**
-     * Deux images de la même scène, pixel par pixel. Les composantes sont la lumière limitée à [0, 1] ; les écarts se comptent en pas
-     * d'un écran, 1/255.
+     * Comparaison de deux images de la même scène, pixel par pixel. Les composantes sont limitées à [0, 1] ; les écarts sont en niveaux de
+     * 1/255.
      */
     static final class Accord {
 
         private static final double PAS_8 = 1 / 255.0;
         private static final double PAS_16 = 1 / 65535.0;
 
-        /** Un pixel sur tant peut s'écarter de plus d'un pas de 16 bits : sur un bord, ou après cinq reflets entre petites boules. */
+        /** Un pixel sur ce nombre peut s'écarter de plus d'un pas de 16 bits : sur un bord, ou après cinq reflets entre petites sphères. */
         private static final int UN_SUR = 1000;
 
-        /** Pixels dont une composante s'écarte de plus d'un pas de 8 bits, de 16 bits. */
+        /** Nombre de pixels dont une composante s'écarte de plus d'un pas de 8 bits, puis de 16 bits. */
         final int auDela8;
         final int auDela16;
 
@@ -151,7 +152,7 @@ public final class Juge {
         final double pire;
         final int pirePixel;
 
-        /** La racine de l'écart quadratique moyen des composantes, en pas de 8 bits. */
+        /** L'écart quadratique moyen des composantes, en pas de 8 bits. */
         final double moyen;
 
         private final int pixels;
@@ -170,7 +171,7 @@ public final class Juge {
             moyen = Math.sqrt(Arrays.stream(ecarts).map(e -> e * e).average().orElse(0)) / PAS_8;
         }
 
-        /** Vrai si aucun pixel ne s'écarte d'un niveau d'écran, ni plus d'un sur mille d'un niveau de 16 bits. */
+        /** Dit si aucun pixel ne s'écarte d'un pas de 8 bits, et si au plus un sur mille s'écarte d'un pas de 16 bits. */
         boolean estLa() {
             return auDela8 == 0 && (long) auDela16 * UN_SUR <= pixels;
         }

@@ -17,7 +17,7 @@ import lancer.mesures.Lancement;
 /** La commande {@code povray}. Elle écrit un PNG de 16 bits par composante, proportionnel à la lumière. */
 public final class PovRay {
 
-    /** Le nom sous lequel la chercher. */
+    /** Nom de la commande. */
     public static final String COMMANDE = "povray";
 
     private static final Pattern RAYONS = Pattern.compile("(?:Rays|Shadow Ray Tests): +(\\d+)");
@@ -31,7 +31,7 @@ public final class PovRay {
 
     /**
      * @param commande un nom à chercher dans PATH, ou un chemin
-     * @param dossier où écrire scènes et images
+     * @param dossier dossier des scènes et des images
      * @throws IOException si la commande ne peut être lancée
      */
     public PovRay(String commande, Path dossier) throws IOException {
@@ -55,22 +55,22 @@ public final class PovRay {
     }
 
     /**
-     * @param nom d'une scène {@link #ecrire écrite}
-     * @param options d'anticrénelage, dans la langue de sa commande ; aucune pour un rayon par pixel
+     * @param nom celui d'une scène {@link #ecrire écrite}
+     * @param options d'anticrénelage, pour la commande ; aucune pour un rayon par pixel
      * @return l'image linéaire : trois composantes de 16 bits, la ligne du haut d'abord
-     * @throws IOException s'il n'y arrive pas ; le message dit pourquoi
+     * @throws IOException si la commande échoue ; le message dit pourquoi
      */
     Raster dessiner(String nom, int largeur, int hauteur, String... options) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
         Files.deleteIfExists(image);
-        // ni affichage, ni pause, ni hasard ; File_Gamma=1 : les niveaux du PNG sont la lumière
+        // sans affichage, pause ni hasard ; File_Gamma=1 : les niveaux du PNG sont proportionnels à la lumière
         List<String> dessin = new ArrayList<>(Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,
                 "+H" + hauteur, "-D", "-P", "-V", "-J"));
         dessin.addAll(Arrays.asList(options.length == 0 ? new String[] {"-A"} : options));
         int statut = lancer(dessin);
         if (statut != 0) {
-            // sur une machine chargée il renonce parfois : « Timed out waiting for worker thread startup »
+            // sur une machine chargée, POV-Ray échoue parfois : « Timed out waiting for worker thread startup »
             statut = lancer(dessin);
         }
         if (statut != 0 || !Files.exists(image)) {
@@ -85,12 +85,12 @@ public final class PovRay {
         return lue.getRaster();
     }
 
-    /** Ce qu'a pris la dernière commande, entière. */
+    /** Coût de la dernière commande entière ({@link Lancement#pris}). */
     public double[] pris() {
         return dernier.pris;
     }
 
-    /** Rayons de toutes sortes, du dernier dessin, selon elle. */
+    /** Nombre de rayons de toutes sortes du dernier dessin, d'après la commande. */
     public long rayons() {
         long rayons = 0;
         for (Matcher m = RAYONS.matcher(dernier.dit); m.find();) {

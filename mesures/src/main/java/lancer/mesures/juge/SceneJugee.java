@@ -8,33 +8,33 @@ import lancer.Scene;
 import lancer.dessin.Dessin;
 import lancer.mesures.ImageLineaire;
 
-/** Une scène prête à être dessinée, par nous et par le juge. */
+/** Une scène que ce programme et POV-Ray dessinent. */
 public final class SceneJugee {
 
     private static final double NIVEAUX_16 = 65535;
 
-    /** Lancer pour la dessiner nous-mêmes, au seuil que le juge peut tenir. */
+    /** Lancer qui la dessine par ce programme, au seuil que POV-Ray peut appliquer. */
     public final Lancer lancer;
 
-    /** 1, ou 3 si un Ks est coloré : l'éclat d'une lampe est pour POV-Ray d'une seule couleur. */
+    /** Nombre de dessins : 1, ou 3 si un Ks est coloré, car le reflet d'une lampe n'a qu'une composante pour POV-Ray. */
     final int dessins;
 
-    /** Le nom de chacun. */
+    /** Nom de chaque dessin. */
     private final String[] noms;
     private final PovRay povray;
     private final Camera camera;
 
     /**
-     * @param nom celui des fichiers du juge
-     * @param scene avec le seuil voulu ; si un Ks est coloré, il est mis à 0
-     * @throws lancer.commande.Echec si le juge ne peut faire le même calcul
+     * @param nom celui des fichiers de POV-Ray
+     * @param scene son seuil est mis à 0 si un Ks est coloré
+     * @throws lancer.commande.Echec si POV-Ray ne peut faire le même calcul
      */
     public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;
         noms = TraductionPov.estGrise(scene) ? new String[] {nom} : new String[] {nom + "-rouge", nom + "-verte", nom + "-bleue"};
         dessins = noms.length;
         if (dessins > 1) {
-            // POV-Ray multiplie les plus grandes composantes des Ks, nous prenons la plus grande de leur produit
+            // POV-Ray multiplie les plus grandes composantes des Ks ; ce programme prend la plus grande du produit
             scene.getModele().setSeuil(0);
         }
         lancer = Dessin.lancer(scene, largeur, hauteur, false);
@@ -46,9 +46,9 @@ public final class SceneJugee {
     }
 
     /**
-     * L'image du juge, linéaire, de ses composantes justes.
+     * L'image linéaire de POV-Ray, faite des composantes justes de chaque dessin.
      *
-     * @param rouge ce que {@link #dessiner} en a rendu, avec ces options
+     * @param rouge résultat de {@link #dessiner} avec ces options
      */
     public ImageLineaire image(Raster rouge, String... options) throws IOException {
         int largeur = camera.getLargeur();
@@ -64,7 +64,7 @@ public final class SceneJugee {
     }
 
     /**
-     * Un dessin, un seul : celui dont le juge a su les couleurs rouges, si elles ne sont pas toutes justes à la fois.
+     * Le premier dessin ; s'il y en a trois, celui dont la composante rouge est juste.
      *
      * @param options de la commande {@code povray} ; aucune pour un rayon par pixel
      */

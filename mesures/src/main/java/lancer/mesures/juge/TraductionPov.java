@@ -19,31 +19,31 @@ import lancer.Vecteur;
 import lancer.commande.Echec;
 
 /**
- * Une scène dans la langue de POV-Ray 3.7. Les axes sont les mêmes ; ni lumière ambiante ni gamma ; le ciel est une fonction de
- * la hauteur du rayon.
+ * Traduction d'une scène pour POV-Ray 3.7. Les axes sont les mêmes. Il n'y a ni lumière ambiante, ni gamma. Le ciel est une fonction de la
+ * hauteur du rayon.
  *
- * <p>Les termes se correspondent un à un (source de POV-Ray 3.7, {@code source/backend/render/trace.cpp}) : {@code diffuse} est
- * Kd ⊗ K_L (N·L) ; {@code phong} est K_L (R·L)^phong_size fois un seul nombre, d'où un dessin par composante là où un Ks est coloré ;
- * {@code reflection} est Ks ⊗ ce que voit le rayon réfléchi. Un rayon de niveau n, 0 pour le premier, est tracé si n est inférieur à
- * {@code max_trace_level}, et si le produit des plus grandes composantes de Ks atteint {@code adc_bailout} : c'est notre seuil tant
- * que les Ks sont gris.
+ * <p>Les termes se correspondent un à un (source de POV-Ray 3.7, {@code source/backend/render/trace.cpp}). {@code diffuse} est Kd ⊗ K_L
+ * (N·L). {@code phong} est K_L (R·L)^phong_size, multiplié par un seul nombre : si un Ks est coloré, il faut un dessin par composante.
+ * {@code reflection} est Ks ⊗ la couleur du rayon réfléchi. Un rayon de niveau n (0 pour le premier) est tracé si n est inférieur à
+ * {@code max_trace_level} et si le produit des plus grandes composantes de Ks atteint {@code adc_bailout}. Si les Ks sont gris, c'est le
+ * seuil de ce programme.
  *
- * <p>POV-Ray ne voit ni un contact à moins de 1e-4 du départ d'un rayon, ni ce qui fait ombre à moins de 1e-3, ni rien à plus de 1e7
- * (source, {@code MIN_ISECT_DEPTH}, {@code SHADOW_TOLERANCE}, {@code MAX_DISTANCE}). La scène est donc agrandie d'une puissance de
- * deux, qui ne change aucun chiffre de ses nombres, ni son image.
+ * <p>POV-Ray ignore un contact à moins de 1e-4 du départ d'un rayon, un obstacle à moins de 1e-3, et tout objet au-delà de 1e7 (source,
+ * {@code MIN_ISECT_DEPTH}, {@code SHADOW_TOLERANCE}, {@code MAX_DISTANCE}). La scène est donc agrandie d'une puissance de deux, ce qui ne
+ * change ni les chiffres de ses nombres, ni son image.
  */
 final class TraductionPov {
 
     /** Plus grande valeur que POV-Ray accepte pour {@code max_trace_level}. */
     private static final int NIVEAUX_MAX = 256;
 
-    /** L'échelle la plus grande, et jusqu'où les coordonnées peuvent aller. */
+    /** Plus grande échelle, et plus grande coordonnée après agrandissement. */
     private static final double ECHELLE_MAX = 1024;
     private static final double ETENDUE_MAX = 4e6;
 
     private static final String CIEL = "sky_sphere {\n"
             + "  pigment {\n"
-            // y va de -1 à 1 : la fonction reste loin de 0 et de 1, où une table de couleurs se referme sur elle-même
+            // y va de -1 à 1 : la fonction reste loin de 0 et de 1, car la table des couleurs est périodique
             + "    function { 0.5 + y / 4 }\n"
             + "    color_map {\n"
             + "      [0.25 rgb <0.5, 0.2, 0.1>]\n"
@@ -84,9 +84,9 @@ final class TraductionPov {
     }
 
     /**
-     * Les objets qu'un rayon de l'œil au centre d'un pixel rencontre avant l'écran. Nos premiers rayons partent de l'écran, ceux de
-     * POV-Ray de l'œil : ce qui est entre les deux, nous ne le voyons que dans les reflets. POV-Ray en fait autant d'un objet marqué
-     * {@code no_image}, pourvu que personne ne le voie directement.
+     * Les objets qu'un rayon de l'œil au centre d'un pixel rencontre avant l'écran. Les rayons de ce programme partent de l'écran, ceux de
+     * POV-Ray de l'œil : un objet situé entre les deux n'est ici visible que dans les reflets. L'option {@code no_image} de POV-Ray a le
+     * même effet, si aucun rayon de l'écran ne voit cet objet.
      */
     private Set<Objet3D> derriere() {
         Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
@@ -101,7 +101,7 @@ final class TraductionPov {
         return derriere;
     }
 
-    /** Nos premiers rayons. */
+    /** Les rayons de l'écran de ce programme. */
     private Stream<Rayon> rayons() {
         int largeur = camera.getLargeur();
         return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> camera.getRayon(k % largeur + 0.5, k / largeur + 0.5));
@@ -122,12 +122,12 @@ final class TraductionPov {
         return new Vecteur(Camera.OEIL, p).norme();
     }
 
-    /** Vrai si tous les Ks sont gris : un seul dessin suffit. */
+    /** Dit si tous les Ks sont gris : un seul dessin suffit alors. */
     static boolean estGrise(Scene scene) {
         return scene.getObjets().stream().map(Objet3D::getKs).allMatch(Ks -> Ks.r == Ks.v && Ks.v == Ks.b);
     }
 
-    /** @param juste la composante, de 0 à 2, dont les reflets des lampes sont justes ; toutes, si les Ks sont gris */
+    /** @param juste rang, de 0 à 2, de la composante dont les reflets des lampes sont justes ; toutes le sont si les Ks sont gris */
     String texte(int juste) {
         String entete = "#version 3.7;\n"
                 + "global_settings { assumed_gamma 1 ambient_light 0 max_trace_level " + (reflets + 1)

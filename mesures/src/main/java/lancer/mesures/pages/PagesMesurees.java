@@ -9,14 +9,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Les nombres d'une page Markdown qui viennent des mesures. Chacun y est écrit entre deux commentaires, que GitHub ne montre
- * pas : {@code <!--v:nom-->2,1<!--/v-->}.
+ * Les nombres d'une page Markdown qui viennent des mesures. Chacun est écrit entre deux commentaires, que GitHub ne montre pas :
+ * {@code <!--v:nom-->2,1<!--/v-->}.
  */
 public final class PagesMesurees {
 
     private static final Pattern VALEUR = Pattern.compile("<!--v:([^>]*?)-->.*?<!--/v-->", Pattern.DOTALL);
 
-    /** Espaces d'un nombre et de sa ponctuation : une ligne n'y passe pas à la suivante. */
+    /** Espaces à rendre insécables dans un nombre et autour de sa ponctuation. */
     private static final Pattern ESPACE_INSECABLE = Pattern.compile(" (?=[;:%»])|(?<=[×«±+−]) ");
 
     private PagesMesurees() {
@@ -31,7 +31,7 @@ public final class PagesMesurees {
         }
     }
 
-    /** @throws IllegalArgumentException si un nombre demandé n'est pas de ceux que l'on a */
+    /** @throws IllegalArgumentException si la page demande un nombre qui n'a pas été mesuré */
     public static String remplacer(String texte, Map<String, String> valeurs) {
         Matcher m = VALEUR.matcher(texte);
         StringBuffer s = new StringBuffer();

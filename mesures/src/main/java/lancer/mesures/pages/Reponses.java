@@ -30,7 +30,7 @@ import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 
-/** {@code make reponses} : les figures et les nombres de la page, ceux du programme, qu'un test compare à ce qu'elle montre. */
+/** {@code make reponses} : calcule les figures et les nombres de la page des réponses. Un test les compare à ceux de la page. */
 public final class Reponses {
 
     private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};
@@ -39,14 +39,14 @@ public final class Reponses {
     private static final int LARGEUR = 240;
     private static final int HAUTEUR = 180;
 
-    /** Rayons par pixel et par côté de la figure des étapes ; côté d'un pixel grossi de celle des escaliers. */
+    /** Racine du nombre de rayons par pixel de la figure des étapes ; côté d'un pixel agrandi dans celle des escaliers. */
     private static final int FINESSE = 3;
     private static final int LOUPE = 12;
 
     private Reponses() {
     }
 
-    /** @param args la page, et le dossier où écrire les figures */
+    /** @param args la page, et le dossier des figures */
     public static void main(String[] args) throws IOException {
         PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
         Path figures = Paths.get(args[1]);
@@ -85,14 +85,14 @@ public final class Reponses {
         return String.format(Locale.FRANCE, "%.3f", x).replaceFirst(",?0+$", "").replace('-', '−');
     }
 
-    /** Écart dont le miroir d'un vecteur de longueur 1 s'en écarte avant qu'on le normalise. */
+    /** Écart de 1 à la longueur du vecteur réfléchi d'un rayon, avant sa normalisation. */
     private static double ecartDuMiroir(Rayon rayon, PointContact contact) {
         Vecteur V = rayon.getV();
         Vecteur N = contact.objet.getNormale(contact);
         return Math.abs(V.sub(N.mul(2 * V.dot(N))).norme() - 1);
     }
 
-    /** Valeur d'une mesure en chaque contact d'une petite image : la plus petite pour la part 0, la médiane pour 0,5. */
+    /** Une mesure en chaque contact d'une petite image, au rang {@code part} : 0 pour la plus petite, 0,5 pour la médiane. */
     private static double rang(double part, Scene scene, ToDoubleBiFunction<Rayon, PointContact> mesure) {
         Camera camera = new Camera(200, 150);
         double[] mesures = IntStream.range(0, 200 * 150).mapToDouble(k -> {
@@ -103,7 +103,7 @@ public final class Reponses {
         return mesures[(int) Math.min(part * mesures.length, mesures.length - 1)];
     }
 
-    /** Le graphe du cours : l'éclat que donne le programme, selon l'angle entre R et L. */
+    /** Le graphe du cours : l'éclat que calcule le programme, selon l'angle entre R et L. */
     static String cosinus() {
         Formatter svg = new Formatter(Locale.ROOT);
         svg.format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"360\" font-family=\"sans-serif\" font-size=\"14\">\n"
@@ -130,7 +130,7 @@ public final class Reponses {
         return svg.format("</svg>\n").toString();
     }
 
-    /** La scène des étapes : une boule, une autre qui lui fait de l'ombre et s'y reflète, un sol. */
+    /** La scène des étapes : un sol, une sphère, et une autre qui l'ombre et s'y reflète. */
     private static Scene scene(boolean brillante) {
         List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
                 new Sphere(new Point(-1.3, -0.35, 5.8), 0.5), new Sphere(new Point(0, -1001.1, 7), 1000));
@@ -144,7 +144,7 @@ public final class Reponses {
                 new Lampe(new Point(4, 3, -3), new Couleur(0.25))));
     }
 
-    /** Couleur que voit un rayon à une étape du TP : 0, le jaune vif ; 1, Lambert ; 2, Phong ; 3, les ombres ; 4, les reflets. */
+    /** La couleur d'un rayon à une étape du TP : 0, jaune uni ; 1, Lambert ; 2, Phong ; 3, ombres ; 4, reflets. */
     private static Couleur couleur(int etape, Scene scene, Rayon rayon) {
         PointContact contact = scene.getClosestIntersection(rayon);
         if (contact == null) {
@@ -153,7 +153,7 @@ public final class Reponses {
         if (etape == 0) {
             return new Couleur(1, 1, 0);
         }
-        // seul, un objet n'est à l'ombre de rien
+        // avant l'étape des ombres, l'objet est seul dans sa scène
         List<Objet3D> seul = Collections.singletonList(contact.objet);
         Scene vue = etape < 3 ? new Scene(seul, scene.getLampes()) : scene;
         return contact.objet.getColor(vue, rayon, contact, etape < 4 ? 0 : Constantes.MAX_REFLETS);
@@ -181,7 +181,7 @@ public final class Reponses {
         return somme.div(n * n);
     }
 
-    /** Le bord d'une boule, à la loupe : un rayon par pixel, puis 3 × 3. */
+    /** Le bord d'une sphère, agrandi : un rayon par pixel, puis 3 × 3. */
     static ImageMemoire escaliers() {
         int cote = 28;
         ImageMemoire image = blanche(2 * cote * LOUPE + 8, cote * LOUPE);

@@ -1,6 +1,6 @@
 /**
- * Nombres et figures que montrent les pages du projet.
+ * Nombres et figures des pages du projet.
  *
- * <p>Y entre ce qui réécrit une page, ou une figure qui n'est pas une courbe.
+ * <p>Ce paquet réécrit une page, ou dessine une figure qui n'est pas une courbe.
  */
 package lancer.mesures.pages;

@@ -13,25 +13,25 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * Des boules au hasard qui ne se touchent pas, devant l'œil : {@code make scene-geante} en écrit autant que l'on veut sur la sortie
- * standard. Le même nombre donne le même texte, à l'octet, sur toute machine.
+ * Des sphères au hasard, devant l'œil, qui ne se touchent pas. {@code make scene-geante} en écrit N sur la sortie standard. Le même nombre
+ * donne le même texte, à l'octet près, sur toute machine.
  */
 public final class Foule {
 
     private static final int N_MAX = 100_000_000;
 
-    /** La boîte qui contient toutes les boules, tout entière dans l'image. */
+    /** La boîte qui contient toutes les sphères ; elle est entièrement dans l'image. */
     private static final double LARGEUR = 4.8;
     private static final double HAUTEUR = 3.6;
     private static final double FOND = 6;
     private static final double Z = 6;
 
-    /** Part des cases qui ont une boule : ni grille régulière, ni boîte vide. */
+    /** Part des cases qui contiennent une sphère : la scène n'est ni une grille régulière, ni presque vide. */
     private static final double REMPLISSAGE = 0.6;
 
     private static final int MATERIAUX = 36;
 
-    /** Décimales écrites, zéros de fin retirés : assez pour la plus petite boule d'une foule de cent millions. */
+    /** Nombre de décimales, avant d'ôter les zéros de la fin : assez pour la plus petite sphère de cent millions. */
     private static final int DECIMALES = 9;
 
     private Foule() {
@@ -47,7 +47,7 @@ public final class Foule {
         }
     }
 
-    /** @throws IllegalArgumentException si la demande ne va pas */
+    /** @throws IllegalArgumentException si l'argument n'est pas un nombre permis */
     static int combien(String... args) {
         int n = args.length == 1 && args[0].matches("[0-9]{1,9}") ? Integer.parseInt(args[0]) : 0;
         if (n < 1 || n > N_MAX) {
@@ -56,7 +56,7 @@ public final class Foule {
         return n;
     }
 
-    /** Au fil de l'eau, sans rien garder. */
+    /** Écrit la scène sans la garder en mémoire. */
     static void ecrire(Appendable sortie, int n) throws IOException {
         sortie.append("; Une foule : " + n + " boules au hasard, qui ne se touchent pas.\n;\n"
                 + "; À regarder : le temps du dessin, et comment il grandit avec le nombre de boules.\n;\n"
@@ -70,7 +70,7 @@ public final class Foule {
                 + "\n[Lampe appoint]\nposition=50 20 -20\ncouleur=0.35 0.4 0.5\n");
     }
 
-    /** Une boule au plus par case : deux boules ne peuvent se toucher, et rien n'est gardé en mémoire. */
+    /** Écrit au plus une sphère par case : deux sphères ne peuvent se toucher. */
     private static void semer(Appendable sortie, int n, double cote) throws IOException {
         String[] materiaux = new String[MATERIAUX];
         Arrays.setAll(materiaux, Foule::materiau);
@@ -81,12 +81,12 @@ public final class Foule {
         long restentCases = cases(cote);
         long restentBoules = n;
         for (long k = 0; k < nz; k++) {
-            // chaque couche et chaque rangée décalées : sans quoi l'œil verrait des allées
+            // chaque couche et chaque rangée sont décalées : sinon, l'image aurait des alignements visibles
             double dy = hasard.nextDouble() - 0.5;
             for (long j = 0; j < ny; j++) {
                 double dx = hasard.nextDouble() - 0.5;
                 for (long i = 0; i < nx; i++) {
-                    // chaque choix de n cases est aussi probable (Knuth, algorithme S)
+                    // tous les choix de n cases ont la même probabilité (Knuth, algorithme S)
                     if (hasard.nextDouble() * restentCases < restentBoules) {
                         restentBoules--;
                         double rayon = cote * (0.2 + 0.22 * hasard.nextDouble());
@@ -114,10 +114,10 @@ public final class Foule {
     }
 
     /**
-     * Une couleur par sa teinte, plus facile à accorder que rouge, vert et bleu.
+     * Une couleur d'après sa teinte.
      *
      * @param teinte en tours : 0 rouge, 1/3 vert, 2/3 bleu
-     * @param vivacite 0 gris, 1 vif
+     * @param vivacite 0 pour un gris, 1 pour une couleur pure
      * @param clarte la plus grande des trois composantes
      * @return rouge, vert, bleu, au millième
      */

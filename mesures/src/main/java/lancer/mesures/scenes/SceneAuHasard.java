@@ -10,15 +10,15 @@ import lancer.Scene;
 import lancer.Sphere;
 
 /**
- * Une scène tirée au sort, d'une à mille boules : mates, cirées ou miroirs, grosses ou minuscules, éparses ou serrées, avec ou sans
- * sol, sous une à trois lampes. La même graine donne la même scène.
+ * Une scène aléatoire, d'une à mille sphères : mates ou réfléchissantes, grosses ou petites, éparses ou serrées, avec ou sans sol, sous une
+ * à trois lampes. La même graine donne la même scène.
  */
 public final class SceneAuHasard {
 
     private static final int BOULES_MAX = 1000;
     private static final double RAYON_DU_SOL = 1000;
 
-    /** Random donne à deux graines voisines presque le même premier nombre ; pas celui-ci. */
+    /** {@link java.util.Random} donne presque le même premier nombre à deux graines voisines ; ce générateur, non. */
     private final SplittableRandom hasard;
 
     private SceneAuHasard(long graine) {
@@ -33,9 +33,9 @@ public final class SceneAuHasard {
         List<Sphere> boules = new ArrayList<>();
         int nombre = (int) Math.pow(BOULES_MAX, hasard.nextDouble());
         double etendue = entre(1, 4);
-        // plus elles sont nombreuses, plus elles sont petites, de quoi couvrir d'un rien à tout l'écran
+        // plus les sphères sont nombreuses, plus elles sont petites ; elles couvrent de presque rien à tout l'écran
         double rayon = etendue * entre(0.1, 0.8) / Math.sqrt(nombre);
-        // de 0, tout est mat, à 1, tout reflète
+        // probabilité qu'une sphère soit réfléchissante
         double brillant = hasard.nextDouble();
         double miroir = hasard.nextInt(3) == 0 ? 0.95 : 0.5;
         for (int k = 0; k < nombre; k++) {

@@ -14,21 +14,20 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /**
- * Des scènes par leur nom : une de {@code scenes/}, celle que l'on ne fait que mesurer (« tp »), ou engendrée le temps
- * de s'en servir (« foule-1000 »). Telles que la base les voit : les variantes du chemin des classes sont là pour être
- * mesurées, non pour s'y installer.
+ * Des scènes par leur nom : un fichier de {@code scenes/}, la scène « tp », qui ne sert qu'aux mesures, ou une foule engendrée
+ * (« foule-1000 »). Elles sont lues sans variante, même si une variante à mesurer est dans le chemin des classes.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
 
-    /** Dix boules qui se reflètent, et deux lampes. */
+    /** Dix sphères réfléchissantes et deux lampes. */
     public static final String TP = "tp";
 
     private Scenes() {
     }
 
-    /** Les fichiers des scènes livrées, dans l'ordre de leurs noms. */
+    /** Les fichiers des scènes livrées, par ordre alphabétique. */
     public static List<Path> livrees() throws IOException {
         try (Stream<Path> fichiers = Files.list(Paths.get("scenes"))) {
             return fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
@@ -42,10 +41,10 @@ public final class Scenes {
     }
 
     /**
-     * Le fichier de cette scène, écrit s'il le faut.
+     * Le fichier de cette scène, écrit si besoin.
      *
-     * @param dossier où l'écrire ; il y est laissé
-     * @throws lancer.SceneFautive si une scène livrée n'est pas là
+     * @param dossier dossier du fichier écrit, qui y reste
+     * @throws lancer.SceneFautive si une scène livrée manque
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
         int tiret = nom.indexOf('-');
@@ -53,7 +52,7 @@ public final class Scenes {
             return FichierScene.trouver((nom.equals(TP) ? "mesures/src/main/scenes/" : "scenes/") + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
-        // cent millions d'octets peut-être, que Ctrl+C ne doit pas laisser
+        // ce fichier peut dépasser cent millions d'octets : Ctrl+C ne doit pas le laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
             Foule.ecrire(sortie, Integer.parseInt(nom.substring(tiret + 1)));

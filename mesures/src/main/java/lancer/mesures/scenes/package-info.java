@@ -1,6 +1,6 @@
 /**
- * Scènes que l'on mesure, par leur nom : livrées, engendrées ou tirées au sort.
+ * Scènes à mesurer, par leur nom : livrées, engendrées ou aléatoires.
  *
- * <p>Y entre ce qui fait une scène, sans rien en mesurer.
+ * <p>Ce paquet crée les scènes, sans rien mesurer.
  */
 package lancer.mesures.scenes;

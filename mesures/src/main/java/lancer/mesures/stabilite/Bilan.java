@@ -6,18 +6,18 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
-/** Nombres que donnent les mesures. */
+/** Résultats des mesures de stabilité. */
 public final class Bilan {
 
-    /** Part des rayons mal classés au-dessus de laquelle une erreur ne veut plus rien dire. */
+    /** Part des rayons mal classés au-dessus de laquelle une erreur n'a plus de sens. */
     private static final double TROP = 0.1;
 
-    /** Promesse du programme, en unités de l'erreur inévitable, κ u t. */
+    /** Borne promise par le programme, en unités de l'erreur inévitable κ u t. */
     public static final double PROMESSE = 8;
 
     private final List<Exactitude> tous;
 
-    /** Des mesures de ce dossier. */
+    /** Lit les mesures de ce dossier. */
     public Bilan(Path dossier) throws IOException {
         tous = Exactitude.lire(dossier.resolve(Mesures.CSV));
     }
@@ -34,12 +34,12 @@ public final class Bilan {
         return r.part() <= TROP;
     }
 
-    /** Justesse d'une méthode dans un régime. */
+    /** Exactitude d'une méthode dans un régime. */
     public Exactitude en(Regime regime, Formule methode) {
         return de("regime-" + regime.cle(), methode).get(0);
     }
 
-    /** La plus grande de ces valeurs, celles du programme. */
+    /** La plus grande de ces valeurs pour le programme. */
     double max(String figure, ToDoubleFunction<Exactitude> valeur) {
         return de(figure, Formule.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }

@@ -6,7 +6,7 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 
-/** Un rayon et une sphère, tirés au sort, et la réponse exacte. Une même graine donne les mêmes. */
+/** Un rayon et une sphère au hasard, et la réponse exacte. La même graine donne le même cas. */
 final class Cas {
 
     /** Précision relative d'un double. */
@@ -15,13 +15,13 @@ final class Cas {
     /** P, V, C et r, à la suite. */
     final double[] nombres;
 
-    /** Distance sans arrondi : les doubles du cas sont pris tels quels, la direction est celle de deux points, exacte ; +∞ sans contact. */
+    /** Distance exacte, +∞ sans contact. Les nombres du cas sont pris comme exacts ; la direction est celle de deux points. */
     final double distance;
 
-    /** La demi-corde, +∞ si la droite ne touche pas la sphère. Près de 0, un chiffre perdu sur les données en coûte beaucoup. */
+    /** La demi-corde, +∞ si la droite manque la sphère. Si elle est petite, une erreur sur les données a un grand effet. */
     private final double demiCorde;
 
-    /** Profondeur dont la droite entre dans la sphère, r − l, l étant sa distance au centre ; négatif si elle passe à côté. */
+    /** r − l, où l est la distance de la droite au centre ; négatif si la droite manque la sphère. */
     private final double enfoncement;
 
     Cas(Point P, Point vers, Point C, double r) {
@@ -32,7 +32,7 @@ final class Cas {
         BigDecimal norme2 = Decimaux.scalaire(d, d, Decimaux.EXACT);
         BigDecimal norme = Decimaux.racine(norme2);
         BigDecimal b = Decimaux.scalaire(f, d, Decimaux.EXACT).divide(norme, Decimaux.PRECIS);
-        // le carré de la distance de la droite au centre, d'un seul quotient : rien ne s'y perd
+        // le carré de la distance de la droite au centre, par un seul quotient, sans perte de chiffres
         BigDecimal l2 = Decimaux.scalaire(f, f, Decimaux.EXACT).multiply(norme2)
                 .subtract(Decimaux.scalaire(f, d, Decimaux.EXACT).pow(2)).divide(norme2, Decimaux.PRECIS);
         BigDecimal h2 = new BigDecimal(r).pow(2).subtract(l2);
@@ -47,7 +47,7 @@ final class Cas {
         return new BigDecimal[] {new BigDecimal(p.x), new BigDecimal(p.y), new BigDecimal(p.z)};
     }
 
-    /** Rayon tiré de loin, vers une sphère de rayon 1 ou à côté d'elle, jusqu'à deux rayons de son centre. */
+    /** Rayon qui part de loin, vers une sphère de rayon 1 ou à côté d'elle, à deux rayons au plus de son centre. */
     static Cas deLoin(Random hasard, double distance) {
         Point P = new Point().add(gauss(hasard));
         Vecteur vers = gauss(hasard).normalized();
@@ -55,19 +55,19 @@ final class Cas {
         return new Cas(P, C.add(cote(hasard, vers).mul(2 * hasard.nextDouble())), C, 1);
     }
 
-    /** Rayon au ras d'une sphère de rayon 1. @param marge 1 − l/r : ce qui sépare le rayon de la tangente ; négatif, il passe à côté */
+    /** Rayon presque tangent à une sphère de rayon 1. @param marge 1 − l/r ; négative si le rayon manque la sphère */
     static Cas rasant(Random hasard, double distance, double marge) {
         Point C = new Point(hasard.nextDouble(), hasard.nextDouble(), hasard.nextDouble());
         Vecteur vers = gauss(hasard).normalized();
         Point P = C.sub(vers.mul(distance));
         double sinus = (1 - marge) / distance;
         double cosinus = Math.sqrt((1 - sinus) * (1 + sinus));
-        // le pied de la perpendiculaire : un point voisin de C, que son arrondi déplace aussi peu que possible
+        // le rayon vise le pied de la perpendiculaire, proche de C, que l'arrondi déplace peu
         Vecteur pied = cote(hasard, vers).mul(cosinus).sub(vers.mul(sinus)).mul(1 - marge);
         return new Cas(P, C.add(pied), C, 1);
     }
 
-    /** Rayon d'un œil à hauteur 1, à peu près, au-dessus d'un sol, qu'il regarde sans le raser. */
+    /** Rayon d'un œil à hauteur 1 environ au-dessus d'un sol, qu'il ne rase pas. */
     static Cas auSol(Random hasard, double rayon) {
         Point P = new Point(hasard.nextDouble(), hasard.nextDouble(), hasard.nextDouble());
         Vecteur bas = gauss(hasard).normalized();
@@ -77,7 +77,7 @@ final class Cas {
         return new Cas(P, P.add(regard), C, rayon);
     }
 
-    /** Rayon d'un point posé au-dessus ou au-dessous d'une surface, dans une direction quelconque. @param hauteur en parts du rayon */
+    /** Rayon qui part près d'une surface, d'un côté ou de l'autre, dans une direction quelconque. @param hauteur en parts du rayon */
     static Cas pose(Random hasard, double hauteur) {
         Point C = new Point().add(gauss(hasard));
         double rayon = Math.pow(10, 1 - 2 * hasard.nextDouble());
@@ -85,13 +85,13 @@ final class Cas {
         return new Cas(P, P.add(gauss(hasard).normalized()), C, rayon);
     }
 
-    /** Faux si l'arrondi de la direction suffit à faire toucher ou manquer la sphère : les deux réponses se valent. */
+    /** Faux si l'arrondi de la direction suffit à changer un contact en absence de contact : aucune réponse n'est alors fausse. */
     boolean seJuge() {
         Vecteur f = new Vecteur(nombres[6] - nombres[0], nombres[7] - nombres[1], nombres[8] - nombres[2]);
         return Math.abs(enfoncement) >= Bilan.PROMESSE * U * (f.norme() + nombres[9]);
     }
 
-    /** Vrai si une méthode touche ce qu'il faut manquer, ou l'inverse, ou prend une racine pour l'autre. */
+    /** Dit si une méthode trouve un contact qui n'existe pas, en manque un, ou prend l'autre racine. */
     boolean malClasse(Formule formule) {
         double t = formule.distance(Double.POSITIVE_INFINITY, nombres, 0);
         if (Double.isInfinite(distance) || Double.isInfinite(t) || Double.isNaN(t)) {
@@ -105,7 +105,7 @@ final class Cas {
         return Math.abs(formule.distance(Double.POSITIVE_INFINITY, nombres, 0) - distance) / distance;
     }
 
-    /** |Δt| en unités de κ u t = u (1 + r/h) t : ce que l'arrondi de la direction, que personne n'évite, change à la réponse. */
+    /** |Δt| en unités de κ u t = u (1 + r/h) t, l'effet inévitable de l'arrondi de la direction. */
     double erreurEnUnites(Formule formule) {
         return erreurRelative(formule) / (U * (1 + nombres[9] / demiCorde));
     }
@@ -114,7 +114,7 @@ final class Cas {
         return new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
     }
 
-    /** Une direction perpendiculaire à celle-ci. */
+    /** Une direction au hasard, perpendiculaire à {@code d}. */
     private static Vecteur cote(Random hasard, Vecteur d) {
         Vecteur w = gauss(hasard);
         return w.sub(d.mul(w.dot(d))).normalized();

@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
-/** Des vecteurs de décimaux, dont chaque opération est suivie d'un arrondi, ou d'aucun ; racines et quotients ont 140 chiffres. */
+/** Vecteurs de nombres décimaux. Chaque opération est suivie de l'arrondi {@code a}. Racines et quotients ont 140 chiffres. */
 final class Decimaux {
 
     static final MathContext PRECIS = new MathContext(140);
@@ -15,7 +15,7 @@ final class Decimaux {
 
     private static final BigDecimal DEMI = new BigDecimal("0.5");
 
-    /** Nombre de pas de seize chiffres justes à tous ceux-là. */
+    /** Nombre de pas de Newton qui mènent de seize chiffres justes à 140. */
     private static final int PAS_DE_NEWTON = 4;
 
     private Decimaux() {
@@ -38,7 +38,7 @@ final class Decimaux {
         if (x.signum() == 0) {
             return x;
         }
-        // un exposant pair de côté : le reste est un double ordinaire
+        // l'exposant, pair, est mis à part : le reste est un double ordinaire
         int e = (x.precision() - x.scale()) / 2;
         BigDecimal reste = x.scaleByPowerOfTen(-2 * e);
         BigDecimal s = new BigDecimal(Math.sqrt(reste.doubleValue()));

@@ -8,24 +8,24 @@ import java.util.List;
 import java.util.Map;
 import lancer.mesures.FichierCsv;
 
-/** Justesse des réponses d'une méthode, sur tant d'essais : une ligne de stabilite.csv. */
+/** Exactitude d'une méthode sur un nombre d'essais : une ligne de stabilite.csv. */
 public final class Exactitude {
 
     private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
 
-    /** Courbe : voir {@link Mesures}. */
+    /** Nom de la courbe : voir {@link Mesures}. */
     final String figure;
     final String formule;
     final double x;
     final double y;
 
-    /** Rayons jugés. */
+    /** Nombre de rayons jugés. */
     public final int essais;
 
-    /** Essais dont la réponse n'est pas du bon genre. */
+    /** Nombre d'essais mal classés ({@link Cas#malClasse}). */
     public final int faux;
 
-    /** La pire des autres, |Δt|/t, puis en unités de κ u t. */
+    /** La plus grande erreur des autres essais : |Δt|/t, puis en unités de κ u t. */
     final double erreurRelative;
     public final double erreurEnUnites;
 
@@ -40,7 +40,7 @@ public final class Exactitude {
         this.erreurEnUnites = erreurEnUnites;
     }
 
-    /** La part des essais qui sont faux, de 0 à 1. */
+    /** La part des essais mal classés, de 0 à 1. */
     public double part() {
         return essais == 0 ? 0 : (double) faux / essais;
     }
@@ -53,7 +53,7 @@ public final class Exactitude {
         Files.write(fichier, lignes);
     }
 
-    /** @param fichier de ceux qu'écrit {@link #ecrire} */
+    /** @param fichier écrit par {@link #ecrire} */
     static List<Exactitude> lire(Path fichier) throws IOException {
         List<Exactitude> exactitudes = new ArrayList<>();
         for (Map<String, String> champs : FichierCsv.lire(fichier)) {

@@ -13,12 +13,12 @@ import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
-/** Les planches de la stabilité. */
+/** Les figures de la stabilité. */
 public final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
 
-    /** Place où dessiner une part nulle, en %, sur un axe qui ne saurait l'atteindre. */
+    /** Ordonnée d'une part nulle, en %, sur un axe logarithmique. */
     private static final double AUCUN = 0.05;
 
     private final Bilan bilan;
@@ -31,7 +31,7 @@ public final class Figures {
                 + "d'un rayon sur dix est mal classé. u = 2⁻⁵³, κ u t = u (1 + r/h) t : l'effet d'un arrondi de la direction. make mesures";
     }
 
-    /** Dessine les mesures de ce dossier. */
+    /** Dessine les figures des mesures de ce dossier. */
     public static void ecrire(Path dossier) throws IOException {
         Figures figures = new Figures(new Bilan(dossier));
         figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
@@ -51,7 +51,7 @@ public final class Figures {
         return new Planche("De loin", note).volet(erreur).volet(genre);
     }
 
-    /** B : au ras. */
+    /** B : rayons rasants. */
     private Planche ras() {
         return new Planche("Au ras", note)
                 .volet(rasant(Mesures.RAS, Mesures.PRES)).volet(rasant(Mesures.RAS_LOIN, Mesures.LOINTAIN));
@@ -71,7 +71,7 @@ public final class Figures {
         return new Serie(nom, couleur, FormeDePoint.AUCUNE, true, marques);
     }
 
-    /** C : le sol, et ce qui est posé dessus. */
+    /** C : le sol, et un départ posé sur une surface. */
     private Planche sol() {
         Volet sol = new Volet("Un œil à hauteur 1", "rayon du sol", ERREUR);
         courbes(sol, Mesures.SOL, r -> r.erreurRelative, true);
@@ -80,7 +80,7 @@ public final class Figures {
         return new Planche("Près d'une surface", note).volet(sol).volet(pose);
     }
 
-    /** D : des boules plus petites qu'un pixel. */
+    /** D : des sphères plus petites qu'un pixel. */
     private Planche petites() {
         Volet volet = new Volet("", "rayon des boules, en pixels", "erreur, en niveaux");
         Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
@@ -101,7 +101,7 @@ public final class Figures {
                 + "là ; pour coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
     }
 
-    /** E : d'un reflet à l'autre. */
+    /** E : de reflet en reflet. */
     private Planche reflets() {
         Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
                 "la boule elle-même est perdue");
@@ -119,7 +119,7 @@ public final class Figures {
                 + "un arrondi près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);
     }
 
-    /** Chaque méthode. @param juste vrai pour ne tracer que là où elle touche et manque encore comme il faut */
+    /** Ajoute la courbe de chaque méthode. @param juste vrai pour ne garder que les abscisses bien classées */
     private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
         for (Formule methode : Mesures.DES_COURBES) {
             volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, true, bilan.de(figure, methode).stream()

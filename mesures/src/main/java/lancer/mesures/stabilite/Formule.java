@@ -9,12 +9,12 @@ import lancer.precision.Intersection;
 import lancer.precision.IntersectionCompensee;
 
 /**
- * Des façons de calculer la distance d'un rayon à une sphère, la plus petite qui soit positive, et comment une courbe les nomme et les
- * dessine. Les dix nombres d'un cas se suivent à partir du rang k : départ P, direction V, centre C, rayon r.
+ * Méthodes de calcul de la plus petite distance positive d'un rayon à une sphère, avec leur nom et leur dessin sur une courbe. Les dix
+ * nombres d'un cas se suivent à partir du rang k : départ P, direction V, centre C, rayon r.
  */
 public enum Formule {
 
-    /** Équation du manuel : si f = P − C, b² − 4ac soustrait deux nombres de l'ordre de |f|² pour en trouver un de l'ordre de r². */
+    /** Équation des manuels. Avec f = P − C, b² − 4ac soustrait deux nombres de l'ordre de |f|² pour un résultat de l'ordre de r². */
     MANUEL("manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE, (avant, n, k) -> {
         double fx = n[k] - n[k + 6];
         double fy = n[k + 1] - n[k + 7];
@@ -30,7 +30,7 @@ public enum Formule {
         return premiere((-b - racine) / (2 * a), (-b + racine) / (2 * a));
     }),
 
-    /** La perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les racines telles quelles. */
+    /** Perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les deux racines. */
     PERPENDICULAIRE("perpendiculaire : |f − bV|²", Style.VERT, FormeDePoint.POINTE, (avant, n, k) -> {
         double fx = n[k + 6] - n[k];
         double fy = n[k + 7] - n[k + 1];
@@ -43,15 +43,15 @@ public enum Formule {
         return h2 < 0 ? Constantes.INFINI : premiere(b - Math.sqrt(h2), b + Math.sqrt(h2));
     }),
 
-    /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
+    /** Le calcul compensé, que le programme réserve aux départs près d'une surface. De loin, il est inexact : h² = b² − c. */
     COMPENSEE("toujours compensée", Style.POURPRE, FormeDePoint.CROIX, (avant, n, k) -> IntersectionCompensee.distance(
             n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
 
-    /** La nôtre, telle que le programme l'appelle. */
+    /** La méthode du programme. */
     PROGRAMME("le programme", Style.VERMILLON, FormeDePoint.ROND, (avant, n, k) -> Intersection.distance(
             n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
 
-    /** La nôtre encore, dans une recherche : un doute n'est tranché que si cette sphère peut être la plus proche. */
+    /** La méthode du programme dans une recherche : un doute n'est tranché que si la sphère peut être la plus proche. */
     RECHERCHE("le programme, dans une recherche", Style.ORANGE, FormeDePoint.CARRE, (avant, n, k) -> {
         double d = Intersection.distanceOuDoute(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8],
                 n[k + 9]);
@@ -59,7 +59,7 @@ public enum Formule {
                 n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9]);
     });
 
-    /** Les nombres d'un cas. */
+    /** Nombre de nombres d'un cas. */
     static final int NOMBRES = 10;
 
     /** Nom dans la légende. */
@@ -79,12 +79,12 @@ public enum Formule {
         this.calcul = calcul;
     }
 
-    /** Nom dans un CSV. */
+    /** Nom dans un fichier CSV. */
     public String cle() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** La distance, ou n'importe laquelle au-delà de {@code avant} si elle y est ; +∞ s'il n'y en a pas. */
+    /** La distance, ou un nombre supérieur à {@code avant} si elle le dépasse ; +∞ sans contact. */
     double distance(double avant, double[] n, int k) {
         return calcul.distance(avant, n, k);
     }

@@ -10,7 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Juge chaque méthode sur des rayons tirés au sort. Rien n'est chronométré : le fichier est partout le même. */
+/** Juge chaque méthode sur des rayons au hasard. Rien n'est chronométré : le fichier est le même sur toute machine. */
 public final class Mesures {
 
     public static final String CSV = "stabilite.csv";
@@ -18,24 +18,24 @@ public final class Mesures {
     /** Rayons de loin : x = |P − C|/r. */
     static final String LOIN = "loin";
 
-    /** Rayons au ras : x = 1 − l/r, d'assez près puis de loin. */
+    /** Rayons rasants : x = 1 − l/r, vus de près puis de loin. */
     static final String RAS = "ras";
     static final String RAS_LOIN = "ras-loin";
 
-    /** Rayons au-dessus d'un sol : x = son rayon. */
+    /** Rayons au-dessus d'un sol : x = rayon du sol. */
     static final String SOL = "sol";
 
-    /** Posé sur une surface : x = hauteur/rayon. */
+    /** Départ posé sur une surface : x = hauteur/rayon. */
     static final String POSE = "pose";
 
-    /** Distance, en rayons, dont {@link #RAS} et {@link #RAS_LOIN} regardent la sphère. */
+    /** Distance du départ au centre, en rayons, pour {@link #RAS} et {@link #RAS_LOIN}. */
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 
     /** Méthodes que comparent les courbes. */
     static final List<Formule> DES_COURBES = Arrays.asList(Formule.MANUEL, Formule.PERPENDICULAIRE, Formule.PROGRAMME);
 
-    /** Des rayons tirés pour une abscisse, part qui doit se juger pour qu'elle soit tracée. */
+    /** Part minimale de rayons jugés pour tracer une abscisse. */
     private static final double PART_JUGEE = 0.5;
 
     private final int rayons;
@@ -47,12 +47,10 @@ public final class Mesures {
         pas = rapide ? 2 : 1;
     }
 
-    /** Mesure, et écrit {@link #CSV} dans ce dossier. */
     public void ecrire(Path dossier) throws IOException {
         Exactitude.ecrire(dossier.resolve(CSV), toutes());
     }
 
-    /** Toutes, dans un ordre fixe. */
     private List<Exactitude> toutes() {
         List<Exactitude> tous = new ArrayList<>();
         tous.addAll(courbe(LOIN, 1, 0, 12, 2, d -> h -> Cas.deLoin(h, d)));
@@ -72,7 +70,7 @@ public final class Mesures {
         return courbe(SOL, 4, 2, 9, 2, r -> h -> Cas.auSol(h, r));
     }
 
-    /** Une abscisse par {@code 1/parDecade} puissance de dix. */
+    /** Mesure {@code parDecade} abscisses par puissance de dix. */
     private List<Exactitude> courbe(String figure, int graine, int de, int a, int parDecade,
             Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
@@ -81,13 +79,13 @@ public final class Mesures {
         }).collect(Collectors.toList());
     }
 
-    /** Cas qui se jugent, parmi tant de rayons tirés au sort. */
+    /** Les cas jugés, parmi des rayons au hasard. */
     static List<Cas> tirer(int tires, long graine, Function<Random, Cas> tirage) {
         Random hasard = new Random(graine);
         return IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
     }
 
-    /** Juge chaque méthode sur les mêmes rayons ; rien si la plupart ne se jugent pas. */
+    /** Juge chaque méthode sur les mêmes rayons ; liste vide si la plupart ne peuvent être jugés. */
     static List<Exactitude> juger(String figure, double x, int tires, long graine, Function<Random, Cas> tirage,
             List<Formule> methodes) {
         List<Cas> cas = tirer(tires, graine, tirage);

@@ -4,15 +4,15 @@ import java.util.List;
 import lancer.Constantes;
 
 /**
- * Une façon de calculer une distance, seule dans sa machine virtuelle, sur les rayons d'un régime : la plus petite de huit est gardée,
- * comme dans toute recherche.
+ * Chronométrage d'une méthode, seule dans sa machine virtuelle, sur les rayons d'un régime. Comme dans une recherche, la plus petite de
+ * huit distances est gardée.
  */
 public final class Noyau {
 
     /** Nombre de distances que calcule {@link #faire}. */
     public static final int DISTANCES = 5_120_000;
 
-    /** Rayons d'un tour ; leurs nombres tiennent dans le cache le plus proche du processeur. */
+    /** Nombre de rayons d'un tour ; leurs nombres tiennent dans le premier niveau de cache. */
     static final int RAYONS = 256;
 
     /** Nombre de distances dont la plus petite est gardée. */
@@ -20,13 +20,13 @@ public final class Noyau {
 
     private static final int VERIFIES = 128;
 
-    /** Erreur relative qu'aucune méthode n'atteint d'ordinaire loin de la tangente. */
+    /** Erreur relative qu'aucune méthode n'atteint en général loin de la tangente. */
     private static final double PERMISE = 1e-3;
 
     private final Formule formule;
     private final double[] cas = new double[Formule.NOMBRES * RAYONS];
 
-    /** La somme de toutes les distances gardées : sans quoi la machine virtuelle pourrait ne pas les calculer. */
+    /** Somme des distances gardées. Sans elle, la machine virtuelle pourrait supprimer le calcul. */
     private double somme;
 
     public Noyau(Formule formule, Regime regime) {
@@ -38,7 +38,7 @@ public final class Noyau {
         }
     }
 
-    /** @throws IllegalStateException si la méthode n'y répond pas juste : son temps ne voudrait rien dire */
+    /** @throws IllegalStateException si la méthode donne des réponses fausses : son temps n'aurait pas de sens */
     static void verifier(Formule formule, Regime regime) {
         long faux = regime.tirer(VERIFIES).stream().filter(c -> c.malClasse(formule) || c.erreurRelative(formule) > PERMISE).count();
         if (faux > VERIFIES / 100) {

@@ -21,7 +21,7 @@ import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 
-/** Des boules noires sur le ciel, toutes du même rayon à l'écran, loin les unes des autres et au hasard auprès des pixels. */
+/** Des sphères noires sur le ciel, de même rayon à l'écran, éloignées les unes des autres et placées au hasard. */
 final class PetitesBoules {
 
     static final String FIGURE = "petites";
@@ -34,19 +34,19 @@ final class PetitesBoules {
     private static final int HAUTEUR = 300;
     private static final double[] RAYONS = {0.1, 0.14, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4, 2};
 
-    /** Côté, en pixels, de la case d'une boule, et du carré où est son centre : le hasard de celui-ci est uniforme dans un pixel. */
+    /** Côté, en pixels, de la case d'une sphère, et du carré où son centre est tiré uniformément. */
     private static final int CASE = 12;
     private static final int CARRE = 6;
     private static final double Z = 10;
 
-    /** Points d'un côté du pixel, dont la moyenne vaut la sienne. */
+    /** Nombre de points par côté du pixel dont la moyenne remplace celle du pixel. */
     private static final int FINESSE = 24;
 
     private final Camera camera = new Camera(LARGEUR, HAUTEUR);
     private final double rayon;
     private final List<Sphere> boules = new ArrayList<>();
 
-    /** La somme des carrés de ce que chaque boule retire au ciel, moyenne des trois composantes, en niveaux. */
+    /** La somme des carrés de la couleur du ciel que cache chaque sphère, moyenne des trois composantes, en niveaux². */
     private double contraste;
 
     private PetitesBoules(double rayon, long graine) {
@@ -59,7 +59,7 @@ final class PetitesBoules {
         }
     }
 
-    /** L'image d'une boule de rayon r, à l'angle θ de l'axe, a l'aire de celle d'un disque de rayon F r/(D cos^2,5 θ). */
+    /** L'image d'une sphère de rayon r, à l'angle θ de l'axe, a l'aire d'un disque de rayon F r/(D cos^2,5 θ). */
     private void poser(double xe, double ye) {
         Rayon vers = camera.getRayon(xe, ye);
         double agrandissement = (Z + Camera.FOCALE) / Camera.FOCALE;
@@ -71,7 +71,7 @@ final class PetitesBoules {
         contraste += 255 * 255 * (ciel.r * ciel.r + ciel.v * ciel.v + ciel.b * ciel.b) / 3;
     }
 
-    /** L'erreur de chaque méthode à chaque rayon, et celle que l'on attend ; 0 si l'on n'en a pas la forme close. */
+    /** L'erreur de chaque méthode pour chaque rayon, et l'erreur attendue, 0 si elle n'a pas de forme close. */
     static List<Exactitude> mesurer(boolean rapide) {
         Map<String, Echantillonnage> methodes = new LinkedHashMap<>();
         methodes.put("un_rayon", null);
@@ -97,12 +97,12 @@ final class PetitesBoules {
     // ---- l'erreur attendue
 
     /**
-     * Carré attendu, pour un disque au hasard, de ce que des points, de poids donnés, se trompent de son aire dans le pixel : la somme sur
-     * toutes les paires, de points et du pixel lui-même compté en moins, de l'aire commune à deux disques centrés là.
+     * Erreur attendue d'une méthode pour un disque au hasard. Son carré est la somme, sur toutes les paires de points pondérés, de l'aire
+     * commune à deux disques centrés en ces points. Les points du pixel lui-même ont un poids négatif.
      */
     private double attendue(String methode) {
         int n = methode.equals("un_rayon") ? 1 : N;
-        // « coins » ne voit que par ses coins, et un disque n'y touche alors qu'un sous-pixel
+        // « coins » ne voit que ses coins, si le disque est assez petit pour ne toucher qu'un sous-pixel
         boolean coins = methode.equals("coins");
         if (methode.startsWith("partage") || coins && rayon > 0.5 / N) {
             return 0;

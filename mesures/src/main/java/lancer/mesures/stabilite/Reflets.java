@@ -12,34 +12,34 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Reste des chiffres d'un rayon après tant de reflets d'une petite boule à l'autre : chaque reflet multiplie l'erreur par deux
- * fois la distance d'une boule à l'autre, divisée par leur rayon, quelle que soit la méthode. Chaque façon de compter fait ses opérations
- * une à une, et arrondit chacune : le même calcul, juste, sinon cet arrondi.
+ * Perte de précision d'un rayon réfléchi plusieurs fois entre de petites sphères. Chaque reflet multiplie l'erreur par deux fois la
+ * distance des sphères divisée par leur rayon, quelle que soit la méthode. Chaque arithmétique fait le même calcul, et arrondit chaque
+ * opération à sa façon.
  */
 final class Reflets {
 
     static final String FIGURE = "reflets";
 
-    /** Le plus de reflets que l'on suive. */
+    /** Nombre maximal de reflets. */
     static final int MAX = 25;
 
-    /** Bornes des distances d'une boule de rayon 1 à la suivante : celles d'une foule. */
+    /** Bornes des distances entre deux sphères de rayon 1 : celles d'une foule. */
     private static final double PRES = 5;
     private static final double LOIN = 40;
 
-    /** Arrondi des rayons justes. */
+    /** Arrondi des rayons de référence. */
     private static final UnaryOperator<BigDecimal> PRECIS = x -> x.round(Decimaux.PRECIS);
 
     private final Random hasard;
 
-    /** Les centres des boules, que chaque façon de compter rencontre dans cet ordre. */
+    /** Centres des sphères, dans l'ordre où toutes les arithmétiques les rencontrent. */
     private final List<BigDecimal[]> centres = new ArrayList<>();
 
     private Reflets(long graine) {
         hasard = new Random(graine);
     }
 
-    /** L'arrondi de chaque opération, et s'il attend qu'un reflet soit fini. */
+    /** L'arrondi de chaque arithmétique, par nom. */
     private static Map<String, UnaryOperator<BigDecimal>> facons() {
         Map<String, UnaryOperator<BigDecimal>> facons = new LinkedHashMap<>();
         facons.put("float", x -> new BigDecimal(x.floatValue()));
@@ -52,7 +52,10 @@ final class Reflets {
         return facons;
     }
 
-    /** Erreur médiane du contact, par façon et par nombre de reflets, en rayons de la boule. @param chaines tirées au sort */
+    /**
+     * Erreur médiane du contact, par arithmétique et par nombre de reflets, en rayons de la sphère. @param chaines nombre de chaînes au
+     * hasard
+     */
     static List<Exactitude> mesurer(int chaines) {
         Map<String, double[][]> erreurs = new LinkedHashMap<>();
         facons().keySet().forEach(nom -> erreurs.put(nom, new double[MAX][chaines]));
@@ -68,7 +71,7 @@ final class Reflets {
         return exactitudes;
     }
 
-    /** Une chaîne : les boules naissent sous le rayon juste, puis chaque façon de compter suit les mêmes. */
+    /** Suit une chaîne : chaque sphère est placée devant le rayon de référence, puis chaque arithmétique suit les mêmes sphères. */
     private void suivre(Map<String, double[][]> erreurs, int c) {
         BigDecimal[] depart = tirer();
         BigDecimal[] direction = unite(tirer(), PRECIS);
@@ -94,7 +97,7 @@ final class Reflets {
                     suivi = new BigDecimal[][] {arrondir(suivi[0], arrondi), arrondir(suivi[1], arrondi)};
                 }
                 if (k > 0) {
-                    // le premier contact n'est pas un reflet ; une boule manquée est un contact perdu
+                    // le premier contact n'est pas un reflet ; une sphère manquée compte pour une erreur de 1
                     erreurs.get(nom)[k - 1][c] = suivi == null ? 1 : Math.min(1, distance(suivi[0], justes.get(k)));
                 }
             }
@@ -105,12 +108,12 @@ final class Reflets {
         return Arrays.stream(v).map(arrondi).toArray(BigDecimal[]::new);
     }
 
-    /** Chaque coordonnée entre −1/2 et 1/2 : le rayon qui vise à cela près le centre d'une boule de rayon 1 la touche. */
+    /** Coordonnées entre −1/2 et 1/2 : un rayon qui vise ce point près du centre d'une sphère de rayon 1 la touche. */
     private BigDecimal[] tirer() {
         return Stream.generate(() -> new BigDecimal(hasard.nextDouble() - 0.5)).limit(3).toArray(BigDecimal[]::new);
     }
 
-    /** Le contact d'un rayon et d'une boule de rayon 1, et la direction du reflet ; {@code null} s'il passe à côté. */
+    /** Le contact d'un rayon et d'une sphère de rayon 1, et la direction réfléchie ; {@code null} sans contact. */
     private static BigDecimal[][] reflechir(BigDecimal[][] rayon, BigDecimal[] centre, UnaryOperator<BigDecimal> a) {
         BigDecimal[] v = rayon[1];
         BigDecimal[] f = Decimaux.difference(centre, rayon[0], a);

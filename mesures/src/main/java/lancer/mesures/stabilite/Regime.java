@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.function.Function;
 
-/** Situations que rencontre un rayon, sur quoi les méthodes se comparent en temps et en erreur. */
+/** Familles de rayons sur lesquelles les méthodes sont comparées, en temps et en erreur. */
 public enum Regime {
 
     ORDINAIRE("D'ordinaire : une boule à portée de 3 à 30 rayons", h -> Cas.deLoin(h, puissance(h, 0.5, 1.5))),
@@ -15,7 +15,7 @@ public enum Regime {
             (h.nextBoolean() ? 1 : -1) * puissance(h, -13, -3))),
     SOL("Au-dessus d'un sol de rayon 20 000, à hauteur 1", h -> Cas.auSol(h, 20_000));
 
-    /** Rayons tirés pour juger ; les premiers servent à mesurer le temps. */
+    /** Nombre de rayons à juger ; les premiers servent à mesurer le temps. */
     public static final int RAYONS = 4_000;
 
     public final String nom;
@@ -38,12 +38,11 @@ public enum Regime {
         return 7_000L + ordinal();
     }
 
-    /** Les mêmes à chaque fois, hors ceux que l'arrondi de leur direction suffit à faire changer d'avis. */
+    /** Des rayons toujours les mêmes, sauf ceux qui ne peuvent être jugés ({@link Cas#seJuge}). */
     List<Cas> tirer(int tires) {
         return Mesures.tirer(tires, graine(), tirage);
     }
 
-    /** Juge chaque méthode. */
     List<Exactitude> juger() {
         return Mesures.juger("regime-" + cle(), 0, RAYONS, graine(), tirage, Arrays.asList(Formule.values()));
     }

@@ -1,6 +1,2 @@
-/**
- * Régimes où les façons de calculer un contact se trompent, et de combien : chacune contre un calcul exact.
- *
- * <p>Y entre une méthode à juger, ou une famille de cas où la juger.
- */
+/** Exactitude de plusieurs méthodes de calcul d'un contact, par régime, comparées à un calcul exact. */
 package lancer.mesures.stabilite;

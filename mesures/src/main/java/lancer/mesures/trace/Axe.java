@@ -12,15 +12,15 @@ import org.jfree.chart.axis.TickType;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 
-/** Un axe logarithmique aux graduations rondes, autant que la place en permet, écrites à la française. */
+/** Un axe logarithmique à graduations rondes, écrites à la française. */
 final class Axe extends LogAxis {
 
     private static final long serialVersionUID = 1;
 
-    /** Graduations, au plus. */
+    /** Nombre maximal de graduations. */
     private static final int ASSEZ = 8;
 
-    /** Graduations dans chaque puissance de dix, puis dans une sur deux, trois… : du plus serré au plus lâche. */
+    /** Graduations de chaque puissance de dix, puis d'une sur deux, d'une sur trois… : de plus en plus espacées. */
     private static final double[][] MULTIPLES = {{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}, {1, 1.5, 2, 3, 5}, {1, 2, 5}, {1, 3}, {1}};
 
     /** @param min plus grand que 0 */

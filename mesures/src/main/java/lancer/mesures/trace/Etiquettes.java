@@ -10,14 +10,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Écrit des noms à côté de points, là où rien n'est déjà dessiné ; un nom qui n'a pas de place n'est pas écrit. */
+/** Écrit des noms à côté de points, aux endroits libres ; un nom qui n'a pas de place n'est pas écrit. */
 final class Etiquettes {
 
-    /** Directions essayées, par préférence : à droite, au-dessus à droite, puis de loin en loin. */
+    /** Directions essayées, par ordre de préférence, puis distances. */
     private static final double[][] DIRECTIONS = {{1, 0}, {1, -1}, {-1, 0}, {1, 1}, {0, -1}, {-1, -1}, {0, 1}, {-1, 1}};
     private static final double[] DISTANCES = {16, 24, 40, 60, 84, 120, 160};
 
-    /** Distance au-delà de laquelle un fil relie le nom au point. */
+    /** Distance au-delà de laquelle un trait relie le nom au point. */
     private static final double FIL = 30;
 
     private final Graphics2D g;
@@ -30,12 +30,12 @@ final class Etiquettes {
         this.cadre = cadre;
     }
 
-    /** Rien ne sera écrit ici. */
+    /** Réserve ce carré. */
     void reserver(double x, double y, double demiCote) {
         pris.add(new Rectangle2D.Double(x - demiCote, y - demiCote, 2 * demiCote, 2 * demiCote));
     }
 
-    /** Rien ne sera écrit le long de ce trait. */
+    /** Réserve les environs de ce trait. */
     void reserver(double x0, double y0, double x1, double y1) {
         double longueur = Math.hypot(x1 - x0, y1 - y0);
         for (double t = 0; t < longueur; t += 6) {
@@ -44,9 +44,9 @@ final class Etiquettes {
     }
 
     /**
-     * @param depart rayon de ce qui est dessiné autour du point, en plus du point lui-même
-     * @param loin vrai si le nom peut être écrit plus loin, au bout d'un fil
-     * @return faux s'il n'y avait pas de place
+     * @param depart rayon de ce qui est dessiné autour du point
+     * @param loin vrai si le nom peut être écrit plus loin, relié par un trait
+     * @return faux s'il n'y a pas de place
      */
     boolean ecrire(String texte, double x, double y, double depart, Font police, Color couleur, boolean loin) {
         FontMetrics mesures = g.getFontMetrics(police);

@@ -2,19 +2,19 @@ package lancer.mesures.trace;
 
 import lancer.mesures.Intervalle;
 
-/** Un point mesuré, à préciser de proche en proche. Une barre montre l'intervalle de chaque coordonnée. */
+/** Un point mesuré. Une barre montre l'intervalle de chaque coordonnée. Les méthodes complètent ce point et le rendent. */
 public final class Marque {
 
     public final Intervalle x;
     public final Intervalle y;
 
-    /** Texte écrit à côté, d'une ligne ou deux, vide si rien. */
+    /** Texte écrit à côté, d'une ligne ou deux ; vide s'il n'y en a pas. */
     String etiquette = "";
 
-    /** Faux pour un point qui ne vaut pas la peine : il est dessiné en creux. */
+    /** Faux pour un point sans intérêt, dessiné en creux. */
     boolean pleine = true;
 
-    /** Vrai pour un réglage par défaut : il est cerclé. */
+    /** Vrai pour un réglage par défaut, entouré d'un cercle. */
     boolean cerclee;
 
     public Marque(Intervalle x, Intervalle y) {

@@ -24,8 +24,8 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.VerticalAlignment;
 
 /**
- * Une image de courbes : un titre qui dit ce qu'on y voit, des volets côte à côte ou des vignettes, une légende, et
- * d'où viennent les mesures. Ne demande pas d'écran.
+ * Une image de courbes : un titre qui énonce le constat, des volets ou des vignettes, une légende, l'origine des mesures. Elle ne demande
+ * pas d'écran.
  */
 public final class Planche {
 
@@ -33,7 +33,7 @@ public final class Planche {
     private final String note;
     private final List<Volet> volets = new ArrayList<>();
 
-    /** Des images en rangées, chacune sous son nom et ce qu'il y a à en dire, d'une ligne chacun. */
+    /** Vignettes en rangées, avec pour chacune un nom et un détail, d'une ligne chacun. */
     private final List<BufferedImage> vignettes = new ArrayList<>();
     private final List<String[]> noms = new ArrayList<>();
     private int vignettesParRangee = 3;
@@ -43,33 +43,33 @@ public final class Planche {
 
     /**
      * @param titre le constat
-     * @param note machine, date, taille des images : ce qu'il faut savoir pour comparer
+     * @param note ce qu'il faut savoir pour comparer : machine, date, taille des images
      */
     public Planche(String titre, String note) {
         this.titre = titre;
         this.note = note;
     }
 
-    /** Le constat, s'il n'est connu qu'après. */
+    /** Change le titre. */
     public Planche titre(String constat) {
         titre = constat;
         return this;
     }
 
-    /** Change la taille, en pixels ; les caractères gardent la leur. */
+    /** Change la taille, en pixels, sans changer celle des caractères. */
     public Planche taille(int largeur, int hauteur) {
         this.largeur = largeur;
         this.hauteur = hauteur;
         return this;
     }
 
-    /** Tant de volets par rangée. */
+    /** Change le nombre de volets par rangée. */
     public Planche colonnes(int colonnes) {
         this.colonnes = colonnes;
         return this;
     }
 
-    /** Tant de vignettes par rangée. */
+    /** Change le nombre de vignettes par rangée. */
     public Planche vignettes(int parRangee) {
         vignettesParRangee = parRangee;
         return this;
@@ -86,7 +86,7 @@ public final class Planche {
         return this;
     }
 
-    /** Écrit l'image, d'un coup : un fichier à moitié écrit ne remplace pas l'ancien. */
+    /** Écrit l'image en entier ou pas du tout. */
     public void ecrire(Path fichier) throws IOException {
         BufferedImage image = dessiner();
         Path provisoire = fichier.resolveSibling(fichier.getFileName() + ".tmp");
@@ -120,7 +120,7 @@ public final class Planche {
         return image;
     }
 
-    /** Les vignettes, agrandies sans les lisser. */
+    /** Dessine les vignettes, agrandies sans lissage. */
     private void montrer(Graphics2D g, double haut, double largeur, double place) {
         double hauteur = place / ((vignettes.size() + vignettesParRangee - 1) / vignettesParRangee);
         double ligne = g.getFontMetrics(Style.TEXTE).getHeight();
@@ -140,7 +140,7 @@ public final class Planche {
         }
     }
 
-    /** Des volets côte à côte, tous sous la même hauteur de texte. */
+    /** Dessine des volets côte à côte, avec la même hauteur d'en-tête. */
     private void rangee(Graphics2D g, List<Volet> siens, double haut, double h) {
         double l = (largeur - 2.0 * Style.MARGE) / siens.size();
         double enTete = siens.stream().mapToDouble(v -> v.enTete(g, l)).max().orElse(0);
@@ -149,7 +149,7 @@ public final class Planche {
         }
     }
 
-    /** La légende de tous les volets, chaque nom une fois, au-dessus de {@code bas}. @return sa hauteur */
+    /** Dessine la légende commune des volets, sans doublon, au-dessus de {@code bas}. @return sa hauteur */
     private double legender(Graphics2D g, double bas, double utile) {
         LegendItemCollection tous = new LegendItemCollection();
         volets.forEach(v -> tous.addAll(v.legende()));

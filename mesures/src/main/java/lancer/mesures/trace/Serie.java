@@ -13,7 +13,7 @@ public final class Serie {
     final boolean reliee;
     final List<Marque> marques;
 
-    /** Texte écrit près de la dernière marque, vide si rien. */
+    /** Texte écrit près de la dernière marque ; vide s'il n'y en a pas. */
     String bout = "";
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
@@ -25,7 +25,7 @@ public final class Serie {
         this.marques = new ArrayList<>(marques);
     }
 
-    /** Ce nom-là est écrit au bout du trait. */
+    /** Écrit ce texte au bout du trait. */
     public Serie auBout(String texte) {
         bout = texte;
         return this;

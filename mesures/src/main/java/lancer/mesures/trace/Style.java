@@ -18,17 +18,17 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.VerticalAlignment;
 
 /**
- * L'apparence de toutes les courbes : les mêmes tailles partout, des couleurs que distinguent ceux qui voient mal le rouge ou
- * le vert (M. Okabe et K. Ito, <i>Color Universal Design</i>, 2008), des caractères lisibles une fois l'image réduite de moitié.
+ * Le style commun des courbes : tailles, couleurs lisibles par les daltoniens (M. Okabe et K. Ito, <i>Color Universal Design</i>, 2008),
+ * caractères lisibles quand l'image est réduite de moitié.
  */
 public final class Style {
 
     static {
-        // avant la première couleur : une machine dont l'écran ne répond pas refuserait de dessiner
+        // à fixer avant la première couleur : si l'écran ne répond pas, Java refuserait de dessiner
         System.setProperty("java.awt.headless", "true");
     }
 
-    /** Taille d'une planche, en pixels, si elle n'en demande pas une autre. Les pages les montrent deux fois plus petites. */
+    /** Taille ordinaire d'une planche, en pixels. Les pages la montrent deux fois plus petite. */
     public static final int LARGEUR = 1600;
     public static final int HAUTEUR = 1000;
 
@@ -41,7 +41,7 @@ public final class Style {
     public static final Color VERMILLON = new Color(0xD55E00);
     public static final Color POURPRE = new Color(0xCC79A7);
 
-    /** Couleur de ce qui aide à lire sans être une mesure. */
+    /** Couleurs des axes, des textes et des fonds. */
     public static final Color ENCRE = new Color(0x222222);
     public static final Color GRIS = new Color(0x707070);
     public static final Color GRILLE = new Color(0xE2E2E2);
@@ -60,7 +60,7 @@ public final class Style {
     static final Stroke TRAIT_FRONT = trait(11f);
     static final Stroke POINTILLE = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, new float[] {3, 8}, 0);
 
-    /** Blanc autour de la planche, en pixels. */
+    /** Marge autour de la planche, en pixels. */
     static final int MARGE = 28;
 
     private Style() {
@@ -69,11 +69,11 @@ public final class Style {
     /**
      * Écrit un texte, coupé entre ses mots pour tenir dans cette largeur, le haut en {@code y}.
      *
-     * @param vraiment faux pour n'en vouloir que la hauteur
+     * @param vraiment faux pour calculer seulement la hauteur
      * @return sa hauteur
      */
     static double texte(Graphics2D g, String texte, Font police, Color couleur, double x, double y, double largeur, boolean vraiment) {
-        // ni un guillemet ni une ponctuation haute ne se séparent de leur mot, ni un nombre de ce qui le suit
+        // un guillemet ou une ponctuation haute reste avec son mot, et un nombre avec le mot suivant
         String insecable = texte.replaceAll("« ", "«\u00A0").replaceAll(" ([»:;%?!×])", "\u00A0$1")
                 .replaceAll("; (?=[0-9])", ";\u00A0").replaceAll("([0-9×]) (?=[0-9×a-z])", "$1\u00A0");
         TextTitle titre = new TextTitle(insecable, police, couleur, RectangleEdge.TOP, HorizontalAlignment.LEFT,
@@ -95,7 +95,7 @@ public final class Style {
         return valeur != 0 && Math.abs(valeur) < 1e-4 ? puissance(valeur) : chiffres(valeur, 3);
     }
 
-    /** Un nombre à la française, à deux chiffres significatifs : ce qui se lit dans un titre. */
+    /** Un nombre à la française, à deux chiffres significatifs, pour un titre. */
     public static String arrondi(double valeur) {
         return chiffres(valeur, 2);
     }
@@ -113,13 +113,13 @@ public final class Style {
         return devant + "10" + enExposant(exposant);
     }
 
-    /** Nombre écrit avec tant de chiffres significatifs au plus, et toujours ceux d'avant la virgule. */
+    /** Nombre écrit avec {@code combien} chiffres significatifs au plus, sans ôter de chiffres avant la virgule. */
     private static String chiffres(double valeur, int combien) {
         int entiers = valeur == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(valeur)) + 1e-9) + 1;
         return decimales(valeur, Math.max(0, combien - entiers));
     }
 
-    /** Nombre écrit avec tant de décimales au plus. */
+    /** Nombre écrit avec {@code decimales} décimales au plus. */
     private static String decimales(double valeur, int decimales) {
         DecimalFormatSymbols symboles = new DecimalFormatSymbols(Locale.ROOT);
         symboles.setDecimalSeparator(',');

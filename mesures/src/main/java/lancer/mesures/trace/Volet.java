@@ -29,14 +29,14 @@ import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
 /**
- * Des séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Les noms des points
- * sont écrits près d'eux, là où il y a de la place.
+ * Des séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Le nom d'un point est écrit près de lui, s'il y a de la
+ * place.
  */
 public final class Volet {
 
     private static final double RETRAIT = 8;
 
-    /** La place des ordonnées et de leur nom. */
+    /** Largeur des ordonnées et de leur nom. */
     private static final double GAUCHE = 120;
 
     private final String constat;
@@ -48,39 +48,37 @@ public final class Volet {
     private boolean versZero;
     private boolean mieux;
 
-    /** Abscisse qui vaut 1 sur l'échelle du haut, 0 s'il n'y en a pas, et le nom de cette échelle. */
+    /** Abscisse qui vaut 1 sur l'échelle du haut, 0 sans cette échelle ; nom de cette échelle. */
     private double un;
     private String nomHaut;
 
-    /** Ce que les axes doivent montrer de plus : d'autres volets ont les mêmes. */
+    /** Étendue supplémentaire des axes, pour qu'ils soient ceux d'autres volets. */
     private Range autresX;
     private Range autresY;
     private Axe axeX;
     private Axe axeY;
 
-    /**
-     * @param constat ce que l'on y voit, vide si le titre de la planche le dit
-     */
+    /** @param constat ce que montre le volet ; vide si le titre de la planche le dit */
     public Volet(String constat, String nomX, String nomY) {
         this.constat = constat;
         this.nomX = nomX;
         this.nomY = nomY;
     }
 
-    /** Une seconde échelle, au-dessus, où cette abscisse vaut 1 ; une barre peut sortir du cadre, un point non. */
+    /** Ajoute une échelle en haut, où cette abscisse vaut 1. Une barre peut alors sortir du cadre, mais pas un point. */
     public Volet enHaut(double abscisse, String nom) {
         un = abscisse;
         nomHaut = nom;
         return this;
     }
 
-    /** Une flèche, dans le coin du bas à gauche : c'est là qu'il faut aller. */
+    /** Ajoute une flèche en bas à gauche, vers les meilleures valeurs. */
     public Volet mieux() {
         mieux = true;
         return this;
     }
 
-    /** Ces volets auront les mêmes axes, où tient ce que montre chacun. */
+    /** Donne les mêmes axes à ces volets. */
     public static void memesAxes(List<Volet> volets) {
         Range x = null;
         Range y = null;
@@ -94,13 +92,13 @@ public final class Volet {
         }
     }
 
-    /** Les abscisses décroissent vers la droite : ce qui est difficile est à droite de ce qui est facile. */
+    /** Fait décroître les abscisses vers la droite : les cas difficiles sont à droite. */
     public Volet versZero() {
         versZero = true;
         return this;
     }
 
-    /** Une série de plus, si elle a quelque chose à montrer. */
+    /** Ajoute une série, si elle a des marques. */
     public Volet serie(Serie serie) {
         if (!serie.marques.isEmpty()) {
             (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
@@ -108,18 +106,18 @@ public final class Volet {
         return this;
     }
 
-    /** Une droite horizontale en pointillé, et ce qu'elle veut dire. */
+    /** Ajoute une droite horizontale en pointillé, et son nom. */
     public Volet repere(double y, String nom) {
         niveaux.put(y, nom);
         return this;
     }
 
-    /** Noms de la légende, une fois pour toute la planche. */
+    /** Noms de la légende. */
     LegendItemCollection legende() {
         return plot().getLegendItems();
     }
 
-    /** La hauteur de ce qui s'écrit au-dessus, dans cette largeur. */
+    /** La hauteur de l'en-tête, pour cette largeur. */
     double enTete(Graphics2D g, double largeur) {
         return ecrire(g, 0, 0, largeur, false) + 14;
     }
@@ -129,9 +127,9 @@ public final class Volet {
     }
 
     /**
-     * Dessine tout entier dans ce rectangle.
+     * Dessine le volet dans ce rectangle.
      *
-     * @param enTete hauteur à laisser au-dessus, la même pour tous les volets d'une rangée
+     * @param enTete hauteur de l'en-tête, la même pour tous les volets d'une rangée
      */
     void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
         ecrire(g, place.getX() + RETRAIT, place.getY(), place.getWidth(), true);
@@ -146,7 +144,7 @@ public final class Volet {
     private XYPlot plot() {
         XYIntervalSeriesCollection montrees = donnees(series);
         axes(montrees);
-        // du dernier au premier : les fonds sont derrière
+        // JFreeChart peint les séries de la dernière à la première : les fonds sont derrière
         XYPlot plot = new XYPlot(montrees, axeX, axeY, new Points(series));
         plot.setDataset(1, donnees(fonds));
         plot.setRenderer(1, new Points(fonds));
@@ -192,7 +190,7 @@ public final class Volet {
         axe.setMinorTickMarksVisible(false);
     }
 
-    /** Axe qui dépasse ce qui s'y montre : une marque au bord doit y tenir. */
+    /** Un axe plus long que l'étendue de ses marques, dont le dessin doit tenir aussi. */
     private static Axe axe(String nom, Range montre) {
         double min = montre.getLowerBound();
         double max = montre.getUpperBound();
@@ -212,7 +210,7 @@ public final class Volet {
         return donnees;
     }
 
-    /** Les traits, puis les points et leurs barres ; en creux ceux qui ne valent pas la peine. */
+    /** Peint les traits, puis les points et leurs barres, en creux pour les points sans intérêt. */
     private static final class Points extends XYErrorRenderer {
 
         private static final long serialVersionUID = 1;
@@ -233,7 +231,7 @@ public final class Volet {
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
-                // derrière les autres traits, un plus large se voit encore
+                // un trait plus large reste visible derrière les autres
                 setSeriesStroke(s, points ? Style.TRAIT : Style.TRAIT_FRONT);
                 setSeriesOutlineStroke(s, Style.TRAIT);
                 setDrawXError(points);
@@ -248,7 +246,7 @@ public final class Volet {
         }
     }
 
-    /** Cercle les réglages par défaut, et nomme les points : les plus importants d'abord. */
+    /** Entoure les réglages par défaut, et écrit les noms des points, les plus importants d'abord. */
     private void annoter(Graphics2D g, Rectangle2D cadre) {
         Etiquettes noms = new Etiquettes(g, cadre);
         for (Serie serie : Stream.concat(fonds.stream(), series.stream()).toArray(Serie[]::new)) {
@@ -277,7 +275,7 @@ public final class Volet {
         niveaux.forEach((niveau, nom) -> {
             double y = py(niveau, cadre);
             noms.reserver(cadre.getMinX(), y, cadre.getMaxX(), y);
-            // à droite s'il y a de la place, sinon un peu moins
+            // à droite s'il y a de la place, sinon de plus en plus à gauche
             DoubleStream.iterate(cadre.getMaxX(), x -> x - 20).limit((long) cadre.getWidth() / 20).anyMatch(
                     x -> noms.ecrire(nom, x, y - 18, -12, Style.ETIQUETTE, Style.GRIS, false));
         });

@@ -1,6 +1,6 @@
 /**
- * Des courbes, des barres et des vignettes, sur une planche, en PNG. Le seul paquet qui connaisse JFreeChart.
+ * Courbes, barres et vignettes, en PNG. Seul ce paquet connaît JFreeChart.
  *
- * <p>N'y entre rien qui sache ce que montrent les nombres.
+ * <p>Ce paquet ne connaît pas le sens des nombres qu'il montre.
  */
 package lancer.mesures.trace;

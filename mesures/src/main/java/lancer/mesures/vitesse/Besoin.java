@@ -20,7 +20,7 @@ import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.scenes.Scenes;
 
-/** Besoins d'une scène, et ce que le programme fait pour elle : rien n'est chronométré, tout est compté. */
+/** Besoins d'une scène : les rayons, les lampes et les réflexions qui changent son image. Tout est compté, rien n'est chronométré. */
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
@@ -32,10 +32,10 @@ final class Besoin {
     private final Compteurs compteurs;
     private final int[] codes;
 
-    /** Recherche qui a dessiné l'image, avec ce qu'elle a construit. */
+    /** Recherche qui a dessiné l'image, avec les structures qu'elle a construites. */
     private final Recherche recherche;
 
-    /** Rayons d'ombre, parmi les utiles, dont la réponse contraire ne change rien à l'écran. */
+    /** Nombre de rayons d'ombre dont la réponse contraire ne change aucun code de pixel. */
     private long ombresInutiles;
 
     Besoin(Path fichier, Taille taille) {
@@ -67,8 +67,8 @@ final class Besoin {
     }
 
     /**
-     * La plus petite profondeur qui donne à l'écran la même image que mille réflexions, sans seuil. Chaque réflexion n'ajoute que
-     * de la lumière : une profondeur de plus ne rend pas une image moins juste, et la recherche peut couper en deux.
+     * La plus petite profondeur qui donne les mêmes codes de pixels que mille réflexions, sans seuil. Chaque réflexion ajoute de la
+     * lumière : l'image ne devient pas moins juste quand la profondeur augmente, et la recherche est dichotomique.
      */
     int profondeurUtile() {
         Lancer lancer = preparer(scene.avec(scene.getModele()), 0);
@@ -86,7 +86,7 @@ final class Besoin {
         return bas;
     }
 
-    /** Nombre de lampes qui changent au moins un pixel de l'écran. */
+    /** Nombre de lampes qui changent le code d'au moins un pixel. */
     int lampesUtiles() {
         int utiles = 0;
         for (Lampe lampe : scene.getLampes()) {
@@ -99,8 +99,8 @@ final class Besoin {
     }
 
     /**
-     * Les rayons de chaque pixel, jusqu'à la dernière réflexion qui change sa couleur à l'écran, moins ceux d'ombre dont la réponse,
-     * retournée l'une après l'autre, n'y change rien.
+     * Nombre de rayons utiles : ceux de chaque pixel, jusqu'à la dernière réflexion qui change son code, moins les rayons d'ombre inutiles.
+     * Pour les trouver, la réponse de chaque rayon d'ombre est inversée à son tour.
      */
     long rayonsUtiles() {
         Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
@@ -128,21 +128,21 @@ final class Besoin {
         return utiles - ombresInutiles;
     }
 
-    /** Une recherche dont une réponse, une seule, est le contraire de ce qu'elle est : celle d'un rayon d'ombre. */
+    /** Une recherche qui inverse la réponse d'un seul rayon d'ombre. */
     private static final class Retournee implements Recherche {
 
-        /** La même scène, dont les réponses sont vraies. */
+        /** La même scène, sans inversion. */
         private final Scene vraie;
         private int rang;
 
-        /** Compte des questions depuis le dernier pixel commencé. */
+        /** Nombre de rayons d'ombre demandés depuis le début du pixel. */
         private int demandees;
 
         Retournee(Scene vraie) {
             this.vraie = vraie;
         }
 
-        /** Commence un pixel. */
+        /** Commence un pixel, où la réponse du rayon d'ombre de ce rang sera inversée. */
         void aRetourner(int celle) {
             rang = celle;
             demandees = 0;

@@ -19,7 +19,7 @@ import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Regime;
 
-/** Tout ce qui se mesure. Le catalogue court en est une partie : {@code make mesures RAPIDE=1}. */
+/** Liste de toutes les mesures. {@code make mesures RAPIDE=1} n'en fait qu'une partie. */
 final class Catalogue {
 
     static final String METHODES = "methodes";
@@ -27,7 +27,7 @@ final class Catalogue {
     static final String SPHERES = "spheres";
     static final String BESOINS = "besoins";
 
-    /** La scène y est un régime de rayons, la méthode une façon de calculer une distance. */
+    /** Famille où la scène est un régime de rayons, et la méthode un calcul de distance. */
     static final String INTERSECTIONS = "intersections";
 
     static final String UN_RAYON = "un rayon";
@@ -47,7 +47,7 @@ final class Catalogue {
 
     static final String COINS_DEFAUT = "n=3 seuil=0.05";
 
-    /** Nombre de sphères jusqu'auquel les boucles du cours se mesurent : au-delà, elles prennent des minutes. */
+    /** Nombre de sphères jusqu'auquel les boucles du cours sont mesurées : au-delà, elles durent des minutes. */
     private static final int BOUCLES_MAX = 1000;
 
     private final boolean court;
@@ -56,14 +56,14 @@ final class Catalogue {
         this.court = court;
     }
 
-    /** Des méthodes qui se comparent : même scène, même référence. */
+    /** Des méthodes comparées sur la même scène, à la même référence. */
     static final class Groupe {
 
         final String famille;
         final String scene;
         final List<Methode> methodes;
 
-        /** Nombre de fois que chacune, et la référence, se mesurent dans des machines virtuelles neuves ; 1 de programmes entiers. */
+        /** Nombre de machines virtuelles où chaque méthode et la référence sont mesurées ; 1 pour des programmes entiers. */
         final int lancements;
 
         Groupe(String famille, String scene, List<Methode> methodes, int lancements) {
@@ -73,13 +73,15 @@ final class Catalogue {
             this.lancements = lancements;
         }
 
-        /** Vrai si une manche est un programme entier, de la commande au PNG ; faux si des machines virtuelles durent. */
+        /**
+         * Vrai si une manche est un programme entier, de la commande au PNG ; faux si elle est un dessin d'une machine virtuelle échauffée.
+         */
         boolean estDeProgrammes() {
             return !famille.equals(DEMANDES) && !famille.equals(INTERSECTIONS);
         }
     }
 
-    /** Les réglages qui se comparent sur une même scène, scène par scène ; du catalogue court, la scène du cours seule. */
+    /** Les réglages comparés sur chaque scène ; le catalogue court n'a que la scène du cours. */
     List<Groupe> reglages() {
         List<Groupe> groupes = new ArrayList<>();
         for (String scene : court ? new String[] {"scene1"} : new String[] {"scene1", "bowling", "miroirs", "tournesol"}) {
@@ -88,10 +90,10 @@ final class Catalogue {
         return groupes;
     }
 
-    /** Tout ce qui se chronomètre, dans l'ordre ; le catalogue court n'a que la scène du cours, et de petites foules. */
+    /** Toutes les mesures chronométrées, dans l'ordre ; le catalogue court n'a que la scène du cours et de petites foules. */
     List<Groupe> groupes() {
         List<Groupe> groupes = reglages();
-        // la première image de celles dont aucun réglage ne se compare
+        // de ces scènes, seule la première image est mesurée
         for (String scene : court ? new String[0] : new String[] {"brume", "diffus", "ombres"}) {
             groupes.add(new Groupe(BESOINS, scene, new ArrayList<>(Collections.singletonList(new Methode(UN_RAYON, ""))), 1));
         }
@@ -102,7 +104,7 @@ final class Catalogue {
         return groupes;
     }
 
-    /** De petites scènes, dont {@link lancer.rapide.Preparation} choisit les structures : les boucles du cours, et ces autres jars. */
+    /** De petites scènes, pour le choix de {@link lancer.rapide.Preparation} : les boucles du cours, et d'autres programmes. */
     List<Groupe> processus(List<Path> autres) {
         List<Groupe> groupes = new ArrayList<>();
         String toutes = court ? "scene1 foule-3" : "scene1 tp foule-1 foule-3 foule-10 foule-30 foule-100 foule-300";
@@ -117,26 +119,25 @@ final class Catalogue {
         return groupes;
     }
 
-    /** Tailles de leurs images. */
     Taille[] tailles() {
         Taille[] tailles = {new Taille(80, 60), new Taille(200, 150), new Taille(800, 600), new Taille(1920, 1080)};
         return court ? Arrays.copyOf(tailles, 2) : tailles;
     }
 
-    /** Méthodes que {@code make noyaux} compare au manuel. */
+    /** Méthodes que {@code make noyaux} compare à celle des manuels. */
     static List<Groupe> intersections() {
         List<Methode> methodes = Arrays.stream(Formule.values()).map(f -> new Methode(f.name(), "")).collect(Collectors.toList());
         return Arrays.stream(Regime.values()).map(r -> new Groupe(INTERSECTIONS, r.name(), methodes, 5)).collect(Collectors.toList());
     }
 
-    /** @throws IllegalArgumentException si le catalogue n'a rien de tel */
+    /** @throws IllegalArgumentException si le catalogue n'a pas cette méthode */
     static Methode methode(String famille, String scene, String cle) {
         return new Catalogue(false).groupes().stream().filter(g -> g.famille.equals(famille) && g.scene.equals(scene))
                 .flatMap(g -> g.methodes.stream()).filter(m -> m.cle().equals(cle)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("pas de " + cle + " : " + famille + " " + scene));
     }
 
-    /** Ceux que montre la courbe d'une scène. De {@code miroirs}, l'anticrénelage ne sert qu'à qui suit tous les reflets. */
+    /** Les méthodes de la courbe d'une scène. Dans {@code miroirs}, l'anticrénelage n'a d'intérêt qu'avec tous les reflets. */
     private static List<Methode> methodes(String scene) {
         boolean miroirs = scene.equals("miroirs");
         List<Methode> m = new ArrayList<>();
@@ -154,7 +155,7 @@ final class Catalogue {
         for (double[] p : miroirs ? new double[0][] : partages) {
             m.add(new Methode(PARTAGE, "n=" + (int) p[0] + " seuil=" + p[1]).echantillonnee(PARTAGE, (int) p[0], p[1]));
         }
-        // là seulement il faut demander les deux à la fois
+        // seule cette scène demande les deux réglages à la fois
         double[][] ensembles = {{3, 0.3, 16}, {4, 0.2, 16}, {4, 0.2, 128}, {4, 0.1, 128}, {8, 0.06, 128}, {8, 0.06, 512}};
         for (double[] e : miroirs ? ensembles : new double[0][]) {
             m.add(new Methode(ENSEMBLE, "n=" + (int) e[0] + " seuil=" + e[1] + " jusqu'à 1/" + (int) e[2])
@@ -166,7 +167,7 @@ final class Catalogue {
         return m;
     }
 
-    /** Une chose changée à la fois. */
+    /** La scène du cours avec un seul changement à la fois. */
     private List<Methode> demandes() {
         List<Methode> m = new ArrayList<>(Arrays.asList(new Methode(TELLE_QUELLE, ""),
                 new Methode("lampe", "une de plus").sur(Catalogue::uneLampeDePlus),
@@ -181,7 +182,7 @@ final class Catalogue {
         return m;
     }
 
-    /** Le programme entier et, là où la courbe les montre, les boucles du cours, et ce que font d'autres. */
+    /** Le programme entier, les boucles du cours si elles sont mesurées, et d'autres programmes. */
     private static List<Methode> spheres(boolean boucles) {
         List<Methode> m = new ArrayList<>();
         m.add(new Methode(PROGRAMME, ""));
@@ -199,7 +200,7 @@ final class Catalogue {
         return scene.avec(modele);
     }
 
-    /** La première lampe, de l'autre côté. */
+    /** La même scène avec la première lampe dupliquée de l'autre côté. */
     private static Scene uneLampeDePlus(Scene scene) {
         List<Lampe> lampes = new ArrayList<>(scene.getLampes());
         Point p = lampes.get(0).getPosition();

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
 
-/** Circonstances d'une mesure : sans cela, un temps ne se compare à aucun autre. */
+/** Circonstances d'une mesure, sans lesquelles un temps ne peut être comparé. */
 final class Circonstances {
 
     final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
@@ -16,17 +16,17 @@ final class Circonstances {
     final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
     final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
 
-    /** Le commit mesuré, suivi de « + » si les sources ne sont plus les siennes. */
+    /** Le commit mesuré, suivi de « + » si les sources ont changé depuis. */
     final String commit = commit();
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");
-        // le banc lui-même écrit dans resultats : ce n'est pas une source
+        // les mesures elles-mêmes écrivent dans resultats, qui n'est pas une source
         String change = premiereLigne("git", "status", "--porcelain", "--", ":/", ":(top,exclude)mesures/resultats");
         return commit.isEmpty() ? "inconnu" : change.isEmpty() ? commit : commit + "+";
     }
 
-    /** La première ligne qu'écrit cette commande, vide si elle n'écrit rien ou ne peut être lancée. */
+    /** La première ligne qu'écrit cette commande ; vide si elle n'écrit rien ou ne peut être lancée. */
     private static String premiereLigne(String... commande) {
         try (BufferedReader sortie = new BufferedReader(new InputStreamReader(
                 new ProcessBuilder(commande).start().getInputStream(), StandardCharsets.UTF_8))) {

@@ -29,9 +29,7 @@ import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
-/**
- * Les rayons et l'erreur de chaque réglage : rien n'est chronométré, et ce que fait d'autre la machine n'y change rien.
- */
+/** Les rayons et l'erreur de chaque réglage. Rien n'est chronométré : la charge de la machine n'a pas d'effet. */
 final class Comptes {
 
     static final String CSV = "erreurs.csv";
@@ -39,13 +37,13 @@ final class Comptes {
     static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
             "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles");
 
-    /** Figure de la même image par deux programmes : seulement là où POV-Ray est installé. */
+    /** Figure d'une même image par deux programmes, si POV-Ray est installé. */
     static final String PROGRAMMES = "stabilite-programmes.png";
 
-    /** Reflets auxquels un double ne suffit plus. */
+    /** Nombre de reflets pour lequel la précision d'un double ne suffit plus. */
     private static final int REFLETS = 15;
 
-    /** Les rayons d'une vérité, au plus : une minute de processeur. */
+    /** Nombre maximal de rayons d'une référence : une minute de processeur. */
     private static final double VERITE = 3e8;
 
     private final Taille taille;
@@ -78,7 +76,7 @@ final class Comptes {
         Files.write(dossier.resolve(CSV), lignes, StandardCharsets.UTF_8);
     }
 
-    /** L'erreur se mesure sur tous les pixels, ou sur assez peu pour qu'une vérité ne coûte pas plus que cela. */
+    /** Côté des carrés dont un pixel est tiré, pour que la référence ne dépasse pas son nombre de rayons. */
     private int pas(Path fichier) {
         long rayons = new Methode("", "").limitee(Gabarit.PROFONDEUR, 0)
                 .new ScenePrete(Scenes.lire(fichier), taille.largeur, taille.hauteur).faire((couleur, i, j) -> { }, taille.fils).rayons();
@@ -110,7 +108,7 @@ final class Comptes {
 
     // ---- deux programmes
 
-    /** Images de deux programmes justes, le nôtre et POV-Ray, de petites boules qui se renvoient tout ce qu'elles reçoivent. */
+    /** Compare les images de deux programmes justes, celui-ci et POV-Ray, sur de petites sphères parfaitement réfléchissantes. */
     void comparer() throws IOException {
         Taille petite = new Taille(200, 150);
         List<Sphere> miroirs = new ArrayList<>();

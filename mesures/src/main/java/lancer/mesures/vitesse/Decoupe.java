@@ -16,7 +16,7 @@ import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
-/** Les mêmes pixels de la scène du cours par trois réglages qui prennent le même temps, et en vérité ; et où chacun se trompe. */
+/** Une partie de la scène du cours, par trois réglages de même durée et en référence, avec l'erreur de chacun. */
 final class Decoupe {
 
     static final String PNG = "temps-egal.png";
@@ -24,10 +24,10 @@ final class Decoupe {
     private static final String SCENE = "scene1";
     private static final Taille DECOUPE = new Taille(48, 36);
 
-    /** Sous-pixels d'un côté, d'un pixel de la vérité. */
+    /** Nombre de sous-pixels par côté d'un pixel de la référence. */
     private static final int COTE = 32;
 
-    /** Une erreur d'un niveau est montrée par tant de niveaux de gris. */
+    /** Facteur d'agrandissement de l'erreur montrée en gris. */
     private static final int GROSSIE = 8;
 
     private final Scene scene;
@@ -39,7 +39,7 @@ final class Decoupe {
         this.taille = taille;
     }
 
-    /** Dessine la planche de ces mesures : les réglages les plus proches, en temps, du défaut de l'anticrénelage. */
+    /** Dessine la planche des réglages dont la durée est la plus proche de celle du réglage par défaut de l'anticrénelage. */
     static void ecrire(Releves tous, Path dossier) throws IOException {
         Releves siens = tous.de(Catalogue.METHODES).scene(SCENE);
         Releve defaut = siens.le(Catalogue.COINS, Catalogue.COINS_DEFAUT);
@@ -74,7 +74,7 @@ final class Decoupe {
         return image;
     }
 
-    /** La moyenne de chaque pixel de la découpe, sans limite de réflexions. */
+    /** La référence de la découpe : la moyenne de chaque pixel, sans limite de réflexions. */
     private ImageLineaire verite() {
         Echantillonnage fin = (pave, voulus, vue, toile) -> {
             for (int j = Math.max(pave.j0, coin[1]); j < Math.min(pave.j1, coin[1] + DECOUPE.hauteur); j++) {
@@ -88,7 +88,7 @@ final class Decoupe {
                 Gabarit.PROFONDEUR, taille.fils);
     }
 
-    /** Coin de la découpe éclairée où deux images diffèrent le plus, de quart en quart de découpe. */
+    /** Coin de la découpe éclairée où deux images diffèrent le plus, par pas d'un quart de découpe. */
     private int[] coin(ImageLineaire a, ImageLineaire b) {
         return IntStream.rangeClosed(0, 4 * (taille.hauteur - DECOUPE.hauteur) / DECOUPE.hauteur).boxed().flatMap(j ->
                 IntStream.rangeClosed(0, 4 * (taille.largeur - DECOUPE.largeur) / DECOUPE.largeur)
@@ -96,7 +96,7 @@ final class Decoupe {
                 .max(Comparator.comparingDouble(c -> interet(a, b, c))).get();
     }
 
-    /** Le carré des différences, au plus une par composante, là où il y a de la lumière. */
+    /** Somme des carrés des différences, limitées à une par composante, multipliée par la lumière. */
     private double interet(ImageLineaire a, ImageLineaire b, int... c) {
         double carres = 0;
         double lumiere = 0;
@@ -113,7 +113,7 @@ final class Decoupe {
         return Comptes.image(image, taille).getSubimage(coin[0], coin[1], DECOUPE.largeur, DECOUPE.hauteur);
     }
 
-    /** Un gris par pixel : la plus grande erreur de ses composantes, grossie. */
+    /** Un gris par pixel : la plus grande erreur de ses composantes, agrandie. */
     private BufferedImage ecarts(ImageLineaire image, ImageLineaire verite) {
         BufferedImage gris = new BufferedImage(DECOUPE.largeur, DECOUPE.hauteur, BufferedImage.TYPE_INT_RGB);
         for (int k = 0; k < DECOUPE.pixels(); k++) {

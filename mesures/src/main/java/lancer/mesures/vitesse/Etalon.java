@@ -4,8 +4,8 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 
 /**
- * Un calcul toujours le même, par autant de fils que de cœurs : ce que la machine nous laisse. Elle est troublée si ces fils n'ont pas
- * eu {@value #PART_MIN} du temps de leurs cœurs, ou s'ils ont mis {@value #LENTEUR_MAX} fois leur meilleur temps.
+ * Un calcul toujours identique, sur tous les cœurs, qui dit si la machine est disponible. Elle ne l'est pas si ces fils ont eu moins de
+ * {@value #PART_MIN} du temps de leurs cœurs, ou s'ils ont duré plus de {@value #LENTEUR_MAX} fois leur meilleur temps.
  */
 final class Etalon {
 
@@ -18,7 +18,7 @@ final class Etalon {
     private final int fils = Runtime.getRuntime().availableProcessors();
     private double meilleurNs = Double.POSITIVE_INFINITY;
 
-    /** Résultat du calcul : sans quoi la machine virtuelle pourrait l'omettre. */
+    /** Résultat du calcul. Sans lui, la machine virtuelle pourrait supprimer le calcul. */
     private volatile long rendu;
 
     Etalon() {
@@ -27,9 +27,9 @@ final class Etalon {
         }
     }
 
-    /** Vrai si la machine vient d'être à nous. */
+    /** Dit si la machine était disponible pendant ce calcul. */
     boolean estCalme() {
-        // de chaque fil, à sa montre, sa durée et ce qu'il a eu de son cœur : le temps qu'il met à partir n'est celui de personne
+        // chaque fil mesure sa durée et son temps de processeur : son temps de démarrage n'y est pas
         long[] reel = new long[fils];
         long[] processeur = new long[fils];
         Thread[] threads = new Thread[fils];

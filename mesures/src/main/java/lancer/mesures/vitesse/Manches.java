@@ -12,20 +12,20 @@ import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 
 /**
- * Des temps pris tour à tour, ceux de la référence et ceux de ce qui lui est comparé : ce que l'on en garde est leur rapport, manche par
- * manche. Une manche est jetée si {@link Etalon} est troublé juste avant ou juste après, ou si l'un des deux dessins n'a pas eu, par
- * seconde, {@value #PART_MIN} du temps des processeurs qu'il a d'ordinaire : la médiane de ses manches.
+ * Mesure de temps par manches : chaque manche chronomètre la référence, puis la méthode, et garde leur rapport. Une manche est rejetée si
+ * {@link Etalon} dit la machine occupée juste avant ou juste après. Elle l'est aussi si un des deux dessins a eu, par seconde, moins de
+ * {@value #PART_MIN} de son temps de processeur ordinaire, la médiane de ses manches.
  *
- * <p>Combien en garder est décidé avant la première : s'arrêter quand l'intervalle plaît le rendrait trop étroit.
+ * <p>Le nombre de manches est fixé avant la première : s'arrêter sur un intervalle favorable le rendrait trop étroit.
  */
 final class Manches {
 
     static final double PART_MIN = 0.8;
 
-    /** Nombre de manches au-delà duquel, si la moitié en sont jetées, la machine n'est pas à nous. */
+    /** Nombre de manches après lequel la mesure est abandonnée si la moitié sont rejetées. */
     private static final int ESSAIS = 100;
 
-    /** Deux manches d'une minute jetées sur deux ne disent pas que toutes le seraient. */
+    /** Nombre de manches et durée avant lesquels la mesure d'une méthode n'est pas abandonnée. */
     private static final int ESSAIS_MIN = 4;
     private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(60);
 
@@ -34,25 +34,25 @@ final class Manches {
     private int toutes;
     private int jetees;
 
-    /** Moyen de prendre un temps, autant de fois qu'on veut. */
+    /** Une mesure que l'on peut répéter. */
     interface Echantillon {
 
         /**
-         * Ce que prend un dessin : le temps réel et celui des processeurs, en nanosecondes, puis la mémoire, en octets. Les deux
-         * derniers manquent, ou sont NaN, si l'on n'en sait rien.
+         * Coût d'un dessin : temps réel et temps des processeurs, en nanosecondes, puis mémoire, en octets. Les deux derniers nombres
+         * peuvent manquer ou être NaN.
          */
         double[] prendre() throws IOException;
     }
 
-    /** Grandeurs que prend un dessin. */
+    /** Rangs des nombres d'un coût. */
     static final int REEL = 0;
     static final int PROCESSEURS = 1;
     static final int MEMOIRE = 2;
 
-    /** Ce que donnent quelques manches. */
+    /** Résultat de quelques manches. */
     static final class Temps {
 
-        /** De chaque manche gardée : ce qu'a pris la référence, et combien de fois plus a pris la méthode. */
+        /** Pour chaque manche gardée, coût de la référence, et rapport du coût de la méthode à celui de la référence. */
         final List<double[]> references;
         final List<double[]> rapports;
         final int manches;
@@ -73,12 +73,12 @@ final class Manches {
             return Intervalle.desRapports(valeurs(rapports, grandeur));
         }
 
-        /** Ce que prend la référence : la médiane. */
+        /** Coût médian de la référence. */
         double reference(int grandeur) {
             return Intervalle.desRapports(valeurs(references, grandeur)).valeur;
         }
 
-        /** Un seul rapport, leur moyenne : des manches d'une même machine virtuelle se ressemblent plus que d'une machine à l'autre. */
+        /** Remplace les rapports par leur moyenne : les manches d'une même machine virtuelle ne sont pas indépendantes. */
         Temps enUnRapport() {
             double[] un = IntStream.rangeClosed(REEL, MEMOIRE).mapToDouble(g -> rapport(g).valeur).toArray();
             return new Temps(references, Collections.singletonList(un), manches, jetees);
@@ -96,8 +96,8 @@ final class Manches {
     }
 
     /**
-     * @param etalon vrai si la machine est calme
-     * @param agitee vrai pour garder toutes les manches : les intervalles diront ce qu'elles valent
+     * @param etalon vrai si la machine est disponible
+     * @param agitee vrai pour garder toutes les manches, avec des intervalles plus larges
      */
     Manches(BooleanSupplier etalon, boolean agitee) {
         this.etalon = etalon;
@@ -105,8 +105,8 @@ final class Manches {
     }
 
     /**
-     * @param voulues manches à garder
-     * @throws IOException si la machine ne nous est pas assez souvent laissée
+     * @param voulues nombre de manches à garder
+     * @throws IOException si la machine n'est pas assez souvent disponible
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<double[]> references = new ArrayList<>();
@@ -117,7 +117,7 @@ final class Manches {
         boolean calme = false;
         int essais = 0;
         while (rapports.size() < voulues) {
-            // ce qui a fait jeter la manche d'avant ne fait pas jeter celle-ci s'il a cessé
+            // si l'étalon était bon après la manche d'avant, il n'est pas refait
             calme = calme || etalon.getAsBoolean();
             double[] r = reference.prendre();
             double[] m = methode.prendre();
@@ -152,7 +152,6 @@ final class Manches {
         }
     }
 
-    /** La machine n'est pas assez à nous. */
     static final class Troublee extends IOException {
 
         private static final long serialVersionUID = 1;

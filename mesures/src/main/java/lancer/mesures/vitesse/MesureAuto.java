@@ -36,13 +36,11 @@ import lancer.mesures.scenes.Scenes;
 import lancer.scene.SectionLue;
 
 /**
- * {@code --auto erreur=E} tient-il parole, et à quel prix ? Sur les scènes livrées et sur d'autres, faites pour le tromper : l'erreur de
- * l'image choisie, contre la vérité, ce qu'en dit le contrôle, et les rayons du dessin, contre ceux du moins cher qui tient
- * ({@link Oracle}).
+ * Mesure de {@code --auto erreur=E} : l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont les scènes livrées, et d'autres qui
+ * rendent le choix difficile. L'erreur de l'image choisie est comparée à la référence et au verdict du programme. Les rayons du dessin sont
+ * comparés à ceux du réglage le moins cher qui tient l'erreur ({@link Oracle}).
  *
- * <pre>
- * java -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto FICHIER.csv [GRAINE COMBIEN]
- * </pre>
+ * <p>Commande : {@code java -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto FICHIER.csv [GRAINE COMBIEN]}.
  */
 public final class MesureAuto {
 
@@ -51,14 +49,14 @@ public final class MesureAuto {
 
     private static final Taille TAILLE = new Taille(200, 150);
 
-    /** Une taille que l'on dessine, et les scènes mesurées ainsi : la recherche dense y est longue. */
+    /** Une taille ordinaire, pour quelques scènes seulement : la recherche de l'oracle y est longue. */
     private static final Taille GRANDE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
     private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "sort-1");
     private static final int PAS_EN_GRAND = 4;
 
     private static final double[] ERREURS = {0.5, 1, 2, 4};
 
-    /** Les rayons permis aux essais : tant, tant par pixel, ou cette part du dessin. */
+    /** Nombre de rayons permis aux essais : un minimum, un nombre par pixel, ou une part du dessin. */
     private static final double ESSAIS = 200_000;
     private static final double ESSAIS_PAR_PIXEL = 4;
     private static final double PART_DES_ESSAIS = 0.5;
@@ -66,7 +64,7 @@ public final class MesureAuto {
     private MesureAuto() {
     }
 
-    /** @param args le fichier, écrit à la fin ; une graine, et combien de scènes au sort à la place de toutes les autres */
+    /** @param args le fichier, écrit à la fin ; une graine et un nombre de scènes aléatoires, au lieu de toutes les autres */
     public static void main(String[] args) throws IOException {
         if (args.length != 1 && (args.length != 3 || !(args[1] + args[2]).matches("[0-9]{1,9}"))) {
             System.err.println("MesureAuto : usage : MesureAuto FICHIER.csv [GRAINE COMBIEN]");
@@ -75,7 +73,7 @@ public final class MesureAuto {
         Map<String, Scene> scenes = args.length > 1 ? auSort(Integer.parseInt(args[1]), Integer.parseInt(args[2])) : toutes();
         List<String> lignes = new ArrayList<>(Collections.singletonList(COLONNES));
         for (Map.Entry<String, Scene> scene : scenes.entrySet()) {
-            // une colonne de trois cents pixels, chacun plus large que les boules
+            // une colonne de trois cents pixels, plus larges que les sphères
             Taille taille = scene.getKey().equals("colonne") ? new Taille(1, 300) : TAILLE;
             for (Taille celle : SCENES_EN_GRAND.contains(scene.getKey()) ? new Taille[] {taille, GRANDE} : new Taille[] {taille}) {
                 lignes.addAll(lignes(scene.getKey(), scene.getValue(), celle, ERREURS));
@@ -114,7 +112,7 @@ public final class MesureAuto {
         return scenes;
     }
 
-    /** Des boules au hasard dans l'image, de ce rayon en pixels quand elle en a 200 de large. */
+    /** Des sphères au hasard dans l'image. @param rayon en pixels, pour une image de 200 pixels de large */
     private static Scene boules(int combien, double rayon, double reflet, long graine, int lampes) {
         SplittableRandom hasard = new SplittableRandom(graine);
         List<Sphere> boules = new ArrayList<>();
@@ -136,7 +134,7 @@ public final class MesureAuto {
         return new Scene(boules, toutes);
     }
 
-    /** Choix et annonces du programme pour chaque erreur voulue, croissantes, et ce qu'il en est. */
+    /** Choix et verdict du programme pour chaque erreur voulue, croissante, avec l'erreur mesurée. */
     static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1);
         Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
@@ -157,7 +155,7 @@ public final class MesureAuto {
         return lignes;
     }
 
-    /** Temps des processeurs de ce processus, dans tous ses fils. */
+    /** Temps des processeurs de ce processus, dans tous ses fils, en secondes. */
     static double secondes() {
         return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime() / 1e9;
     }
@@ -169,7 +167,7 @@ public final class MesureAuto {
         return auto;
     }
 
-    /** Tableau de la page : une ligne par taille, sans les images trop petites pour que leur prix compte. */
+    /** Tableau de la page : une ligne par taille, sauf pour les images très petites, dont le prix ne compte pas. */
     static String tableau(List<Map<String, String>> lignes) {
         StringBuilder tableau = new StringBuilder("\n\n| image | demandes tenables tenues | dites « tenue » | à tort "
                 + "| dites « dépassée » | dites « incertaine » | prix, médiane | prix, neuf fois sur dix | temps, en tout |\n"
@@ -189,7 +187,6 @@ public final class MesureAuto {
         return tableau.append('\n').toString();
     }
 
-    /** Valeurs par noms. */
     static Map<String, String> bilan(List<Map<String, String>> lignes) {
         Map<String, String> bilan = new TreeMap<>();
         List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());
@@ -204,7 +201,7 @@ public final class MesureAuto {
                 .sorted().toArray();
         bilan.put("total", nombre(quantile(prix, 0.5)));
         bilan.put("total90", nombre(quantile(prix, 0.9)));
-        // l'horloge des processeurs avance par centièmes : un seul dessin ne se compare pas
+        // l'horloge des processeurs avance par centièmes de seconde : seule la somme peut être comparée
         bilan.put("secondes", nombre(tenables.stream().mapToDouble(l -> x(l, "secondes")).sum()
                 / tenables.stream().mapToDouble(l -> x(l, "secondes_oracle")).sum()));
         return bilan;

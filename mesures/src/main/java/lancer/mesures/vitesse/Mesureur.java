@@ -23,27 +23,26 @@ import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 import lancer.mesures.scenes.Scenes;
 
-/** Mesure un groupe après l'autre, et note chaque méthode dès qu'elle est finie. */
+/** Mesure un groupe après l'autre, et écrit chaque résultat dès qu'il est connu. */
 final class Mesureur {
 
-    /** Programme que construit le Makefile, là où Embree est installé. */
+    /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
     /** Durée au-delà de quelques fois laquelle une manche est longue. */
     private static final double LONGUE_NS = 1e9;
 
-    /** Nombre de manches au-delà duquel elles n'apprendraient rien que la machine suivante ne démente. */
+    /** Nombre maximal de manches : davantage n'apprendrait rien d'une autre machine. */
     private static final int MANCHES_MAX = 21;
 
-    /** L'échauffement : tant de dessins, ou moins s'ils durent plus que cela. */
+    /** Échauffement : ce nombre de dessins, ou moins s'ils dépassent cette durée. */
     private static final int ECHAUFFEMENT = 10;
     private static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
 
-    /** Durée d'un échantillon, au moins : un dessin plus court y est répété. */
+    /** Durée minimale d'un échantillon : un dessin plus court est répété. */
     private final double echantillonNs;
 
     private final boolean court;
-    private final boolean agitee;
     private final Path csv;
     private final Path dossier;
 
@@ -52,36 +51,33 @@ final class Mesureur {
     private final PovRay povray;
     private final Circonstances circonstances = new Circonstances();
 
-    /** Ce qui suit {@code java} dans la commande du programme, et dans celle du programme qui a l'anticrénelage. */
+    /** Arguments de {@code java} pour lancer le programme, puis le programme avec l'anticrénelage. */
     private final String[] lancer;
     private final String[] antialias;
 
-    /** Taille des images mesurées. */
     private Taille taille;
 
     /**
      * @param povray {@code null} s'il n'est pas installé
-     * @param csv où noter ; ses temporaires sont à côté
-     * @param lancer ce qui suit {@code java} dans la commande du programme
-     * @param antialias de même, du programme qui a l'anticrénelage
+     * @param csv fichier des résultats ; les fichiers provisoires sont à côté
+     * @param lancer arguments de {@code java} pour lancer le programme
+     * @param antialias de même, pour le programme avec l'anticrénelage
      */
-    Mesureur(boolean court, boolean agitee, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias)
-            throws IOException {
+    Mesureur(boolean court, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias) throws IOException {
         this.court = court;
-        this.agitee = agitee;
         this.csv = csv;
         this.sortie = sortie;
         this.lancer = lancer;
         this.antialias = antialias;
-        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court || agitee ? 20 : 50);
+        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court ? 20 : 50);
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
-        manches = new Manches(new Etalon()::estCalme, agitee);
+        manches = new Manches(new Etalon()::estCalme, court);
         sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
         Files.write(csv, Collections.singletonList(String.join(",", Releve.COLONNES)));
     }
 
-    /** @throws IOException si la machine ne nous est pas assez laissée */
+    /** @throws IOException si la machine n'est pas assez souvent disponible */
     void mesurer(Taille images, List<Catalogue.Groupe> groupes) throws IOException {
         taille = images;
         long debut = System.nanoTime();
@@ -98,14 +94,14 @@ final class Mesureur {
         }
     }
 
-    /** Nombre de manches d'une paire de machines virtuelles, autant qu'il en tient en deux secondes. C'est décidé avant la première. */
+    /** Nombre de manches d'une paire de machines virtuelles, pour deux secondes environ. Il est fixé avant la première manche. */
     private int voulues(double mancheNs) {
-        return agitee ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, LONGUE_NS * (court ? 0.2 : 2) / mancheNs));
+        return court ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, 2 * LONGUE_NS / mancheNs));
     }
 
-    /** Les mêmes, de programmes entiers : leurs titres n'en disent rien à moins de cinq. */
+    /** Nombre de manches de programmes entiers : au moins cinq, sauf pour un programme très long. */
     private int manchesEntieres(double mancheNs) {
-        return court || agitee ? 2 : mancheNs < 1.5 * LONGUE_NS ? 9 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
+        return court ? 2 : mancheNs < 1.5 * LONGUE_NS ? 6 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
     }
 
     // ---- des machines virtuelles qui durent
@@ -129,7 +125,7 @@ final class Mesureur {
         }
     }
 
-    /** @param champs où noter ce qui se compte et se vérifie, une fois les temps pris */
+    /** @param champs reçoit les compteurs et les vérifications, après les temps */
     private Manches.Temps chronometrer(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes,
             Map<String, String> champs) throws IOException {
         try (Machine machine = new Machine(groupe, methode, fichier)) {
@@ -139,19 +135,18 @@ final class Mesureur {
         }
     }
 
-    /** Un {@link Ouvrier}, échauffé. */
     private final class Machine extends Processus implements Manches.Echantillon {
 
         private final int fois;
 
-        /** Durée d'un échantillon, à peu près. */
+        /** Durée approchée d'un échantillon. */
         private final double dureeNs;
 
         Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
             super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur);
             long debut = System.nanoTime();
             double dessinNs = chronometrer(1)[0];
-            for (int k = 1; k < (agitee ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
+            for (int k = 1; k < (court ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
                 dessinNs = chronometrer(1)[0];
             }
             fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
@@ -174,7 +169,7 @@ final class Mesureur {
         Scene scene = Scenes.lire(fichier);
         for (Methode methode : groupe.methodes) {
             Map<String, String> champs = new HashMap<>();
-            // le programme, face à lui-même sur une seule boule ; tout le reste, face à lui sur la même scène
+            // le programme est comparé à lui-même sur une seule sphère ; les autres, à lui sur la même scène
             boolean leNotre = methode.nom.equals(Catalogue.PROGRAMME);
             Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier, lancer);
             Programme programme = new Programme("image.png", avec(methode, fichier), methode.jar != null
@@ -191,7 +186,7 @@ final class Mesureur {
                 echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                         dossier.resolve("embree.ppm")).reussi().pris;
             }
-            // une fois chacun pour rien : le disque est chaud, et l'on sait combien de manches tiennent
+            // un premier passage charge le cache du disque et donne la durée d'une manche
             double mancheNs = repere.prendre()[Manches.REEL] + echantillon.prendre()[Manches.REEL];
             Manches.Temps temps = manches.mesurer(repere, echantillon, manchesEntieres(mancheNs));
             champs.put("lancements", String.valueOf(temps.rapports.size()));
@@ -211,13 +206,13 @@ final class Mesureur {
         Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
     }
 
-    /** La scène, et la section de cette méthode. */
+    /** La scène, avec la section de cette méthode. */
     private Path avec(Methode methode, Path fichier) throws IOException {
         return methode.section.isEmpty() ? fichier : Files.write(dossier.resolve("antialias.ini"), (new String(Files.readAllBytes(fichier),
                 StandardCharsets.UTF_8) + "\n" + methode.section).getBytes(StandardCharsets.UTF_8));
     }
 
-    /** De la commande au PNG écrit : un échantillon est un programme. */
+    /** Un programme entier, de la commande au PNG écrit. */
     private final class Programme implements Manches.Echantillon {
 
         private final Path png;

@@ -13,22 +13,21 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Toile;
 import lancer.dessin.Dessin;
 
-/** Une façon de dessiner une scène : ce qui se mesure. Sans rien de plus, celle du programme sans option. */
+/** Une méthode de dessin à mesurer ; par défaut, celle du programme sans option. */
 final class Methode {
 
-    /** Nom de la méthode, en un mot. */
     final String nom;
 
-    /** Paramètres ; vide s'il n'y a rien à choisir. */
+    /** Paramètres ; vide s'il n'y en a pas. */
     final String parametres;
 
     /** Options de la commande, du programme ou de POV-Ray. */
     String[] options = {};
 
-    /** Section {@code [Antialias]} à ajouter à la scène, vide s'il n'en faut pas. */
+    /** Section {@code [Antialias]} à ajouter à la scène ; vide s'il n'en faut pas. */
     String section = "";
 
-    /** Vrai pour le programme qui a l'anticrénelage. */
+    /** Vrai pour le programme avec l'anticrénelage. */
     boolean antialias;
 
     /** Vrai pour les boucles du cours. */
@@ -64,26 +63,26 @@ final class Methode {
         return this;
     }
 
-    /** Ce qu'il faut écrire pour l'avoir : dans la scène, puis dans la commande. */
+    /** Ce que l'utilisateur doit écrire dans la scène, puis dans la commande. */
     String ecrit() {
         return Stream.of(section.trim().replace('\n', ' '), String.join(" ", options)).filter(s -> !s.isEmpty())
                 .map(s -> "`" + s + "`").collect(Collectors.joining(", "));
     }
 
-    /** Une fois la scène changée ainsi. */
+    /** La même méthode, sur la scène ainsi changée. */
     Methode sur(UnaryOperator<Scene> autre) {
         changement = autre;
         return this;
     }
 
-    /** Même méthode, par les boucles du cours. */
+    /** La même méthode, par les boucles du cours. */
     Methode enBoucles() {
         boucles = true;
         options = new String[] {"--simple"};
         return this;
     }
 
-    /** Le programme choisit. */
+    /** Le choix automatique du programme. */
     Methode automatique() {
         antialias = true;
         options = new String[] {nom, parametres};
@@ -96,12 +95,11 @@ final class Methode {
         return this;
     }
 
-    /** Clé qui la distingue des autres sur une même scène. */
+    /** Clé unique de la méthode pour une scène. */
     String cle() {
         return nom + "/" + parametres;
     }
 
-    /** Une scène prête. */
     final class ScenePrete {
 
         final Lancer lancer;
@@ -111,13 +109,13 @@ final class Methode {
             lancer = Dessin.lancer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
         }
 
-        /** Une fois, par le chemin du programme. */
+        /** Dessine une fois, comme le programme. */
         Compteurs faire(Toile toile, int fils) {
             lancer.TracerPixels(toile, profondeur, fils);
             return lancer.getCompteurs();
         }
 
-        /** Refait, par les boucles du cours, ce que garde {@code filtre} du même échantillonnage. */
+        /** Refait, par les boucles du cours, la partie de l'échantillonnage que garde {@code filtre}. */
         void refaire(UnaryOperator<Echantillonnage> filtre, Toile toile, int fils) {
             Scene scene = lancer.getScene();
             Echantillonnage sien = scene.getModele().getEchantillonnage();

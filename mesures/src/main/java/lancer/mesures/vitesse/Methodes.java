@@ -18,7 +18,7 @@ import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
-/** Prix de chaque façon de calculer une distance, et de combien elle se trompe, dans chaque {@link Regime}. */
+/** Temps et erreur de chaque calcul de distance, dans chaque {@link Regime}. */
 final class Methodes {
 
     static final String CSV = "methodes.csv";
@@ -64,7 +64,7 @@ final class Methodes {
         return planche;
     }
 
-    /** Le temps de chaque méthode à celui du manuel, dans chaque régime. */
+    /** Temps de chaque méthode, rapporté à celui de la méthode des manuels, dans chaque régime. */
     String tableau() {
         return Tableaux.table(Stream.concat(Stream.of("temps, à celui du manuel"), Arrays.stream(Regime.values())
                 .map(r -> r.nom.replaceFirst(" ?[:,].*| de rayon.*", ""))).collect(Collectors.toList()), Arrays.stream(Formule.values())

@@ -14,8 +14,8 @@ import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 
 /**
- * Le moins cher des réglages de la méthode {@code partage} qui tient une erreur, par une recherche dense et sans économie : n, seuil,
- * profondeur des reflets et seuil des reflets. Ce que le programme ne peut pas faire avant de dessiner.
+ * Recherche du réglage le moins cher de la méthode {@code partage} qui tient une erreur : n, seuil, profondeur et seuil des reflets. Elle
+ * essaie presque tous les réglages, ce que le programme ne peut pas faire avant de dessiner.
  */
 final class Oracle {
 
@@ -25,7 +25,7 @@ final class Oracle {
     private static final double[] SEUILS_DES_REFLETS = {1.0 / 4096, 1.0 / 1024, 1.0 / 256, 1.0 / 128, 1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8,
         1.0 / 4};
 
-    /** Excès permis à une prévision, pour un candidat que l'on dessine quand même. */
+    /** Dépassement permis d'une prévision, pour dessiner quand même un candidat. */
     private static final double JEU = 1.1;
 
     private final Scene scene;
@@ -58,7 +58,7 @@ final class Oracle {
     }
 
     /**
-     * @param moindre la plus petite erreur que l'on voudra
+     * @param moindre la plus petite erreur demandée
      * @param erreur celle d'une image de cette scène à cette taille
      */
     Oracle(Scene scene, Taille taille, double moindre, ToDoubleFunction<ImageLineaire> erreur) {
@@ -68,7 +68,7 @@ final class Oracle {
         echantillonnages.add(dessiner(new Essai(1, 0, Gabarit.PROFONDEUR, 0)));
         for (int n : COTES) {
             Essai essai = null;
-            // plus bas, plus juste qu'on ne le veut jamais, et plus cher
+            // au-dessous, l'erreur est plus petite que toute erreur demandée
             for (int k = 0; k < SEUILS.length && (essai == null || essai.erreur > moindre); k++) {
                 essai = dessiner(new Essai(n, SEUILS[k], Gabarit.PROFONDEUR, 0));
                 echantillonnages.add(essai);
@@ -82,7 +82,7 @@ final class Oracle {
         }
     }
 
-    /** Temps des processeurs d'un dessin de plus, à ce réglage. */
+    /** Temps de processeur d'un dessin à ce réglage, en secondes. */
     double secondes(Essai essai) {
         double debut = MesureAuto.secondes();
         ImageLineaire.de(lancer(essai), essai.reflets, taille.fils);
@@ -103,13 +103,13 @@ final class Oracle {
         });
     }
 
-    /** Le moins cher qui fasse au plus cette erreur ; {@code null} si aucun. */
+    /** Le réglage le moins cher qui tient cette erreur ; {@code null} s'il n'y en a pas. */
     Essai leMoinsCher(double voulue) {
         Essai unRayon = echantillonnages.get(0);
         List<Essai> candidats = new ArrayList<>();
         for (Essai e : echantillonnages) {
             for (Essai l : limites) {
-                // sans rapport, les carrés s'ajoutent ; ce que perd la limite seule s'est ajouté à l'erreur d'un rayon
+                // les carrés de deux erreurs indépendantes s'ajoutent ; celui de la limite est mesuré avec un rayon par pixel
                 double perdu = Math.max(0, l.erreur * l.erreur - unRayon.erreur * unRayon.erreur);
                 if (Math.sqrt(e.erreur * e.erreur + perdu) <= JEU * voulue) {
                     Essai candidat = new Essai(e.n, e.seuil, l.reflets, l.seuilDesReflets);

@@ -29,16 +29,15 @@ import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
 
 /**
- * Une machine virtuelle qui ne dessine, ou n'intersecte, que d'une façon, et le fait quand on le lui demande, sur son entrée : un nombre
- * de fois à chronométrer, autant de fois qu'on veut, et « finir ». L'image n'est vérifiée qu'à la fin : jusque-là,
- * rien n'y est compilé que pour elle.
+ * Une machine virtuelle qui n'exécute qu'une méthode. Elle lit sur son entrée le nombre de répétitions à chronométrer, plusieurs fois, puis
+ * « finir ». L'image n'est vérifiée qu'à la fin : avant, la machine virtuelle ne compile que le code de cette méthode.
  */
 final class Ouvrier {
 
-    /** Travail que l'on refait par les boucles du cours, en sphères essayées, à peu près. */
+    /** Quantité de travail refaite par les boucles du cours, en nombre approché de sphères essayées. */
     private static final double BUDGET = 1e8;
 
-    /** Prix d'un rayon des boucles avant sa première sphère, en sphères. */
+    /** Coût fixe d'un rayon dans les boucles du cours, en sphères. */
     private static final int SOCLE = 20;
 
     private static final long GRAINE = 800600;
@@ -76,14 +75,14 @@ final class Ouvrier {
         return c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines;
     }
 
-    /** Ces comptes, puis combien de pixels sont vérifiés, chacun par le nom de sa colonne. */
+    /** Ces compteurs, puis le nombre de pixels vérifiés, par noms de colonnes. */
     static Map<String, String> champs(String comptes) {
         String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
         String[] valeurs = comptes.split(" ");
         return IntStream.range(0, comptes.isEmpty() ? 0 : noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> valeurs[k]));
     }
 
-    /** @param fin ce qu'il y a à dire du travail, une fois les temps pris */
+    /** @param fin donne les compteurs et la vérification, après les temps */
     private static void repondre(Runnable travail, Supplier<String> fin, BufferedReader entree, PrintStream sortie) throws IOException {
         for (String demande = entree.readLine(); demande != null; demande = entree.readLine()) {
             if (demande.equals("finir")) {
@@ -95,7 +94,7 @@ final class Ouvrier {
         }
     }
 
-    /** Le temps réel et celui des processeurs, par fois. */
+    /** Le temps réel et le temps des processeurs d'une répétition, en nanosecondes. */
     private static double[] repeter(Runnable travail, int fois) {
         OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         long processeur = systeme.getProcessCpuTime();
@@ -108,10 +107,10 @@ final class Ouvrier {
     }
 
     /**
-     * Refait par les boucles du cours des pavés tirés au hasard, toujours les mêmes, et les compare au bit près.
+     * Refait, par les boucles du cours, des pavés au hasard, toujours les mêmes, et les compare au bit près.
      *
      * @return le nombre de pixels refaits
-     * @throws IllegalStateException si l'un d'eux n'est pas le même
+     * @throws IllegalStateException si un pixel diffère
      */
     static int verifier(Methode.ScenePrete dessin, Scene scene, ImageLineaire image, Taille taille) {
         double cout = (double) dessin.lancer.getCompteurs().rayons() * (scene.getObjets().size() + SOCLE);
@@ -138,9 +137,9 @@ final class Ouvrier {
     }
 
     /**
-     * Un programme qui compte en {@code float} ne dessine pas la même image au bit près.
+     * Compare l'image d'un programme qui calcule en {@code float}, et n'a donc pas les mêmes bits.
      *
-     * @throws IllegalStateException si plus d'un pixel sur cent s'écarte de la nôtre d'un niveau
+     * @throws IllegalStateException si plus d'un pixel sur cent s'écarte de plus d'un niveau
      */
     static void comparer(Path ppm, Path png, Taille taille) throws IOException {
         byte[] octets = Files.readAllBytes(ppm);
@@ -154,10 +153,10 @@ final class Ouvrier {
     }
 
     /**
-     * Refait ici ce qu'un programme a dessiné, puis une partie par les boucles du cours.
+     * Refait l'image d'un programme, puis une partie par les boucles du cours.
      *
-     * @return ce qui s'y compte, par noms de colonnes
-     * @throws IllegalStateException si un pixel n'est pas le même
+     * @return les compteurs, par noms de colonnes
+     * @throws IllegalStateException si un pixel diffère
      */
     static Map<String, String> controler(Methode methode, Scene scene, Taille taille, Path png) throws IOException {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);

@@ -14,13 +14,13 @@ import lancer.mesures.trace.Serie;
 import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
-/** Des mesures aux courbes. */
+/** Courbes de vitesse et de précision. */
 final class Planches {
 
     /** Erreur quadratique moyenne de l'arrondi de l'écran, en niveaux. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
-    /** Ce que montre la courbe d'une scène : le nom au bout d'une ligne, ses méthodes, l'apparence de ses points. */
+    /** Lignes d'une courbe : nom écrit au bout, méthodes, couleur et forme des points. */
     private static final Object[][] LIGNES = {
         {"reflets", Arrays.asList(Catalogue.REFLETS, Catalogue.UN_RAYON), Style.VERMILLON, FormeDePoint.ROND},
         {"grille", Arrays.asList(Catalogue.GRILLE), Style.BLEU, FormeDePoint.CARRE},
@@ -36,12 +36,12 @@ final class Planches {
         this.releves = releves.de(Catalogue.METHODES).tels(r -> r.nombre("rapport") > 0);
     }
 
-    /** Les scènes dont la courbe peut se tracer. */
+    /** Les scènes qui ont une courbe. */
     List<String> scenes() {
         return releves.scenes();
     }
 
-    /** L'erreur selon le temps : d'une scène, ou de plusieurs sur des axes communs. */
+    /** L'erreur selon le temps, pour une scène ou pour plusieurs sur des axes communs. */
     Planche scenes(List<String> scenes) {
         boolean seule = scenes.size() == 1;
         List<Volet> volets = scenes.stream().map(scene -> volet(scene, seule)).collect(Collectors.toList());
@@ -72,12 +72,12 @@ final class Planches {
         return volet;
     }
 
-    /** Réglage du programme, ou du module antialias, quand on ne lui demande rien. */
+    /** Dit si ce réglage est celui du programme, ou du module antialias, sans demande particulière. */
     private static boolean estParDefaut(Releve r) {
         return r.methode.equals(Catalogue.UN_RAYON) || r.methode.equals(Catalogue.COINS) && r.parametres.equals(Catalogue.COINS_DEFAUT);
     }
 
-    /** Le programme entier et d'autres, selon le nombre de sphères. */
+    /** Le temps du programme entier et d'autres programmes, selon le nombre de sphères. */
     static Planche spheres(Releves spheres) {
         Volet volet = new Volet("", "nombre de sphères", "de la commande au PNG écrit, en secondes");
         Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},

@@ -11,10 +11,10 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Une machine virtuelle à part, de ce même chemin des classes, à qui l'on parle ligne par ligne. */
+/** Une autre machine virtuelle, de même chemin des classes, qui répond ligne par ligne. */
 class Processus implements Closeable {
 
-    /** La commande de celle qui mesure. */
+    /** La commande java de cette machine virtuelle. */
     static final String JAVA = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
 
     private final Process processus;
@@ -29,7 +29,7 @@ class Processus implements Closeable {
         sortie = new BufferedReader(new InputStreamReader(processus.getInputStream(), StandardCharsets.UTF_8));
     }
 
-    /** @throws IllegalStateException si la machine s'est arrêtée, ou dit sa faute */
+    /** @throws IllegalStateException si l'autre machine virtuelle s'est arrêtée, ou annonce une faute */
     String demander(String ligne) throws IOException {
         entree.println(ligne);
         String reponse = sortie.readLine();
@@ -40,7 +40,7 @@ class Processus implements Closeable {
         return reponse;
     }
 
-    /** L'arrête ; si l'on est tué avant, elle trouve son entrée fermée. */
+    /** Arrête l'autre machine virtuelle, qui s'arrête aussi à la fin de son entrée. */
     @Override
     public void close() {
         entree.close();

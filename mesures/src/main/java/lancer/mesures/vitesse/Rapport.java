@@ -14,10 +14,10 @@ import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Figures;
 
-/** Des mesures d'un dossier aux courbes, aux tableaux et aux pages. */
+/** Courbes, tableaux et pages, d'après les mesures d'un dossier. */
 final class Rapport {
 
-    /** Pages que « make mesures » réécrit dans le projet. */
+    /** Pages du projet que « make mesures » réécrit. */
     static final Path[] PAGES = {Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
         Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md")};
 
@@ -26,10 +26,10 @@ final class Rapport {
     private final Releves releves;
     private final Bilan bilan;
 
-    /** {@code null} si leurs temps n'ont pas été pris. */
+    /** {@code null} si les temps des intersections n'ont pas été mesurés. */
     private final Methodes methodes;
 
-    /** @param dossier où sont les mesures, et où vont les courbes */
+    /** @param dossier celui des mesures et des courbes */
     Rapport(Path dossier, PrintStream sortie) throws IOException {
         this.dossier = dossier;
         this.sortie = sortie;
@@ -39,7 +39,7 @@ final class Rapport {
         methodes = temps.get().isEmpty() ? null : new Methodes(temps, bilan);
     }
 
-    /** Textes que montrent les pages, par leurs noms. */
+    /** Textes à écrire dans les pages, par leurs noms. */
     Map<String, String> valeurs() throws IOException {
         Map<String, String> valeurs = new TreeMap<>(new Tableaux(releves, FichierCsv.lire(dossier.resolve(Vitesse.BESOINS))).pages());
         if (methodes != null) {
@@ -55,7 +55,7 @@ final class Rapport {
         return valeurs;
     }
 
-    /** @param pages vrai pour réécrire aussi les nombres des pages du projet */
+    /** @param pages vrai pour réécrire aussi les pages du projet */
     void ecrire(boolean pages) throws IOException {
         Planches planches = new Planches(releves);
         if (planches.scenes().contains("scene1")) {

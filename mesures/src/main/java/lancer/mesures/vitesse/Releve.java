@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Intervalle;
 
-/** Mesures d'une méthode sur une scène : ses temps, ses rayons et son erreur. Un nombre qui manque est vide dans un CSV, et ici NaN. */
+/** Mesures d'une méthode sur une scène : temps, rayons, erreur. Un nombre qui manque est vide dans le CSV, et NaN ici. */
 final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
@@ -35,13 +35,13 @@ final class Releve {
         parametres = texte("parametres");
     }
 
-    /** @param paires des noms de colonnes, chacun suivi de ce qu'il vaut */
+    /** @param paires des noms de colonnes, chacun suivi de sa valeur */
     static Map<String, String> champs(Object... paires) {
         return IntStream.range(0, paires.length / 2).boxed()
                 .collect(Collectors.toMap(k -> (String) paires[2 * k], k -> paires[2 * k + 1].toString()));
     }
 
-    /** Nom qui la distingue des autres d'une même scène, en clair. */
+    /** Nom lisible de la méthode et de ses paramètres. */
     String nom() {
         return (methode + " " + parametres).trim();
     }
@@ -60,47 +60,45 @@ final class Releve {
                 + texte("date").replace('T', ' ');
     }
 
-    /** NaN si le champ est vide. */
     double nombre(String colonne) {
         String texte = texte(colonne);
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
     }
 
-    /** Rapport du temps à celui de la référence ; sans bornes si l'on n'a qu'une manche. */
+    /** Rapport du temps à celui de la référence, sans bornes s'il n'y a qu'une manche. */
     Intervalle rapport() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
                 Double.isNaN(max) ? Double.POSITIVE_INFINITY : max);
     }
 
-    /** Erreur en niveaux. */
     Intervalle erreur() {
         return new Intervalle(nombre("erreur"), nombre("erreur_min"), nombre("erreur_max"));
     }
 
-    /** Rayons de toutes sortes, d'une image. */
+    /** Nombre de rayons de toutes sortes d'une image. */
     double rayons() {
         return texte("rayons").isEmpty() ? nombre("primaires") + nombre("ombre") + nombre("reflechis") : nombre("rayons");
     }
 
-    /** Ces champs-là, dans un CSV. */
+    /** La ligne de ces colonnes dans un CSV. */
     String ligne(List<String> colonnes) {
         return FichierCsv.ligne(colonnes.stream().map(this::texte).toArray());
     }
 
-    /** Les mêmes mesures que celui-ci, et celles d'un autre ; là où ils diffèrent, les siennes. */
+    /** Ces mesures, complétées ou remplacées par celles de l'autre. */
     Releve avec(Releve autre) {
         Map<String, String> tous = new HashMap<>(champs);
         tous.putAll(autre.champs);
         return new Releve(tous);
     }
 
-    /** Vrai si l'autre est de la même méthode, au même réglage, en une image de même taille. */
+    /** Dit si l'autre mesure a la même méthode, le même réglage et la même taille d'image. */
     boolean estLeMeme(Releve autre) {
         return Stream.of("famille", "scene", "methode", "parametres", "largeur", "hauteur").allMatch(c -> texte(c).equals(autre.texte(c)));
     }
 
-    /** Vrai si celui-ci prend moins de temps, et se trompe moins, à coup sûr. */
+    /** Dit si ce réglage est plus rapide et plus juste que l'autre, intervalles compris. */
     boolean bat(Releve autre) {
         return rapport().nettementSous(autre.rapport()) && erreur().nettementSous(autre.erreur());
     }

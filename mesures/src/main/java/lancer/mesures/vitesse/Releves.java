@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Intervalle;
 
-/** Des mesures, et de quoi y retrouver celle qu'on cherche. */
+/** Des mesures, et les moyens d'en extraire. */
 final class Releves {
 
     static final Comparator<Releve> PAR_TEMPS = Comparator.comparingDouble(r -> r.rapport().valeur);
@@ -25,7 +25,7 @@ final class Releves {
         this.tous = tous;
     }
 
-    /** Lit les temps d'un dossier, et les erreurs de leurs réglages ; ceux des réglages sans erreur n'ont plus cours. */
+    /** Lit les temps et les erreurs d'un dossier. Les temps d'un réglage qui n'a pas d'erreur mesurée sont ignorés. */
     static Releves lire(Path dossier) throws IOException {
         List<Releve> temps = lignes(dossier.resolve(Vitesse.CSV));
         List<Releve> tous = new ArrayList<>();
@@ -36,7 +36,7 @@ final class Releves {
         return new Releves(tous);
     }
 
-    /** Mesures d'un fichier, telles quelles ; aucune s'il n'est pas là. */
+    /** Les mesures d'un fichier ; liste vide si le fichier n'existe pas. */
     static List<Releve> lignes(Path csv) throws IOException {
         return Files.exists(csv) ? FichierCsv.lire(csv).stream().map(Releve::new).collect(Collectors.toList()) : new ArrayList<>();
     }
@@ -61,7 +61,7 @@ final class Releves {
         return new Releves(tous.stream().filter(condition).collect(Collectors.toList()));
     }
 
-    /** @throws NoSuchElementException si elle n'a pas été mesurée */
+    /** @throws NoSuchElementException si cette mesure n'existe pas */
     Releve le(String methode, String parametres) {
         return methode(methode).tels(r -> r.parametres.equals(parametres)).get().stream().findFirst()
                 .orElseThrow(() -> new NoSuchElementException("pas de mesure de " + methode + " " + parametres));
@@ -72,23 +72,23 @@ final class Releves {
         return tous.stream().map(r -> r.scene).distinct().collect(Collectors.toList());
     }
 
-    /** Les secondes d'un rayon par pixel, ce à quoi les autres se comparent : la médiane ; NaN si rien n'a été chronométré. */
+    /** Le temps de référence, celui d'un rayon par pixel, en secondes : la médiane, NaN si rien n'a été chronométré. */
     double secondes() {
         double[] ms = tous.stream().mapToDouble(r -> r.nombre("reference_ms")).filter(t -> !Double.isNaN(t)).toArray();
         return Intervalle.mediane(ms) / 1000;
     }
 
-    /** Les réglages du catalogue : POV-Ray, les boucles du cours, et ce que choisit {@code --auto}, ne sont là que pour comparer. */
+    /** Les réglages que l'on peut conseiller : sans POV-Ray, les boucles du cours, ni {@code --auto}. */
     Releves aNous() {
         return tels(r -> !Arrays.asList(Catalogue.POVRAY, Catalogue.BOUCLES, Catalogue.AUTO).contains(r.methode));
     }
 
-    /** Le plus rapide dont l'erreur, intervalle compris, ne dépasse pas ce nombre de niveaux. */
+    /** Le réglage le plus rapide dont l'erreur, intervalle compris, ne dépasse pas ce nombre de niveaux. */
     Optional<Releve> lePlusRapide(double erreur) {
         return aNous().tous.stream().filter(r -> r.erreur().max <= erreur && r.nombre("rapport") > 0).min(PAR_TEMPS);
     }
 
-    /** Le plus rapide de ceux qui battent celui-ci à coup sûr. */
+    /** Le plus rapide des réglages qui battent {@code r}. */
     Optional<Releve> vainqueur(Releve r) {
         return aNous().tous.stream().filter(a -> a.bat(r)).min(PAR_TEMPS);
     }

@@ -12,7 +12,7 @@ import lancer.Constantes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
 
-/** Tableaux que montrent les pages, par leurs noms : tout y est mesuré. */
+/** Tableaux des pages, par leurs noms. */
 final class Tableaux {
 
     private static final Intervalle UN = Intervalle.exact(1);
@@ -26,7 +26,7 @@ final class Tableaux {
         this.besoins = besoins;
     }
 
-    /** Tous ; sans les temps, là où ils n'ont pas été pris. */
+    /** Tous les tableaux ; les temps manquent s'ils n'ont pas été mesurés. */
     Map<String, String> pages() {
         Map<String, String> pages = new TreeMap<>();
         pages.put("choisir", choisir());
@@ -41,7 +41,7 @@ final class Tableaux {
         return pages;
     }
 
-    /** Un tableau entier, de son titre à ses lignes. */
+    /** Un tableau Markdown. */
     static String table(List<String> titres, List<List<String>> lignes) {
         List<List<String>> toutes = new ArrayList<>(Arrays.asList(titres, titres.stream().map(t -> "---").collect(Collectors.toList())));
         toutes.addAll(lignes);
@@ -49,7 +49,7 @@ final class Tableaux {
                 .collect(Collectors.joining("\n", "\n", "\n"));
     }
 
-    /** Ce que l'on veut, ce qu'il faut écrire, l'erreur, le temps. */
+    /** Tableau des conseils : le besoin, ce qu'il faut écrire, l'erreur, le temps. */
     private String choisir() {
         Releves cours = releves.de(Catalogue.METHODES).scene("scene1");
         Releves miroirs = releves.de(Catalogue.METHODES).scene("miroirs");
@@ -73,7 +73,7 @@ final class Tableaux {
         return ecrit.isEmpty() ? "rien de plus" : ecrit;
     }
 
-    /** Chaque réglage de chaque scène : rayons, erreur, ce qui se voit, temps. */
+    /** Tableau de chaque réglage de chaque scène : rayons, erreur, pixels visiblement faux, temps. */
     private String comptes() {
         return table(Arrays.asList("scène", "réglage", "rayons", "erreur, en niveaux", "pixels visiblement faux", "temps",
                 "plus rapide et plus juste"),
@@ -84,18 +84,18 @@ final class Tableaux {
                 releves.de(Catalogue.METHODES).scene(r.scene).vainqueur(r).map(Releve::nom).orElse(""))).collect(Collectors.toList()));
     }
 
-    /** « × 2,6 (de 2,4 à 2,9) » ; rien si l'on n'en sait rien. */
+    /** « × 2,6 (de 2,4 à 2,9) » ; vide si le rapport n'est pas mesuré. */
     private static String fois(Intervalle i) {
         return i.valeur > 0 ? "× " + Style.nombre(i.valeur) + " (de " + Style.nombre(i.min) + " à " + Style.nombre(i.max) + ")" : "";
     }
 
-    /** Facteur, ou qu'aucune différence n'est sûre. */
+    /** Facteur, ou phrase qui dit qu'aucune différence n'est sûre. */
     static String rapport(Intervalle i) {
         return UN.nettementSous(i) || i.nettementSous(UN) ? fois(i)
                 : "autant, à l'intervalle près (de " + Style.nombre(i.min) + " à " + Style.nombre(i.max) + ")";
     }
 
-    /** Ce que demande chaque scène, et ce que fait le programme. */
+    /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
     private String besoins() {
         return table(Arrays.asList("scène", "rayons par pixel", "qui changent l'écran", "ombres pour rien", "lampes", "utiles",
                 "reflets qui changent l'écran", "sphères", "essayées par rayon", "structures", "première image", "alloué", "mémoire"),

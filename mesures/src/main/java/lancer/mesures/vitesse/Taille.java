@@ -1,6 +1,6 @@
 package lancer.mesures.vitesse;
 
-/** La taille des images mesurées, et combien de fils les dessinent. */
+/** La taille des images mesurées, et le nombre de fils. */
 final class Taille {
 
     final int largeur;

@@ -28,12 +28,12 @@ import lancer.mesures.stabilite.Mesures;
 import lancer.texte.Texte;
 
 /**
- * La vitesse face à la précision : mesure ce que dit le {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide} ou {@code --agitee}, au plus une des autres options et, pour chaque autre programme à
- * comparer, {@code --jar=} et son chemin.
+ * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
+ * {@code make mesures}, avec {@code --rapide}, au plus une des autres options et, pour chaque autre programme à comparer,
+ * {@code --jar=} suivi de son chemin.
  *
- * Statut de sortie : 0 tout est juste ; 1 une image est fausse, ou la machine n'a pas pu, ou elle est trop troublée : rien n'est alors
- * changé à {@code mesures/resultats} ; 2 la demande était fausse.
+ * <p>Statut de sortie : 0 si tout est juste ; 1 si une image est fausse, ou si la machine a échoué ou n'est pas disponible ({@code
+ * mesures/resultats} ne change pas) ; 2 si la demande est fausse.
  */
 public final class Vitesse {
 
@@ -41,15 +41,15 @@ public final class Vitesse {
     static final String BESOINS = "besoins.csv";
     private static final String PROCESSUS = "processus.csv";
 
-    /** Ce programme, tel qu'on le lance, seul et avec l'anticrénelage, et ce qui annonce le chemin d'un autre. */
+    /** Arguments de {@code java} pour ce programme, sans et avec l'anticrénelage ; option du chemin d'un autre programme. */
     private static final String[] LANCER = {"-jar", "target/lancer.jar"};
     private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
     private static final String JAR = "--jar=";
 
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--agitee", "--comptes", "--temps", "--processus", "--noyaux",
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--processus", "--noyaux",
             "--stabilite", "--dessiner");
 
-    /** Dossier où finit une mesure complète, avec ses courbes. */
+    /** Dossier des résultats d'une mesure complète, et de ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
@@ -59,8 +59,8 @@ public final class Vitesse {
     private final boolean rapide;
     private final PrintStream sortie;
 
-    /** Dossiers où mesurer, et où porter le tout à la fin. */
-    private final Path atelier;
+    /** Dossier où les mesures se font, et dossier où leurs résultats sont copiés. */
+    private final Path travail;
     private final Path resultats;
 
     private Vitesse(PrintStream sortie, String... args) {
@@ -76,8 +76,8 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de fichier " + jar);
         });
         rapide = options.contains("--rapide");
-        atelier = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
-        resultats = rapide || options.contains("--agitee") ? atelier : Paths.get(RESULTATS);
+        travail = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
+        resultats = rapide ? travail : Paths.get(RESULTATS);
     }
 
     /** @param args voir la description de la classe */
@@ -85,9 +85,9 @@ public final class Vitesse {
         System.exit(executer(args, new PrintStream(System.out, true, "UTF-8"), new PrintStream(System.err, true, "UTF-8")));
     }
 
-    /** Fait ce que fait {@link #main}, sans quitter Java. */
+    /** Exécute {@link #main} sans arrêter Java. */
     static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
-        // les courbes ne demandent pas d'écran, et un écran qui ne répond pas ne doit pas les empêcher
+        // les courbes ne demandent pas d'écran : un écran qui ne répond pas ne doit pas les empêcher
         System.setProperty("java.awt.headless", "true");
         try {
             new Vitesse(sortie, args).faire();
@@ -109,15 +109,15 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de dossier scenes ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
-        boolean tout = options.stream().allMatch(o -> o.equals("--rapide") || o.equals("--agitee"));
+        boolean tout = options.stream().allMatch(o -> o.equals("--rapide"));
         boolean comptes = tout || options.contains("--comptes");
         boolean temps = tout || options.contains("--temps");
         List<String> neufs = new ArrayList<>();
-        Files.createDirectories(atelier);
+        Files.createDirectories(travail);
         PovRay povray = comptes || temps ? povray() : null;
-        // ce qui ne demande pas une machine tranquille d'abord
+        // les mesures qui ne dépendent pas de la charge de la machine viennent d'abord
         if (comptes) {
-            Comptes lesComptes = new Comptes(TAILLE, povray, atelier, sortie);
+            Comptes lesComptes = new Comptes(TAILLE, povray, travail, sortie);
             lesComptes.ecrire(new Catalogue(rapide).reglages());
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
@@ -128,7 +128,7 @@ public final class Vitesse {
         }
         if (comptes || options.contains("--stabilite")) {
             sortie.println("stabilité");
-            new Mesures(rapide).ecrire(atelier);
+            new Mesures(rapide).ecrire(travail);
             neufs.add(Mesures.CSV);
         }
         if (temps) {
@@ -145,8 +145,8 @@ public final class Vitesse {
             neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
-        for (String nom : resultats.equals(atelier) ? Collections.<String>emptyList() : neufs) {
-            Files.copy(atelier.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
+        for (String nom : resultats.equals(travail) ? Collections.<String>emptyList() : neufs) {
+            Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
         if (!options.contains("--processus")) {
             new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
@@ -156,17 +156,16 @@ public final class Vitesse {
 
     private PovRay povray() {
         try {
-            return new PovRay(PovRay.COMMANDE, atelier);
+            return new PovRay(PovRay.COMMANDE, travail);
         } catch (IOException e) {
             sortie.println("Sans POV-Ray : " + e.getMessage());
             return null;
         }
     }
 
-    /** @throws IOException si la machine est trop troublée ; les mesures rapide et agitée gardent tout, et leurs intervalles le disent */
+    /** @throws IOException si la machine n'est pas disponible ; une mesure rapide ou agitée garde toutes ses manches */
     private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        Mesureur mesureur = new Mesureur(rapide, rapide || options.contains("--agitee"), povray, atelier.resolve(csv), sortie, LANCER,
-                ANTIALIAS);
+        Mesureur mesureur = new Mesureur(rapide, povray, travail.resolve(csv), sortie, LANCER, ANTIALIAS);
         for (Taille taille : tailles) {
             mesureur.mesurer(taille, groupes);
         }
@@ -174,19 +173,21 @@ public final class Vitesse {
 
     private void compterLesBesoins() throws IOException {
         Taille taille = rapide ? new Taille(200, 150) : TAILLE;
+        List<Path> scenes = Scenes.livrees();
+        sortie.println("besoins de " + scenes.size() + " scènes");
+        List<String> comptes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne()).collect(Collectors.toList());
         List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo"));
-        for (Path scene : Scenes.livrees()) {
-            lignes.add(new Besoin(scene, taille).ligne() + "," + alloues(scene, taille));
-            sortie.println("besoins de " + scene.getFileName());
+        for (int k = 0; k < scenes.size(); k++) {
+            lignes.add(comptes.get(k) + "," + alloues(scenes.get(k), taille));
         }
-        Files.write(atelier.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
+        Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 
-    /** Mégaoctets qu'alloue le programme pour sa première image, là où Java sait ne rien rendre ; vide ailleurs. */
+    /** Mégaoctets alloués par le programme pour sa première image ; vide si Java n'a pas de ramasse-miettes Epsilon. */
     private String alloues(Path scene, Taille taille) throws IOException {
-        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(atelier.resolve("pris"), Processus.JAVA,
+        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(travail.resolve("pris"), Processus.JAVA,
                 "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
-                atelier.resolve("besoin.png"), "--taille", taille, scene).dit);
+                travail.resolve("besoin.png"), "--taille", taille, scene).dit);
         return m.matches() ? m.group(1) : "";
     }
 }

@@ -1,6 +1,2 @@
-/**
- * {@code make mesures} : ce que coûte une image meilleure, mesuré, vérifié, mis en tables et en courbes.
- *
- * <p>Y entre ce qui mesure un dessin entier, ou dit ce qu'on en conclut.
- */
+/** {@code make mesures} : temps et erreur des réglages du programme, vérifiés, en tableaux et en courbes. */
 package lancer.mesures.vitesse;

@@ -71,7 +71,7 @@ class VitesseTest {
 
     /** Les variantes sont sur ce chemin des classes, non dans un jar. */
     private Mesureur mesureur() throws IOException {
-        return new Mesureur(true, true, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie), BASE, ANTIALIAS);
+        return new Mesureur(true, null, dossier.resolve(Vitesse.CSV), new PrintStream(sortie), BASE, ANTIALIAS);
     }
 
     @Test
@@ -242,7 +242,7 @@ class VitesseTest {
     void uneIntersectionSeChronometreCommeUnDessin() throws IOException {
         Catalogue.Groupe sol = new Catalogue.Groupe(Catalogue.INTERSECTIONS, Regime.SOL.name(),
                 Arrays.asList(new Methode(Formule.MANUEL.name(), ""), new Methode(Formule.PROGRAMME.name(), "")), 1);
-        new Mesureur(true, true, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie), BASE).mesurer(TAILLE,
+        new Mesureur(true, null, dossier.resolve(Methodes.CSV), new PrintStream(sortie), BASE).mesurer(TAILLE,
                 Collections.singletonList(sol));
         Releves releves = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         assertTrue(releves.le("PROGRAMME", "").nombre("rapport") > 0 && releves.le("MANUEL", "").nombre("reference_ms") > 0);

@@ -1,0 +1,196 @@
+package lancer.correction.modele;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lancer.correction.Panne;
+
+/**
+ * Les classes du cours à compléter, et les mêmes classes complétées d'après le seul énoncé. Un même texte contient les deux. De
+ * {@code //&#123;} à {@code //=}, il contient la réponse ; de là à {@code //&#125;}, le texte du squelette. De {@code //&lt;brume} à
+ * {@code //&gt;}, la copie de l'extension remplace les lignes ordinaires par celles qui commencent par {@code //+}.
+ */
+public final class SourcesDuCours {
+
+    /** Les classes à compléter, dans l'ordre de l'énoncé. */
+    public static final List<String> A_COMPLETER =
+            List.of("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Lancer", "Objet3D");
+
+    /** Les classes données achevées. */
+    public static final List<String> DONNEES =
+            List.of("Tuple", "Couleur", "Lampe", "PointContact", "Constantes", "LecteurScene", "Toile", "Main");
+
+    /** Les extensions, dans l'ordre du cours. */
+    public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
+
+    private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
+            "tournesol");
+
+    /** Rayon d'une sphère trop grande pour être déplacée : un sol, un miroir presque plat. */
+    private static final double IMMENSE = 100;
+
+    private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
+    private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
+
+    /** Fichiers du projet qui ne sont pas des classes du cours. */
+    private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
+            "src/test/resources/META-INF/services/org.junit.platform.launcher.TestExecutionListener");
+
+    private SourcesDuCours() {
+    }
+
+    /** Toutes les classes du projet, sans ses tests. */
+    public static List<String> classes() {
+        return Stream.concat(A_COMPLETER.stream(), DONNEES.stream()).collect(Collectors.toList());
+    }
+
+    /** La classe à compléter, avec des {@code FIXME} à la place des réponses. */
+    public static String squelette(String classe) {
+        return source(classe, "", false);
+    }
+
+    public static String corrige(String classe) {
+        return corrige(classe, "");
+    }
+
+    /** La classe complétée, dans le projet d'une extension : {@code brume}, {@code antialias}, {@code blinn}. */
+    public static String corrige(String classe, String variante) {
+        return source(classe, variante, true);
+    }
+
+    /** Le texte d'une classe, pour la base ou pour cette extension. */
+    private static String source(String classe, String variante, boolean reponses) {
+        StringBuilder resultat = new StringBuilder();
+        // null pour toutes les copies ; sinon, l'extension dont les lignes sont lues
+        String pour = null;
+        boolean dansReponse = false;
+        for (String ligne : ressource("modele/lancer/" + classe + ".java").split("\n")) {
+            String nue = ligne.trim();
+            String marge = ligne.substring(0, ligne.indexOf(nue));
+            if (nue.startsWith("//<") || nue.equals("//>")) {
+                pour = nue.equals("//>") ? null : nue.substring(3);
+            } else if (pour != null && pour.equals(variante) != nue.startsWith("//+")) {
+                continue;
+            } else if (nue.startsWith("//{")) {
+                dansReponse = true;
+                resultat.append(reponses || nue.length() == 3 ? "" : marge + "// FIXME" + nue.substring(3) + "\n");
+            } else if (nue.startsWith("//=")) {
+                dansReponse = false;
+                resultat.append(reponses ? "" : marge + nue.substring(4) + "\n");
+            } else if (nue.equals("//}")) {
+                dansReponse = false;
+            } else if (!dansReponse || reponses) {
+                resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
+            }
+        }
+        return resultat.toString();
+    }
+
+    /** Toutes les classes du projet, par nom complet ({@code lancer/Vecteur}), avec leur texte. */
+    public static Map<String, String> tout(UnaryOperator<String> texte) {
+        return classes().stream().collect(Collectors.toMap(c -> "lancer/" + c, texte));
+    }
+
+    /** Toutes les classes complétées de cette extension, ou de la base si ce nom est vide. */
+    public static Map<String, String> acheve(String variante) {
+        Map<String, String> classes = tout(c -> corrige(c, variante));
+        if (variante.equals("brume")) {
+            classes.put("lancer/Brume", corrige("Brume"));
+        }
+        return classes;
+    }
+
+    public static String scene(String nom) {
+        return ressource("scenes/" + nom + ".ini");
+    }
+
+    /** Cette scène, dont les positions et les couleurs varient un peu selon la graine. */
+    public static String scene(String nom, long graine) {
+        SplittableRandom hasard = new SplittableRandom(graine);
+        StringBuilder texte = new StringBuilder();
+        for (String section : scene(nom).split("(?m)^(?=\\[)")) {
+            Matcher rayon = RAYON.matcher(section);
+            double r = rayon.find() ? Double.parseDouble(rayon.group(1)) : IMMENSE;
+            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r)));
+        }
+        return texte.toString();
+    }
+
+    private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
+        double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
+        String cle = triplet.group(1);
+        // au plus un huitième du rayon d'une sphère, ou un vingtième de la distance d'une lampe
+        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
+                : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
+        return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
+                : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
+    }
+
+    /** Un texte de l'archive du programme. */
+    public static String ressource(String nom) {
+        try (InputStream flux = SourcesDuCours.class.getResourceAsStream("/" + nom)) {
+            return new String(flux.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * Écrit un projet d'étudiant : les classes, les scènes, {@code Tests}, les fichiers de construction.
+     *
+     * @param variante {@code null} pour le projet à compléter ; vide pour le projet complété, ou nom d'une extension
+     * @throws Panne si le dossier n'est pas vide ou ne peut être écrit, ou si l'extension n'existe pas
+     */
+    public static void ecrire(String dossier, String variante, PrintStream sortie) {
+        if (variante != null && !variante.isEmpty() && !VARIANTES.contains(variante)) {
+            throw new Panne(2, "extension inconnue : « " + variante + " » ; attendu : "
+                    + String.join(", ", new TreeSet<>(VARIANTES)));
+        }
+        Map<String, String> fichiers = new TreeMap<>();
+        (variante == null ? tout(SourcesDuCours::squelette) : acheve(variante))
+                .forEach((nom, texte) -> fichiers.put("src/main/java/" + nom + ".java", texte));
+        fichiers.put("LISEZMOI.md", ressource("projet/" + (variante == null ? "LISEZMOI.md" : "CORRIGE.md")));
+        if ("blinn".equals(variante)) {
+            // Tests demande les reflets de Phong, et ceux de Blinn ne leur sont égaux que dans la direction réfléchie
+            fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
+        }
+        fichiers.put("src/test/java/lancer/Tests.java", ressource("modele/lancer/Tests.java"));
+        SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
+        PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
+        Path racine = Paths.get(dossier);
+        try {
+            String[] contenu = racine.toFile().list();
+            if (contenu != null && contenu.length > 0) {
+                throw new Panne(2, "le dossier n'est pas vide : " + dossier + " ; attendu : un dossier vide, ou qui n'existe pas");
+            }
+            for (Map.Entry<String, String> fichier : fichiers.entrySet()) {
+                Path chemin = racine.resolve(fichier.getKey());
+                Files.createDirectories(chemin.getParent());
+                Files.writeString(chemin, fichier.getValue());
+            }
+        } catch (IOException e) {
+            throw new Panne(1, "écriture impossible : " + e);
+        }
+        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
+                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
+    }
+}

@@ -1,0 +1,313 @@
+package lancer.cours;
+
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Ombre;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Des scènes dont la théorie donne l'image ou une quantité, et les régimes où une méthode moins sûre se trompe. E est l'œil, F la
+ * focale, sin α = r/|EC|.
+ */
+class TheorieTest {
+
+    private static final double F = Camera.FOCALE;
+
+    private static final Lampe A_L_OEIL = new Lampe(Camera.OEIL, new Couleur(1));
+    private static final Rayon DEVANT = new Rayon(new Point(), new Vecteur(0, 0, 1));
+
+    /** cos(N, V) au contact d'une sphère centrée sur l'axe à la distance D de l'œil : √(1 − (D/r)² sin²ψ). */
+    private static double cosinus(Rayon rayon, double D, double r) {
+        double sin2 = 1 - rayon.getV().z * rayon.getV().z;
+        return Math.sqrt(1 - D * D / (r * r) * sin2);
+    }
+
+    @Test
+    void uneLampeALOeilEclaireToutCeQuiSeVoitSelonLambertEtPhong() {
+        double D = 5 + Camera.FOCALE;
+        Scene scene = scene(Collections.singletonList(boule(0, 0, 5, 1, 0.7, 0.3, 8)), A_L_OEIL);
+        Camera camera = new Camera(101, 101);
+        Lancer lancer = new Lancer(scene, camera);
+        int touches = 0;
+        for (int j = 0; j < 101; j++) {
+            for (int i = 0; i < 101; i++) {
+                Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
+                if (scene.getClosestIntersection(rayon) != null) {
+                    double c = cosinus(rayon, D, 1);
+                    double attendu = 0.7 * c + 0.3 * Math.pow(Math.max(0, 2 * c * c - 1), 8);
+                    assertEquals(attendu, lancer.getCouleurPixel(i + 0.5, j + 0.5, 0).r, 1e-9, "pixel " + i + ", " + j);
+                    touches++;
+                }
+            }
+        }
+        assertTrue(touches > 1000);
+    }
+
+    @Test
+    void laSilhouetteDUneSphereEstUneEllipseDAireConnue() {
+        double D = Math.hypot(1, 5 + Camera.FOCALE);
+        double sin2 = 1 / (D * D);
+        double cos2Theta = 1 - 1 / (D * D);
+        double aire = Math.PI * F * F * sin2 * Math.sqrt(1 - sin2) / Math.pow(cos2Theta - sin2, 1.5) * 200 * 200;
+        Ressources.Image image = image(scene(Collections.singletonList(boule(1, 0, 5, 1, 0, 0, 1))), 400, 300, 0, 2);
+        int noirs = 0;
+        for (int k = 0; k < image.composantes.length; k += 3) {
+            noirs += image.composantes[k + 2] == 0 ? 1 : 0;
+        }
+        assertEquals(aire, noirs, Math.pow(aire / Math.PI, 1.0 / 3));
+    }
+
+    @Test
+    void leSeuilNOublieQueCeQuIlPromet() {
+        Sphere fond = boule(0, 0, 5, 1, 0.5, 0.5, 1);
+        Sphere face = boule(0, 0, -5, 1, 0.5, 0.5, 1);
+        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        double limite = 2 * 0.8;
+        for (double seuil : new double[] {0.5, 0.1, 1.0 / 1024, 1e-9}) {
+            scene.getModele().setSeuil(seuil);
+            double oubli = limite - scene.getCouleurVue(DEVANT, null, 1000).r;
+            assertTrue(oubli > 0 && oubli <= seuil * limite, "seuil " + seuil + ", oubli " + oubli);
+        }
+    }
+
+    @Test
+    void leSeuilPorteSurLaPlusGrandeComposanteDuProduitDesKs() {
+        Sphere fond = boule(0, 0, 5, 1, 0.01, 0, 1);
+        Sphere face = boule(0, 0, -5, 1, 0.01, 0, 1);
+        fond.setKs(new Couleur(1, 0.1, 0));
+        face.setKs(new Couleur(1, 0, 0.1));
+        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        scene.getModele().setSeuil(1);
+        scene.getCouleurVue(DEVANT, null, 40);
+        assertEquals(40, scene.getCompteurs().reflechis, "le rouge continue");
+        // égal au seuil : encore suivi
+        fond.setKs(new Couleur(0.5));
+        face.setKs(new Couleur(0.5));
+        Scene demi = scene(Arrays.asList(fond, face), scene.getLampes().get(0));
+        demi.getModele().setSeuil(0.125);
+        demi.getCouleurVue(DEVANT, null, 40);
+        assertEquals(3, demi.getCompteurs().reflechis);
+    }
+
+    @Test
+    void milleReflexionsSansPerteNiDebordementDePile() {
+        Sphere fond = boule(0, 0, 5, 1, 0.5, 1, 1);
+        Sphere face = boule(0, 0, -5, 1, 0.5, 1, 1);
+        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        double c = 0.5 * 0.8 + 0.8;
+        assertEquals(1001 * c, scene.getCouleurVue(DEVANT, null, 1000).r, 1e-9);
+    }
+
+    @Test
+    void unObjetAuDelaDeLaLampeNOmbrePas() {
+        Sphere boule = boule(0, 0, 5, 1, 1, 0, 1);
+        Lampe lampe = new Lampe(new Point(0, 0, 0), new Couleur(1));
+        Scene seule = scene(Collections.singletonList(boule), lampe);
+        Scene avec = scene(Arrays.asList(boule, boule(0, 0, -20, 1, 0, 0, 1)), lampe);
+        assertTrue(memesBits(image(seule, 40, 30, 0, 1), image(avec, 40, 30, 0, 1)));
+    }
+
+    @Test
+    void uneLampeDansUneSphereNEclaireRienAuDehors() {
+        Scene scene = scene(Arrays.asList(boule(0, 0, 8, 1, 1, 0, 1), boule(0, 0, 4, 0.5, 1, 1, 9)),
+                new Lampe(new Point(0.1, 0, 4), new Couleur(9)));
+        assertEquals(new Couleur(), scene.getCouleurVue(DEVANT, null, 0));
+        assertEquals(new Couleur(), scene.getCouleurVue(new Camera(800, 600).getRayon(440, 300), null, 0));
+    }
+
+    @Test
+    void uneLampeSurUneSurfaceNEclairePasCetteSphereEtNeDonneJamaisNaN() {
+        Sphere boule = boule(0, 0, 5, 1, 1, 0.5, 3);
+        Lampe utile = new Lampe(new Point(3, 4, 0), new Couleur(0.5));
+        Ressources.Image sans = image(scene(Collections.singletonList(boule), utile), 41, 31, 5, 1);
+        Ressources.Image avec = image(scene(Collections.singletonList(boule),
+                new Lampe(new Point(0, 0, 4), new Couleur(1)), utile), 41, 31, 5, 1);
+        assertTrue(memesBits(sans, avec));
+    }
+
+    @Test
+    void deLInterieurDUneSphereOnVoitSaParoiEclaireeDuDehors() {
+        // l'écran est dans la sphère ; la lampe, au-delà de la sortie, voit la normale extérieure
+        Scene scene = scene(Collections.singletonList(boule(0, 0, 0, 3, 0.6, 0, 1)), new Lampe(new Point(0, 4, 3), new Couleur(1)));
+        assertEquals(0, scene.getCouleurVue(DEVANT, null, 0).r, 0, "N·L = 0 : juste au bord");
+        Scene haut = scene(Collections.singletonList(boule(0, 0, 0, 3, 0.6, 0, 1)), new Lampe(new Point(0, 4, 6), new Couleur(1)));
+        assertEquals(0.6 * 0.6, haut.getCouleurVue(DEVANT, null, 0).r, 1e-12);
+    }
+
+    @Test
+    void uneLampeTresLointaineFaitUneOmbreCylindrique() {
+        // le soleil à 1e9 au-dessus d'une boule de rayon 1 posée loin d'un sol presque plat
+        double r = 1e4;
+        Sphere sol = boule(0, -r - 2, 20, r, 1, 0, 1);
+        Scene scene = scene(Arrays.asList(sol, boule(0, 0, 20, 1, 0, 0, 1)), new Lampe(new Point(0, 1e9, 20), new Couleur(1)));
+        for (double x = -1.995; x < 2; x += 0.01) {
+            double y = -r - 2 + Math.sqrt(r * r - x * x);
+            Point contact = new Point(x, y, 20);
+            assertEquals(Math.abs(x) < 1, Ombre.cachee(scene, scene.getLampes().get(0), contact, sol), "x = " + x);
+        }
+    }
+
+    @Test
+    void unPoliNulDonneUnRefletEntierSurToutLeCoteEclaire() {
+        Sphere boule = boule(0, 0, 5, 1, 0, 0.5, 0);
+        Scene cote = scene(Collections.singletonList(boule), new Lampe(new Point(50, 0, 3), new Couleur(1)));
+        assertEquals(0.5, cote.getCouleurVue(DEVANT, null, 0).r, 0, "R·L < 0, mais 0^0 = 1");
+        Scene dos = scene(Collections.singletonList(boule), new Lampe(new Point(0, 0, 50), new Couleur(1)));
+        assertEquals(new Couleur(), dos.getCouleurVue(DEVANT, null, 0));
+    }
+
+    @Test
+    void uneRangeeEntiereALHorizonALaSecondeCouleurDuCiel() {
+        Ressources.Image image = image(scene(Collections.<Objet3D>emptyList()), 3, 3, 5, 1);
+        for (int i = 0; i < 3; i++) {
+            assertEquals((float) DEVANT.getSkyColor().v, image.composantes[3 * (3 + i) + 1]);
+            assertEquals((float) new Camera(3, 3).getRayon(i + 0.5, 0.5).getSkyColor().b, image.composantes[3 * i + 2]);
+        }
+    }
+
+    @Test
+    void unRayonQuiNePeutRienChangerNEstPasLance() {
+        Lampe lampe = new Lampe(new Point(0, 0, -9), new Couleur(1));
+        Scene mate = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), lampe);
+        mate.getCouleurVue(DEVANT, null, 5);
+        assertEquals(1, mate.getCompteurs().ombre);
+        assertEquals(0, mate.getCompteurs().reflechis, "Ks = 0");
+        Scene noire = scene(Collections.singletonList(boule(0, 0, 5, 1, 0, 0, 1)), lampe);
+        noire.getCouleurVue(DEVANT, null, 5);
+        assertEquals(0, noire.getCompteurs().ombre, "ni Kd ni Ks");
+        Scene dos = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), new Lampe(new Point(0, 0, 9), new Couleur(1)));
+        dos.getCouleurVue(DEVANT, null, 5);
+        assertEquals(0, dos.getCompteurs().ombre, "N·L ≤ 0");
+    }
+
+    @Test
+    void desPetitesBoulesSeRefletentSansDeriveDesLongueurs() {
+        // le piège des normales non ramenées à 1 : des boules de rayon 0,03 à une distance de 6
+        List<Sphere> boules = new ArrayList<>();
+        for (int k = 0; k < 400; k++) {
+            boules.add(boule(0.08 * (k % 20) - 0.8, 0.08 * (k / 20) - 0.8, 6 + 0.05 * (k % 3), 0.03, 0.3, 0.6, 30));
+        }
+        Scene scene = scene(boules, new Lampe(new Point(3, 5, -2), new Couleur(1)));
+        Ressources.Image image = image(scene, 160, 120, 12, 2);
+        for (float c : image.composantes) {
+            assertFalse(c < 0 || c > 2.5 || Float.isNaN(c), "couleur " + c);
+        }
+    }
+
+    /** La somme des pixels d'une sphère dans l'axe, la lampe à l'œil : π F² (2α/sin 2α − 1)(L/2)². */
+    @Test
+    void lIntegraleDeLambertSurUneSphereEstConnue() {
+        int cote = 400;
+        for (double r : new double[] {0.7, 1.2, 1.9}) {
+            Ressources.Image image = imageRapide(scene(Collections.singletonList(boule(0, 0, 5, r, 1, 0, 1)), A_L_OEIL),
+                    new Camera(cote, cote), 0);
+            double somme = 0;
+            for (int k = 0; k < cote * cote; k++) {
+                // le ciel a un bleu d'au moins 0,1 de plus ou de moins que son rouge ; la boule est grise
+                float rouge = image.composantes[3 * k];
+                somme += rouge == image.composantes[3 * k + 2] ? rouge : 0;
+            }
+            double alpha = Math.asin(r / (5 + F));
+            double attendue = Math.PI * F * F * (2 * alpha / Math.sin(2 * alpha) - 1) * cote * cote / 4;
+            assertEquals(1, somme / attendue, 1e-4, "rayon " + r);
+        }
+    }
+
+    /** La silhouette est une ellipse de demi-axes F sin α cos α/(cos²θ − sin²α), vers l'axe, et F sin α/√(cos²θ − sin²α). */
+    @Test
+    void lesDemiAxesDeLaSilhouetteSontConnus() {
+        for (double[] c : new double[][] {{1, 0.5, 5}, {-0.7, 0.9, 4}, {0.01, 0, 6}, {2, -2, 9}}) {
+            Sphere sphere = new Sphere(new Point(c[0], c[1], c[2]), 0.8);
+            double D = new Vecteur(Camera.OEIL, sphere.getCentre()).norme();
+            double sin2 = 0.64 / (D * D);
+            double cosTheta = (c[2] + F) / D;
+            double theta = Math.acos(cosTheta);
+            double alpha = Math.asin(0.8 / D);
+            double q = cosTheta * cosTheta - sin2;
+            double milieu = F * (Math.tan(theta + alpha) + Math.tan(theta - alpha)) / 2;
+            Vecteur vers = new Vecteur(c[0], c[1], 0).normalized();
+            Vecteur cote = new Vecteur(-vers.y, vers.x, 0);
+            Point centre = new Point().add(vers.mul(milieu));
+            double radial = F * Math.sqrt(sin2 * (1 - sin2)) / q;
+            double travers = F * Math.sqrt(sin2 / q);
+            assertEquals(radial, bord(sphere, centre, vers), 1e-11);
+            assertEquals(radial, bord(sphere, centre, vers.neg()), 1e-11);
+            assertEquals(travers, bord(sphere, centre, cote), 1e-11);
+            assertEquals(travers, bord(sphere, centre, cote.neg()), 1e-11);
+        }
+    }
+
+    /** De combien avancer sur l'écran depuis ce point pour ne plus voir la sphère, par dichotomie. */
+    private static double bord(Sphere sphere, Point depuis, Vecteur vers) {
+        double dedans = 0;
+        double dehors = 3;
+        for (int k = 0; k < 60; k++) {
+            double x = (dedans + dehors) / 2;
+            Point ecran = depuis.add(vers.mul(x));
+            if (sphere.getIntersectionDistance(new Rayon(ecran, new Vecteur(Camera.OEIL, ecran))) < Constantes.INFINI) {
+                dedans = x;
+            } else {
+                dehors = x;
+            }
+        }
+        return dedans;
+    }
+
+    /** Regardé de la lampe, le point juste en face renvoie Kd + Ks, quel que soit le poli. */
+    @Test
+    void lePointSousLaLampeRendKdPlusKsQuelQueSoitLePoli() {
+        Random hasard = new Random(17);
+        for (int k = 0; k < 1_000; k++) {
+            double ns = new double[] {0, 1, 7.5, 40, 1000}[k % 5];
+            Sphere boule = boule(2 * hasard.nextGaussian(), hasard.nextGaussian(), 5 + hasard.nextDouble(), 0.5, 0.4, 0.35, ns);
+            Scene scene = scene(Collections.singletonList(boule), A_L_OEIL);
+            assertEquals(0.75, scene.getCouleurVue(new Rayon(Camera.OEIL, boule.getCentre()), null, 0).r, 1e-12, "graine 17, tirage " + k);
+        }
+        Scene poli = scene(Collections.singletonList(boule(0, 0, 5, 1, 0.4, 0.35, 1e9)), A_L_OEIL);
+        // à cette puissance, les quelques u de trois vecteurs normalisés se voient
+        assertEquals(0.75, poli.getCouleurVue(new Rayon(Camera.OEIL, new Point()), null, 0).r, 0.35 * 1e9 * 8 * 0x1p-53);
+    }
+
+    /**
+     * Deux miroirs de Ks inégaux, 2m contacts : (c₁ + K₁c₂)(1 − (K₁K₂)^m)/(1 − K₁K₂) ; un contact de plus y ajoute (K₁K₂)^m c₁. La
+     * lampe est en (0, 3, 0), les contacts en z = ±4 : N·L = R·L = 4/5.
+     */
+    @Test
+    void deuxMiroirsInegauxDonnentUneSuiteDeRaisonK1K2() {
+        Sphere fond = boule(0, 0, 5, 1, 0.5, 0.75, 1);
+        Sphere face = boule(0, 0, -7, 3, 0.2, 0.5, 1);
+        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
+        double c1 = (0.5 + 0.75) * 0.8;
+        double c2 = (0.2 + 0.5) * 0.8;
+        double raison = 0.75 * 0.5;
+        for (int n : new int[] {0, 1, 2, 3, 5, 19, 20, 59}) {
+            int m = (n + 1) / 2;
+            double attendu = (c1 + 0.75 * c2) * (1 - Math.pow(raison, m)) / (1 - raison) + (n % 2 == 0 ? Math.pow(raison, m) * c1 : 0);
+            assertEquals(attendu, scene.getCouleurVue(DEVANT, null, n).r, 1e-12, n + " réflexions");
+        }
+    }
+}

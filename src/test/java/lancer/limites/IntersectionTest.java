@@ -1,0 +1,265 @@
+package lancer.limites;
+
+import static lancer.essai.Tirages.direction;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import lancer.Constantes;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Exact;
+import lancer.precision.Intersection;
+import org.junit.jupiter.api.Test;
+
+/** L'intersection là où elle est mal placée : tangentes, centres, nombres qui n'en sont pas, longueurs aux bornes du domaine. */
+class IntersectionTest {
+
+    private static final double U = 0x1p-53;
+    private static final double INFINI = Constantes.INFINI;
+
+    private static double distance(Point p, Vecteur v, Point c, double r) {
+        return Intersection.distance(p.x, p.y, p.z, v.x, v.y, v.z, c.x, c.y, c.z, r);
+    }
+
+    /** Un vecteur de longueur 1 perpendiculaire à celui-ci. */
+    private static Vecteur perpendiculaire(Vecteur v, Random hasard) {
+        Vecteur w = direction(hasard);
+        return w.sub(v.mul(v.dot(w))).normalized();
+    }
+
+    /**
+     * Le rayon passe à r(1 ± ε) du centre, ε de 1e-1 à 1e-17. L'arrondi change h² d'au plus δ = 8u·r(|P − C| + r), à peu près :
+     * au-delà la réponse est sûre, en deçà touche et manque se valent, et la distance touchée est celle du pied à √(2δ) près.
+     */
+    @Test
+    void presDUneTangenteLaReponseEstUneDesDeuxPossibles() {
+        Random hasard = new Random(5);
+        int touches = 0;
+        int manques = 0;
+        for (int k = 0; k < 8_000; k++) {
+            double r = Math.pow(10, 2 - 6 * hasard.nextDouble());
+            Vecteur v = direction(hasard);
+            double ecart = Math.pow(10, -1 - 16 * hasard.nextDouble()) * (hasard.nextBoolean() ? 1 : -1);
+            double avant = r * (0.5 + 20 * hasard.nextDouble());
+            Point c = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+            Point p = c.add(perpendiculaire(v, hasard).mul(r * (1 - ecart))).sub(v.mul(avant));
+            Point vers = p.add(v.mul(avant));
+            Exact exact = new Exact(p, vers, c, r);
+            double t = new Sphere(c, r).getIntersectionDistance(new Rayon(p, vers));
+            double f = new Vecteur(p, c).norme();
+            double doute = 8 * U * (f + r);
+            String cas = "graine 5, tirage " + k + " : " + t + " au lieu de " + exact.distance;
+            if (exact.enfoncement > doute) {
+                assertEquals(exact.distance, t, exact.tolerance(8, p, c, r) + 16 * U * f, cas);
+                touches++;
+            } else if (exact.enfoncement < -doute) {
+                assertEquals(INFINI, t, cas);
+                manques++;
+            } else {
+                assertTrue(t == INFINI || Math.abs(t - Math.sqrt(f * f - r * r)) <= 2 * Math.sqrt(2 * r * doute), cas);
+            }
+        }
+        assertTrue(touches > 2_000 && manques > 2_000, touches + " touchés, " + manques + " manqués");
+    }
+
+    /** {@code if (d < 0) return INFINI} laisserait passer NaN : c'est le contraire qui est écrit, {@code !(d >= 0)}. */
+    @Test
+    void unNombreQuiNEnEstPasUnNeToucheRien() {
+        // de loin, puis du centre, de la surface et tout près d'elle
+        double[][] tous = {{0, 0, 0, 0, 0, 1, 0.1, 0.2, 5, 1}, {0, 0, 0, 0, 0, 1, 0, 0, 0, 1}, {0.99999, 0, 0, 0, 0, 1, 0, 0, 0, 1},
+            {1, 0, 0, 0, 0, 1, 0, 0, 0, 1}, {1.00001, 0, 0, 0, 0, 1, 0, 0, 0, 1}};
+        for (double[] cas : tous) {
+            for (int place = 0; place < cas.length; place++) {
+                for (double faux : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+                    double[] x = cas.clone();
+                    x[place] = faux;
+                    double t = Intersection.distance(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9]);
+                    assertTrue(t > 0, "nombre de rang " + place + " changé en " + faux + " : " + t);
+                    assertTrue(t == INFINI || !Double.isNaN(faux), "NaN de rang " + place + " : " + t);
+                }
+            }
+        }
+    }
+
+    /** Au centre, b = 0 et c = −r² ; sur une tangente au départ, b = c = h = 0 : la racine c/q y serait 0/0. */
+    @Test
+    void auCentreOuSurUneTangenteAuDepartRienNEstDiviseParZero() {
+        Random hasard = new Random(7);
+        for (int k = 0; k < 2_000; k++) {
+            Point c = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+            double r = Math.pow(10, 200 * hasard.nextDouble() - 100);
+            assertEquals(r, distance(c, direction(hasard), c, r), 4 * U * r, "graine 7, tirage " + k);
+        }
+        // des triplets de Pythagore : le départ est exactement sur la sphère, et la tangente exactement tangente
+        for (double f : new double[] {1, 0x1p-300, 0x1p300}) {
+            for (double[] n : new double[][] {{3, 4, 0, 5}, {5, 12, 0, 13}, {0, 0, 1, 1}}) {
+                Point p = new Point(n[0] * f, n[1] * f, n[2] * f);
+                Vecteur tangente = n[2] == 0 ? new Vecteur(0, 0, 1) : new Vecteur(1, 0, 0);
+                assertEquals(INFINI, distance(p, tangente, new Point(), n[3] * f));
+                assertEquals(INFINI, distance(p, tangente.neg(), new Point(), n[3] * f));
+            }
+        }
+    }
+
+    /** Des longueurs de 1e-150 à 1e150, chaque scène à sa taille : les carrés y tiennent encore. */
+    @Test
+    void dansSonDomaineLUniteDeLongueurEstLibre() {
+        Random hasard = new Random(8);
+        for (int k = 0; k < 3_000; k++) {
+            double taille = Math.pow(10, 298 * hasard.nextDouble() - 149);
+            Point p = new Point(taille * hasard.nextGaussian(), taille * hasard.nextGaussian(), taille * hasard.nextGaussian());
+            Point c = new Point(taille * hasard.nextGaussian(), taille * hasard.nextGaussian(), taille * hasard.nextGaussian());
+            double r = taille * (0.05 + hasard.nextDouble());
+            Point vers = c.add(direction(hasard).mul(1.2 * r * hasard.nextDouble()));
+            Exact exact = new Exact(p, vers, c, r);
+            double t = new Sphere(c, r).getIntersectionDistance(new Rayon(p, vers));
+            boolean douteux = Math.abs(exact.enfoncement) < 1e-12 * taille;
+            assertTrue(douteux || t == exact.distance || Math.abs(t - exact.distance) <= exact.tolerance(8, p, c, r),
+                    "graine 8, tirage " + k + ", taille " + taille + " : " + t + " au lieu de " + exact.distance);
+        }
+    }
+
+    /** Trois axes, deux sens. */
+    private interface Axe {
+        void essayer(double[] v, int long0, int travers1, int travers2);
+    }
+
+    private static void surChaqueAxe(Axe axe) {
+        for (int k = 0; k < 3; k++) {
+            for (double sens : new double[] {1, -1}) {
+                double[] v = new double[3];
+                v[k] = sens;
+                axe.essayer(v, k, (k + 1) % 3, (k + 2) % 3);
+            }
+        }
+    }
+
+    private static double distance(double[] f, double[] v, double r) {
+        return Intersection.distance(-f[0], -f[1], -f[2], v[0], v[1], v[2], 0, 0, 0, r);
+    }
+
+    /** Le long d'un axe, à (3, 4)·s de côté d'une sphère de rayon 5 s, tout est exact : seul un chiffre de r sépare le contact du vide. */
+    @Test
+    void uneTangenteRasanteEstUnContactEtUnChiffreDeMoinsAuRayonNEnEstPasUn() {
+        Random hasard = new Random(61);
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = 0; k < 3000; k++) {
+                double s = Math.scalb(1.0, hasard.nextInt(200) - 100);
+                double[] f = new double[3];
+                double t = 5 * s * Math.pow(2, -1 - 24 * hasard.nextDouble());
+                f[axe] = v[axe] * t;
+                f[a] = 3 * s;
+                f[b] = -4 * s;
+                String cas = "graine 61, tirage " + k + ", s = " + s + ", t = " + t;
+                assertEquals(t, distance(f, v, 5 * s), 4 * U * t, cas);
+                assertEquals(INFINI, distance(f, v, Math.nextDown(5 * s)), cas + ", rayon plus court");
+                double dedans = distance(f, v, Math.nextUp(5 * s));
+                assertTrue(t < 1e-7 * s ? dedans > 0 : dedans < t, cas + ", rayon plus long : " + dedans);
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, 5 * s), cas + ", derrière");
+            }
+        });
+    }
+
+    /**
+     * De même quand C − P n'est pas un double : arrondi, il passe d'un côté ou de l'autre du vrai, et h² peut en devenir négatif ; la
+     * perpendiculaire, elle, reste juste. Un h² d'un arrondi fait une demi-corde de √u : c'est ce que vaut alors la distance.
+     */
+    @Test
+    void uneTangenteDontLaDistanceEstArrondieEnEstEncoreUne() {
+        Random hasard = new Random(61);
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = 0; k < 1000; k++) {
+                double s = Math.scalb(1.0, hasard.nextInt(200) - 100);
+                double[] c = new double[3];
+                double[] p = new double[3];
+                c[axe] = v[axe] * s * (1 + 3 * hasard.nextDouble());
+                p[axe] = -v[axe] * s * hasard.nextDouble() / 8;
+                c[a] = 3 * s;
+                c[b] = -4 * s;
+                double t = Math.abs(c[axe] - p[axe]);
+                String cas = "graine 61, tirage " + k + ", s = " + s + ", t = " + t;
+                assertEquals(t, distance(p, v, c, 5 * s), 2 * Math.sqrt(U) * t, cas);
+                assertEquals(INFINI, distance(p, v, c, Math.nextDown(5 * s)), cas + ", rayon plus court");
+            }
+        });
+    }
+
+    private static double distance(double[] p, double[] v, double[] c, double r) {
+        return Intersection.distance(p[0], p[1], p[2], v[0], v[1], v[2], c[0], c[1], c[2], r);
+    }
+
+    @Test
+    void unDepartExactementSurLaSurfaceTraverseOuSEnVa() {
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = -400; k <= 400; k += 50) {
+                double[] f = new double[3];
+                f[axe] = v[axe] * Math.scalb(3.0, k);
+                f[a] = Math.scalb(4.0, k);
+                double r = Math.scalb(5.0, k);
+                assertEquals(Math.scalb(6.0, k), distance(f, v, r), "vers l'intérieur : la corde entière");
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, r), "vers l'extérieur");
+            }
+        });
+    }
+
+    @Test
+    void uneSphereReduiteAUnPointEstToucheeParCeQuiYPasseEtNonACote() {
+        surChaqueAxe((v, axe, a, b) -> {
+            for (int k = -300; k <= 300; k += 100) {
+                double loin = Math.scalb(1.5, k);
+                double r = Math.scalb(loin, -500);
+                double[] f = new double[3];
+                f[axe] = v[axe] * loin;
+                assertEquals(loin, distance(f, v, r), "en plein centre");
+                for (int travers : new int[] {a, b}) {
+                    f[travers] = r;
+                    assertEquals(loin, distance(f, v, r), "tangente");
+                    f[travers] = -2 * r;
+                    assertEquals(INFINI, distance(f, v, r), "à côté");
+                    f[travers] = 0;
+                }
+                f[axe] = -f[axe];
+                assertEquals(INFINI, distance(f, v, r), "derrière");
+            }
+        });
+    }
+
+    @Test
+    void auBoutDesDoublesUneSphereEstEncoreTouchee() {
+        double max = Double.MAX_VALUE;
+        surChaqueAxe((v, axe, a, b) -> {
+            double[] f = new double[3];
+            f[axe] = v[axe] * max;
+            assertEquals(0.75 * max, distance(f, v, 0.25 * max), 4 * U * max);
+            f[axe] = 0;
+            assertEquals(max, distance(f, v, max), 4 * U * max);
+        });
+        assertEquals(new Point(1, 0, 0), new Sphere(new Point(), 1).getPointDeSurface(new Point(max, 0, 0)));
+        assertEquals(new Point(0, 0, -3), new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE)));
+    }
+
+    /** Ramener sur sa surface un contact d'une sphère si grande le déplacerait de milliers d'unités. */
+    @Test
+    void unContactProcheDUneSphereGeanteResteSurSonRayon() {
+        Sphere geante = new Sphere(new Point(3e19, -1.4e20, 5e19), new Vecteur(3e19, -1.4e20, 5e19).norme() * (1 - 1e-13));
+        Rayon rayon = new Rayon(new Point(1, 2, 3), new Vecteur(0.3, -1, 0.4));
+        geante.getIntersectionDistance(rayon);
+        assertTrue(rayon.getDistance() < 1e8, "distance " + rayon.getDistance());
+        Point attendu = rayon.getP().add(rayon.getDistance(), rayon.getV());
+        assertEquals(attendu, new Point().add(new Vecteur(new Point(), rayon.calcContact())));
+    }
+
+    @Test
+    void leCentreNeSeRameneNullePart() {
+        Point centre = new Point(1, 2, 3);
+        assertSame(centre, new Sphere(new Point(1, 2, 3), 5).getPointDeSurface(centre));
+        Point infini = new Point(1, INFINI, 3);
+        assertSame(infini, new Sphere(centre, 5).getPointDeSurface(infini));
+    }
+}

@@ -1,0 +1,224 @@
+package lancer.limites;
+
+import static lancer.essai.Tirages.direction;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.File;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Ombre;
+import lancer.essai.RechercheSimple;
+import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Aussi loin que soit une lampe, l'ombre est celle de l'arithmétique exacte : chaque moitié du segment se demande de son
+ * bout (Scene.estCachee). Le rayon du cours, parti de la lampe, manque son contact du dernier chiffre de la distance.
+ */
+class LampesLointainesTest {
+
+    private static final MathContext LARGE = new MathContext(120);
+    private static final int CONTACTS = 400;
+
+    /** Deux boules au-dessus d'un sol, plus trois points éclairés par boule, au hasard. */
+    private final Random hasard = new Random(14);
+    private final Sphere boule = new Sphere(new Point(0.3, 0.2, 8), 1);
+    private final Sphere petite = new Sphere(new Point(-1.1, 0.9, 7), 0.25);
+    private final Sphere sol = new Sphere(new Point(0, -1001.5, 8), 1000);
+
+    private static BigDecimal exact(double x) {
+        return new BigDecimal(x);
+    }
+
+    /**
+     * Vrai si la surface de s coupe le segment ouvert de A à B, sans aucun arrondi qui compte ; {@code null} si c'est à
+     * moins d'un cheveu : trop près pour que des doubles en jugent.
+     */
+    private static Boolean coupe(Point A, Point B, Sphere s) {
+        double[] a = {A.x, A.y, A.z};
+        double[] b = {B.x, B.y, B.z};
+        double[] c = {s.getCentre().x, s.getCentre().y, s.getCentre().z};
+        BigDecimal dd = BigDecimal.ZERO;
+        BigDecimal fd = BigDecimal.ZERO;
+        BigDecimal ff = exact(s.getRayon()).pow(2).negate();
+        for (int k = 0; k < 3; k++) {
+            BigDecimal d = exact(b[k]).subtract(exact(a[k]));
+            BigDecimal f = exact(a[k]).subtract(exact(c[k]));
+            dd = dd.add(d.multiply(d));
+            fd = fd.add(f.multiply(d));
+            ff = ff.add(f.multiply(f));
+        }
+        BigDecimal discriminant = fd.multiply(fd).subtract(dd.multiply(ff));
+        // en longueurs : la distance de la droite à l'axe, au carré, comparée à r²
+        double marge = discriminant.divide(dd, LARGE).doubleValue() / (s.getRayon() * s.getRayon());
+        if (Math.abs(marge) < 1e-9) {
+            return null;
+        }
+        BigDecimal auBout = dd.add(fd).add(fd).add(ff);
+        boolean entreDansLesDeuxSens = ff.signum() > 0 && auBout.signum() > 0;
+        boolean milieuEntre = fd.signum() < 0 && fd.negate().compareTo(dd) < 0;
+        return entreDansLesDeuxSens ? discriminant.signum() >= 0 && milieuEntre : ff.signum() * auBout.signum() < 0;
+    }
+
+    private Point surLaSurface(Sphere s, boolean enHaut) {
+        Vecteur n = direction(hasard);
+        if (enHaut) {
+            n = new Vecteur(3e-3 * n.x, 1, 3e-3 * n.z).normalized();
+        }
+        return s.getCentre().add(s.getRayon(), n);
+    }
+
+    private void comparer(String nom, Lampe lampe, Sphere... autour) {
+        List<Sphere> spheres = new ArrayList<>(Arrays.asList(boule, petite, sol));
+        spheres.addAll(Arrays.asList(autour));
+        Scene scene = new Scene(spheres, Collections.singletonList(lampe));
+        Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
+        boucles.getModele().setRecherche(new RechercheSimple(boucles.getObjets(), boucles.getCompteurs()));
+        scene.getModele().setRecherche(Preparation.pour(scene, new Camera(80, 60), part -> { }));
+        int cachees = 0;
+        for (int k = 0; k < CONTACTS; k++) {
+            Sphere eclairee = spheres.get(k % 3);
+            Point contact = surLaSurface(eclairee, eclairee == sol);
+            if (eclairee.getNormale(contact).dot(new Vecteur(contact, lampe.getPosition())) <= 0) {
+                continue;
+            }
+            Boolean attendu = false;
+            for (Sphere s : spheres) {
+                Boolean c = s == eclairee ? Boolean.FALSE : coupe(contact, lampe.getPosition(), s);
+                attendu = attendu == null || c == null ? null : attendu || c;
+            }
+            boolean lisible = Ombre.cachee(boucles, lampe, contact, eclairee);
+            assertEquals(lisible, Ombre.cachee(scene, lampe, contact, eclairee), nom + ", rapide, contact " + contact);
+            if (attendu != null) {
+                assertEquals(attendu, lisible, nom + ", contact " + contact);
+                cachees += attendu ? 1 : 0;
+            }
+        }
+        assertTrue(autour.length > 0 || cachees > 5, nom + " : " + cachees + " contacts à l'ombre");
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e5, 9.9e7, 1.01e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e50, 1e100})
+    void lOmbreDUneLampeLointaineEstExacte(double loin) {
+        for (int fois = 0; fois < 4; fois++) {
+            Vecteur d = new Vecteur(hasard.nextGaussian(), 2 + hasard.nextDouble(), -hasard.nextDouble()).normalized();
+            Lampe lampe = new Lampe(new Point(loin * d.x, loin * d.y, loin * d.z), new Couleur(1));
+            comparer("à " + loin, lampe);
+        }
+    }
+
+    /** Là où les coordonnées d'une lampe se distinguent encore de celles d'un astre qui la porte. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e5, 9.9e7, 1.01e8, 1e10, 1e12, 1e15, 1e17})
+    void unAstreOuUneLuneAutourDeLaLampeNeChangentQueCeQuIlsCachent(double loin) {
+        for (int fois = 0; fois < 4; fois++) {
+            Vecteur d = new Vecteur(hasard.nextGaussian(), 2 + hasard.nextDouble(), -hasard.nextDouble()).normalized();
+            Vecteur cote = new Vecteur(d.y, -d.x, 0).normalized();
+            Point p = new Point(loin * d.x, loin * d.y, loin * d.z);
+            double rayon = loin / 1000;
+            comparer("devant son astre, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p.add(1.001 * rayon, d), rayon));
+            comparer("derrière son astre, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p.add(-1.001 * rayon, d), rayon));
+            comparer("dans son astre, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p, rayon));
+            comparer("près d'une lune, à " + loin, new Lampe(p, new Couleur(1)), new Sphere(p.add(2 * rayon, cote), rayon));
+        }
+    }
+
+    /** Les points éclairés de face de deux boules concentriques, où celle du dehors est dite à l'ombre, ou l'autre au jour. */
+    private int faux(Point centre, double rayon, double ecart, Point lampe) {
+        Sphere dehors = new Sphere(centre, rayon);
+        Sphere dedans = new Sphere(centre, rayon - ecart);
+        Lampe seule = new Lampe(lampe, new Couleur(1));
+        Scene scene = new Scene(Arrays.asList(dedans, dehors), Collections.singletonList(seule));
+        Scene rapide = scene.avec(scene.getModele());
+        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
+        int faux = 0;
+        for (int k = 0; k < 2 * CONTACTS; k++) {
+            Sphere eclairee = k % 2 == 0 ? dehors : dedans;
+            Point contact = surLaSurface(eclairee, false);
+            if (eclairee.getNormale(contact).dot(new Vecteur(contact, lampe)) > 0) {
+                boolean cachee = Ombre.cachee(scene, seule, contact, eclairee);
+                assertEquals(cachee, Ombre.cachee(rapide, seule, contact, eclairee), "rapide, contact " + contact);
+                faux += cachee == (eclairee == dehors) ? 1 : 0;
+            }
+        }
+        return faux;
+    }
+
+    private Point auLoin(double loin) {
+        Vecteur d = direction(hasard);
+        return new Point(loin * d.x, loin * d.y, loin * d.z);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1e-12, 1e5", "1e-12, 2e8", "1e-8, 9.9e7", "1e-8, 1.1e8", "4.4e-11, 2e4", "4.4e-11, 4.9e4", "4.4e-11, 7e4", "1e-13, 1e30"})
+    void deDeuxBoulesConcentriquesCelleDuDehorsEstSeuleAuJour(double ecart, double loin) {
+        for (int fois = 0; fois < 4; fois++) {
+            assertEquals(0, faux(new Point(0, 0, 6), 1, ecart, auLoin(loin)));
+        }
+    }
+
+    /** Des lampes de part et d'autre du facteur, et huit arrondis d'écart : de quoi ne pas confondre deux surfaces. */
+    @Test
+    void aHuitArrondisLUneDeLAutreDeuxSurfacesNeSeConfondentPas() {
+        for (int k = 0; k < 300; k++) {
+            double grandeur = Math.pow(2, 200 * hasard.nextDouble() - 100);
+            Point centre = auLoin(grandeur);
+            double rayon = grandeur * (0.05 + 0.3 * hasard.nextDouble());
+            double ecart = 8 * Constantes.LOINTAINE * 0x1p-53 * (grandeur + rayon);
+            Point lampe = auLoin(grandeur * Math.pow(10, 1 + 11 * hasard.nextDouble()));
+            assertEquals(0, faux(centre, rayon, ecart, lampe), lampe + " vue de " + centre + ", rayon " + rayon);
+        }
+    }
+
+    @Test
+    void dansLesScenesLivreesChaqueLampeEstProcheDeChaqueContact() {
+        for (File fichier : new File("scenes").listFiles((dossier, nom) -> nom.endsWith(".ini"))) {
+            Scene scene = new Scene(fichier.getPath());
+            int[] questions = new int[1];
+            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()) {
+                @Override
+                public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                    questions[0]++;
+                    assertSame(lampe.getPosition(), P, "une question par ombre, qui part de la lampe");
+                    return super.estCachee(lampe, P, V, distance, objet);
+                }
+            });
+            Lancer lancer = new Lancer(scene, new Camera(40, 30));
+            for (int k = 0; k < 40 * 30; k++) {
+                lancer.getCouleurPixel(k % 40 + 0.5, k / 40 + 0.5, 5);
+            }
+            assertTrue(questions[0] > 40, fichier + " : " + questions[0]);
+        }
+    }
+
+    @Test
+    void uneLampeEstLointaineDUnContactParUnFacteurQuiNAPasDUnite() {
+        for (int k : new int[] {-300, 0, 1, 300}) {
+            Point contact = new Point(0, Math.scalb(-6.0, k), Math.scalb(1.0, k));
+            double bord = Math.scalb(6 * Constantes.LOINTAINE, k);
+            assertFalse(Scene.estLointaine(new Lampe(new Point(0, 0, -bord), new Couleur(1)), contact), "2^" + k);
+            assertTrue(Scene.estLointaine(new Lampe(new Point(Math.nextUp(bord), 0, 0), new Couleur(1)), contact), "2^" + k);
+        }
+    }
+}

@@ -1,0 +1,226 @@
+package lancer.limites;
+
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.scene;
+import static lancer.essai.Tirages.direction;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Ombre;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Les ombres là où un arrondi en ferait ou en ôterait : sols immenses, lampes lointaines, sphères qui se touchent. */
+class OmbresTest {
+
+    /** Vu de la lampe, un sol presque plat renvoie Kd·(hauteur/distance). */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6, 1e8, 1e10})
+    void unSolImmenseNAAucunPointDOmbre(double r) {
+        Scene scene = scene(Collections.singletonList(boule(0, -r - 1, 5, r, 0.8, 0, 1)), new Lampe(Camera.OEIL, new Couleur(1)));
+        Camera camera = new Camera(80, 60);
+        Ressources.Image rapide = imageRapide(scene, camera, 0);
+        int vus = 0;
+        for (int j = 31; j < 60; j++) {
+            for (int i = 0; i < 80; i++) {
+                Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
+                assertEquals(-0.8 * rayon.getV().y, rapide.composantes[3 * (80 * j + i)], Math.max(1e-4, 500 / r), "pixel " + i + ", " + j);
+                vus++;
+            }
+        }
+        assertTrue(vus > 2_000);
+    }
+
+    /** Une boule de rayon 1 éclairée d'un milliard de fois plus loin : tous ses rayons d'ombre sont ceux d'une sphère minuscule. */
+    @Test
+    void uneLampeAUnMilliardEclaireToutSonHemisphere() {
+        Vecteur soleil = new Vecteur(-1, 2, -3).normalized();
+        Sphere boule = boule(0, 0, 5, 1, 0.75, 0, 1);
+        Scene scene = scene(Collections.singletonList(boule), new Lampe(new Point().add(soleil.mul(1e9)), new Couleur(1)));
+        Camera camera = new Camera(120, 120);
+        Ressources.Image rapide = imageRapide(scene, camera, 0);
+        int eclaires = 0;
+        for (int k = 0; k < 120 * 120; k++) {
+            PointContact contact = scene.getClosestIntersection(camera.getRayon(k % 120 + 0.5, k / 120 + 0.5));
+            if (contact != null) {
+                double lambert = 0.75 * Math.max(0, boule.getNormale(contact).dot(soleil));
+                assertEquals(lambert, rapide.composantes[3 * k], 1e-7, "pixel " + k);
+                eclaires += lambert > 1e-5 ? 1 : 0;
+            }
+        }
+        assertTrue(eclaires > 1_500, eclaires + " pixels éclairés");
+    }
+
+    @Test
+    void deDeuxSpheresQuiSInterpenetrentCelleQuiEntoureLeDepartCompte() {
+        Sphere a = boule(-0.5, 0, 6, 1, 1, 0, 1);
+        Sphere b = boule(0.5, 0, 6, 1, 1, 0, 1);
+        Scene scene = scene(Arrays.asList(a, b));
+        // sur a, et au centre de b
+        Point depart = new Point(0.5, 0, 6);
+        for (Vecteur v : new Vecteur[] {new Vecteur(1, 0, 0), new Vecteur(0, 0, -1), new Vecteur(0, 0.6, 0.8)}) {
+            PointContact sortie = scene.getClosestIntersection(new Rayon(depart, v), a);
+            assertSame(b, sortie.objet);
+            assertEquals(1, sortie.distance, 1e-15);
+        }
+        Lampe dehors = new Lampe(new Point(0.5, 9, 6), new Couleur(1));
+        assertTrue(Ombre.cachee(scene, dehors, depart, a), "b entoure le contact");
+        assertFalse(Ombre.cachee(scene, dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
+    }
+
+    @Test
+    void dansUneSphereQuiContientLaLampeToutEstNoir() {
+        // la normale est vers l'extérieur : N·L < 0 partout
+        Ressources.Image image = image(scene(Collections.singletonList(boule(0, 0, 0, 9, 1, 0.5, 0)),
+                new Lampe(new Point(1, 2, 3), new Couleur(5))), 40, 30, 0, 1);
+        for (float composante : image.composantes) {
+            assertEquals(0f, composante);
+        }
+    }
+
+    /** La part de l'aire d'une sphère qu'éclaire une lampe à la distance D : une calotte, (1 − r/D)/2. */
+    @Test
+    void laPartEclaireeDUneSphereEstCelleDUneCalotte() {
+        int points = 20_000;
+        for (double D : new double[] {1.01, 1.5, 3, 10, 1e3, 1e6}) {
+            Sphere boule = boule(0.3, -0.2, 7, 1, 1, 0, 1);
+            Point centre = boule.getCentre();
+            Scene scene = scene(Collections.singletonList(boule), new Lampe(centre.add(new Vecteur(2, 1, -2).normalized().mul(D)),
+                    new Couleur(1)));
+            int eclaires = 0;
+            for (int k = 0; k < points; k++) {
+                // la spirale de Fibonacci : des points également répartis, sans hasard
+                double y = 1 - (2 * k + 1.0) / points;
+                double rho = Math.sqrt(1 - y * y);
+                double angle = k * Math.PI * (3 - Math.sqrt(5));
+                Vecteur n = new Vecteur(rho * Math.cos(angle), y, rho * Math.sin(angle));
+                Rayon vers = new Rayon(centre.add(n.mul(2)), n.neg());
+                eclaires += scene.getCouleurVue(vers, null, 0).r > 0 ? 1 : 0;
+            }
+            assertEquals((1 - 1 / D) / 2, (double) eclaires / points, 5e-4, "D = " + D);
+        }
+    }
+
+    /**
+     * Le cours demande si le contact est le premier objet vu de la lampe ; la spécification, si un autre objet est entre les
+     * deux. Une intersection juste les met d'accord, sauf au terminateur, à √(2·8u(D + r)/r) près en cosinus, où l'éclairement
+     * est invisible.
+     */
+    @Test
+    void lePremierObjetVuDeLaLampeEtAucunAutreEntreElleEtLeContactNeDifferentQuAuTerminateur() {
+        Random hasard = new Random(13);
+        int eclaires = 0;
+        for (int k = 0; k < 40_000; k++) {
+            double D = Math.pow(10, 0.1 + 5 * hasard.nextDouble());
+            Sphere boule = boule(hasard.nextGaussian(), hasard.nextGaussian(), 5, 1, 1, 0, 1);
+            Sphere ecran = boule(hasard.nextGaussian(), 3 * hasard.nextGaussian(), 8, 1, 1, 0, 1);
+            Vecteur versLampe = direction(hasard);
+            Point lampe = boule.getCentre().add(versLampe.mul(D));
+            // N·L de 1 à 1e-12 : N à l'angle du terminateur près
+            double cosinus = Math.pow(10, -12 * hasard.nextDouble());
+            double angle = Math.acos(1 / D) - Math.asin(cosinus);
+            Vecteur w = direction(hasard);
+            Vecteur cote = w.sub(versLampe.mul(w.dot(versLampe))).normalized();
+            Vecteur n = versLampe.mul(Math.cos(angle)).add(cote.mul(Math.sin(angle)));
+            Point contact = boule.getCentre().add(n);
+            if (n.dot(new Vecteur(contact, lampe)) <= 0) {
+                continue;
+            }
+            Scene scene = scene(Arrays.asList(ecran, boule), new Lampe(lampe, new Couleur(1)));
+            Objet3D premier = scene.getClosestIntersection(new Rayon(lampe, contact)) == null ? null
+                    : scene.getClosestIntersection(new Rayon(lampe, contact)).objet;
+            boolean cachee = Ombre.cachee(scene, scene.getLampes().get(0), contact, boule);
+            double NL = n.dot(new Vecteur(contact, lampe).normalized());
+            boolean terminateur = NL < 2 * Math.sqrt(2 * 8 * 0x1p-53 * (D + 1));
+            assertTrue((premier != boule) == cachee || terminateur, "graine 13, tirage " + k + ", N·L = " + NL);
+            eclaires += cachee || terminateur ? 0 : 1;
+        }
+        assertTrue(eclaires > 10_000, eclaires + " contacts éclairés");
+    }
+
+    /**
+     * Une boule posée sur le sol, une lampe droit au-dessus : son ombre est un disque noir. Près du pied le rayon voit le sol ou
+     * le dessous de la boule, à quelques dix-millionièmes près ; l'un et l'autre sont noirs.
+     */
+    @Test
+    void lePiedDUneBoulePoseeSurLeSolEstExactementNoir() {
+        for (double R : new double[] {100, 1e4, 1e6}) {
+            List<Sphere> boules = Arrays.asList(boule(0, -R, 10, R, 1, 0, 1), boule(0, 1, 10, 1, 1, 0.5, 9));
+            Scene scene = scene(boules, new Lampe(new Point(0, 50, 10), new Couleur(1)));
+            Point oeil = new Point(0, 3, 0);
+            // la lampe est à 49 du centre : le cône d'ombre a 50·tan(asin(1/49)) = 1,0206 au sol, si celui-ci est plat
+            for (double d = 1e-9; d < 0.9; d *= 1.07) {
+                for (double phi = 0; phi < 3.2; phi += 0.4) {
+                    Point vise = new Point(d * Math.cos(phi), 0, 10 - d * Math.sin(phi));
+                    assertEquals(new Couleur(), scene.getCouleurVue(new Rayon(oeil, vise), null, 0), "R = " + R + ", d = " + d);
+                }
+            }
+            for (double d = 1.2; d < 3; d += 0.1) {
+                assertTrue(scene.getCouleurVue(new Rayon(oeil, new Point(0, 0, 10 - d)), null, 0).r > 0.8, "R = " + R + ", d = " + d);
+            }
+        }
+    }
+
+    /** Si près que passe la boule d'un sol immense, son ombre n'a pas de trou. */
+    @Test
+    void laBouleQuiRaseLeSolNEstPasTraverseeParLaLumiere() {
+        double R = 1e6;
+        for (double jeu : new double[] {1e-3, 1e-6, 1e-9}) {
+            Sphere sol = boule(0, -R, 10, R, 1, 0, 1);
+            Sphere boule = boule(0, 1 + jeu, 10, 1, 1, 0, 1);
+            Scene scene = scene(Arrays.asList(sol, boule), new Lampe(new Point(0, 50, 10), new Couleur(1)));
+            for (double x = 0; x < 0.99; x += 0.01) {
+                Point contact = new Point(x, -x * x / (2 * R), 10);
+                assertTrue(Ombre.cachee(scene, scene.getLampes().get(0), contact, sol), "jeu " + jeu + ", x = " + x);
+            }
+        }
+    }
+
+    /** Le contact n'est connu qu'à 4 u (r + |C|) près : à deux fois cela, deux coquilles se distinguent ; à un huitième, non. */
+    @Test
+    void deDeuxCoquillesAHuitArrondisCelleDuDehorsEstVueEtEclairee() {
+        assertEquals(0, confondues(8));
+        assertTrue(confondues(0.5) > 100, confondues(0.5) + " pixels : un double ne peut les distinguer");
+    }
+
+    /** @param ecart de deux boules concentriques, en u (r + |C|) ; le nombre de pixels où celle du dehors n'est pas vue, ou ombrée */
+    private static int confondues(double ecart) {
+        Random hasard = new Random(52);
+        Camera camera = new Camera(60, 60);
+        Lampe lampe = new Lampe(new Point(3, 5, -4), new Couleur(1));
+        int confondues = 0;
+        for (int essai = 0; essai < 20; essai++) {
+            Point C = new Point(0.3 * hasard.nextGaussian(), 0.3 * hasard.nextGaussian(), 4 + 4 * hasard.nextDouble());
+            double r = 0.5 + hasard.nextDouble();
+            double jeu = ecart * 0x1p-53 * (r + new Vecteur(new Point(), C).norme());
+            Sphere dehors = boule(C.x, C.y, C.z, r, 1, 0, 1);
+            Scene scene = scene(Arrays.asList(boule(C.x, C.y, C.z, r - jeu, 1, 0, 1), dehors), lampe);
+            for (int k = 0; k < 60 * 60; k++) {
+                PointContact vu = scene.getClosestIntersection(camera.getRayon(k % 60 + 0.5, k / 60 + 0.5));
+                confondues += vu != null && (vu.objet != dehors || dehors.getNormale(vu).dot(new Vecteur(vu, lampe.getPosition())) > 0
+                        && Ombre.cachee(scene, lampe, vu, dehors)) ? 1 : 0;
+            }
+        }
+        return confondues;
+    }
+}

@@ -1,0 +1,108 @@
+package lancer.projet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import lancer.Main;
+import lancer.essai.Essai;
+import org.ini4j.Config;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Chaque changement de la base que montre docs/etendre.md, suivi à la lettre, se compile et change l'image. */
+class ChangerLaBaseTest {
+
+    /** Un fichier, l'endroit, et les lignes à y mettre, reculées de quatre blancs. */
+    private static final Pattern CHANGEMENT =
+            Pattern.compile("Dans `([^`]+)`, (sous|à la place de)\\s`([^`]+)` :\n\n((?: {4}.*\n|\n(?= {4}))+)");
+
+    @TempDir
+    Path dossier;
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2",
+        "Une option | ns=1 | --gamma=2.2", "L'œil | ns=1 | --fils=2"})
+    void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
+        Map<String, String> textes = new LinkedHashMap<>();
+        Matcher m = CHANGEMENT.matcher(lire("docs/etendre.md").split("\n### " + partie + "\n")[1].split("\n##")[0]);
+        while (m.find()) {
+            String texte = textes.containsKey(m.group(1)) ? textes.get(m.group(1)) : lire(m.group(1));
+            textes.put(m.group(1), changer(texte, m.group(2).equals("sous"), m.group(3), m.group(4).replaceAll("(?m)^ {4}", "")));
+        }
+        Path classes = Files.createDirectory(dossier.resolve("classes"));
+        List<String> javac = new ArrayList<>(Arrays.asList("-encoding", "UTF-8", "-Xlint:all", "-Werror", "-d", classes.toString(),
+                "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
+        for (Map.Entry<String, String> change : textes.entrySet()) {
+            if (change.getKey().endsWith(".java")) {
+                Path source = dossier.resolve(Paths.get(change.getKey()).getFileName());
+                javac.add(Files.write(source, change.getValue().getBytes(StandardCharsets.UTF_8)).toString());
+            }
+        }
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])), textes.toString());
+        List<Path> rien = Collections.emptyList();
+        try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(classes), rien);
+                Essai.Isole base = new Essai.Isole(rien)) {
+            assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
+        }
+    }
+
+    @Test
+    void lesTestsQueNommeLaPageExistent() throws IOException {
+        Map<String, String> sources = new HashMap<>();
+        try (Stream<Path> fichiers = Files.walk(Paths.get(""))) {
+            for (Path f : (Iterable<Path>) fichiers.filter(f -> f.toString().matches(".*src.test.java.*Tests?\\.java"))::iterator) {
+                sources.put(f.getFileName().toString().replace(".java", ""), lire(f.toString()));
+            }
+        }
+        Matcher m = Pattern.compile("`(\\w*Tests?)(?:\\.(\\w+))?`").matcher(lire("docs/etendre.md"));
+        int nommes = 0;
+        for (; m.find(); nommes++) {
+            assertTrue(sources.containsKey(m.group(1)) && (m.group(2) == null || sources.get(m.group(1)).contains(" " + m.group(2) + "(")),
+                    m.group());
+        }
+        assertTrue(nommes > 20, nommes + " tests");
+    }
+
+    private static String lire(String fichier) throws IOException {
+        return new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8);
+    }
+
+    /** Ce texte, où ces lignes sont mises sous celle de cet endroit, ou à sa place. */
+    private static String changer(String texte, boolean sous, String endroit, String lignes) {
+        assumeFalse(texte.contains(lignes.trim()), "ce changement est déjà fait");
+        Matcher ligne = Pattern.compile("(?m)^(.*)" + Pattern.quote(endroit) + "(.*)\n").matcher(texte);
+        assertTrue(ligne.find(), endroit);
+        boolean seul = (ligne.group(1) + ligne.group(2)).trim().isEmpty();
+        String nouveau = sous ? ligne.group() + lignes : seul ? lignes : ligne.group(1) + lignes.trim() + ligne.group(2) + "\n";
+        return texte.substring(0, ligne.start()) + nouveau + texte.substring(ligne.end());
+    }
+
+    private byte[] dessiner(Essai.Isole programme, String cle, String option) throws IOException {
+        Path image = dossier.resolve("image.pfm");
+        Essai dit = programme.executer("--lineaire", image.toString(), "--taille=8x6", option, Essai.scene(dossier.resolve("s.ini"),
+                "[Sphere 1]", "centre=0 0 6", "rayon=1", "Kd=0.5 0.5 0.5", cle, "[Lampe 1]", "position=3 3 0", "couleur=1 1 1").toString());
+        assertEquals("statut 0, sortie «  », erreur «  »", dit.toString());
+        return Files.readAllBytes(image);
+    }
+}

@@ -1,0 +1,142 @@
+package lancer.projet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.Map;
+import lancer.essai.EssaiProcessus;
+import org.junit.jupiter.api.Test;
+
+/** Ce que make décide avant de lancer quoi que ce soit. */
+class MakefileTest extends EssaiProcessus {
+
+    /** Ce que vaut LC_ALL pour les commandes de make, lancé avec ces trois variables, {@code null} pour celle qui manque. */
+    private String langue(String lcAll, String lcCtype, String lang) throws IOException, InterruptedException {
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
+                "--eval", "langue:;@echo $$LC_ALL", "langue"));
+        Map<String, String> variables = make.environment();
+        variables.keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "LC_ALL", "LC_CTYPE", "LANG"));
+        String[] noms = {"LC_ALL", "LC_CTYPE", "LANG"};
+        String[] valeurs = {lcAll, lcCtype, lang};
+        for (int k = 0; k < noms.length; k++) {
+            if (valeurs[k] != null) {
+                variables.put(noms[k], valeurs[k]);
+            }
+        }
+        assertEquals(0, statut(make), erreur());
+        return sortie().trim();
+    }
+
+    @Test
+    void laLangueEstChangeeLaOuLaMachineNEstPasEnUtf8QuoiQueDisentLesVariables() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        assertEquals("", langue(null, null, "C.UTF-8"), "rien à changer : c'est de l'UTF-8");
+        assertEquals("C.UTF-8", langue("C.UTF-8", "C", "C"));
+        assertEquals("C.UTF-8", langue(null, null, null));
+        assertEquals("C.UTF-8", langue(null, "C", "C.UTF-8"), "LC_CTYPE l'emporte sur LANG");
+        assertEquals("C.UTF-8", langue("POSIX", "C.UTF-8", "C.UTF-8"), "LC_ALL l'emporte sur tout");
+        assertEquals("C.UTF-8", langue(null, null, "xx_YY.UTF-8"), "cette machine n'a pas cette langue");
+    }
+
+    /** La scène que montre make dans le dossier de cette variante, ou à la racine. */
+    private String scene(String variante) throws IOException, InterruptedException {
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
+                "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        return sortie().trim();
+    }
+
+    @Test
+    void uneVarianteMontreLaSceneQuiPorteSonNomOuCelleDuCours() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        assertEquals("scenes/brume.ini", scene("brume"));
+        assertEquals("scenes/scene1.ini", scene("blinn"));
+        assertEquals("scenes/scene1.ini", scene(""));
+    }
+
+    @Test
+    void seulesLesImagesDontUnPixelAChangeSontRemplacees() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        for (String nom : new String[] {"meme.png", "autre.png", "nouvelle.png"}) {
+            Files.write(Files.createDirectories(dossier.resolve("neuves")).resolve(nom), new byte[] {1});
+            Files.write(Files.createDirectories(dossier.resolve("images")).resolve(nom), new byte[] {0});
+        }
+        // un programme qui ne trouve pareilles que les deux images de ce nom
+        Path comparer = dossier.resolve("comparer");
+        Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
+        Files.delete(dossier.resolve("images/nouvelle.png"));
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+                "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "BASE=./target/lancer.jar", "--eval",
+                "essai:;@$(call actualiser,neuves,images)", "essai"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        assertEquals("changée : autre.png\nchangée : nouvelle.png\n", sortie());
+        assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
+        assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
+    }
+
+    @Test
+    void makeMutationsDitCombienDeFautesLesTestsVoient() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        // à la place de Maven, les rapports de PIT : une faute par module, et dans la base une de plus pour chaque sort
+        Files.write(dossier.resolve("pit"), ("for m in . brume antialias blinn; do mkdir -p $m/target/pit-reports\n"
+                + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
+                + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
+                + ">> target/pit-reports/mutations.csv\n").getBytes());
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+                "-I", new File("").getAbsolutePath(), "MVN=sh pit", "mutations"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+        assertTrue(sortie().contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
+    }
+
+    @Test
+    void laOuRienNePeutSEcrireUneLigneDitQueFaire() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
+        // à la place d'un dossier en lecture seule, où root écrirait
+        Files.write(dossier.resolve("target"), new byte[1]);
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(2, statut(make));
+        assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"),
+                erreur());
+    }
+
+    @Test
+    void uneSourceEffaceeEmporteCeQuiEnEtaitConstruit() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
+        Path plan = Files.write(sources.resolve("Plan.java"), new byte[1]);
+        Files.write(sources.resolve("Autre.java"), new byte[1]);
+        Path construit = Files.createDirectories(dossier.resolve("target/classes")).resolve("Plan.class");
+        Files.write(construit, new byte[1]);
+        verifierListe();
+        verifierListe();
+        assertTrue(Files.exists(construit), "rien n'a changé");
+        Files.write(sources.resolve("Neuve.java"), new byte[1]);
+        verifierListe();
+        assertTrue(Files.exists(construit), "une source de plus");
+        Files.delete(plan);
+        verifierListe();
+        assertFalse(Files.exists(construit.getParent()), "une source de moins");
+    }
+
+    /** Le jar dépend d'une liste des sources, que make ne refait que si elle change. */
+    private void verifierListe() throws IOException, InterruptedException {
+        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"), StandardCopyOption.REPLACE_EXISTING);
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        assertEquals(0, statut(make), erreur());
+    }
+}

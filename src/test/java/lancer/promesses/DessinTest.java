@@ -1,0 +1,152 @@
+package lancer.promesses;
+
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.contrat.Toile;
+import lancer.essai.Ressources;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui ne doit changer l'image d'aucun bit, et ce qu'en font le brouillon et l'arrêt. */
+class DessinTest {
+
+    @Test
+    void uneSceneSymetriqueDonneUneImageSymetriqueAuBit() {
+        List<Sphere> boules = new ArrayList<>();
+        boules.add(boule(0, 0.3, 6, 1, 0.5, 0.4, 20));
+        for (int cote = -1; cote <= 1; cote += 2) {
+            boules.add(boule(cote * 1.3, -0.2, 5, 0.6, 0.6, 0.3, 40));
+            boules.add(boule(cote * 0.8, 0.9, 4, 0.3, 0.2, 0.7, 90));
+        }
+        Ressources.Image image = image(scene(boules, new Lampe(new Point(0, 5, -2), new Couleur(0.8))), 101, 77, 5, 2);
+        for (int j = 0; j < 77; j++) {
+            for (int i = 0; i < 101; i++) {
+                assertEquals(image.composantes[3 * (j * 101 + i)], image.composantes[3 * (j * 101 + 100 - i)], 0f);
+            }
+        }
+    }
+
+    @Test
+    void uneJumelleNeChangePasUnBit() {
+        Scene sans = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        List<Objet3D> doubles = new ArrayList<>(sans.getObjets());
+        for (Objet3D objet : sans.getObjets()) {
+            Sphere s = (Sphere) objet;
+            doubles.add(boule(s.getCentre().x, s.getCentre().y, s.getCentre().z, s.getRayon(), 1, 1, 1));
+        }
+        Scene avec = new Scene(doubles, sans.getLampes());
+        assertTrue(memesBits(image(sans, 60, 45, 5, 1), image(avec, 60, 45, 5, 1)));
+    }
+
+    @Test
+    void leNombreDeFilsNeChangeNiUnBitNiUnCompte() {
+        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
+        Camera camera = new Camera(100, 75);
+        Ressources.Image attendue = null;
+        long[] comptes = null;
+        for (int fils : new int[] {1, 2, 3, 7, 64}) {
+            Ressources.Image image = new Ressources.Image(100, 75);
+            Lancer lancer = new Lancer(scene, camera);
+            lancer.TracerPixels(image, 5, fils);
+            long[] obtenus = {lancer.getCompteurs().primaires, lancer.getCompteurs().ombre, lancer.getCompteurs().reflechis,
+                lancer.getCompteurs().testsSpheres, lancer.getCompteurs().noeudsVisites};
+            if (attendue != null) {
+                assertTrue(memesBits(attendue, image), fils + " fils");
+                assertTrue(Arrays.equals(comptes, obtenus), fils + " fils : " + Arrays.toString(obtenus));
+            }
+            attendue = image;
+            comptes = obtenus;
+        }
+        assertEquals(7500, comptes[0]);
+    }
+
+    @Test
+    void leBrouillonPrendLeCentreDeChaqueCarreEtUneReflexionAuPlus() {
+        Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        int largeur = 30;
+        int hauteur = 22;
+        Camera camera = new Camera(largeur, hauteur);
+        Ressources.Image brouillon = new Ressources.Image(largeur, hauteur);
+        Lancer temoin = new Lancer(scene, camera);
+        Ressources.Image image = new Ressources.Image(largeur, hauteur);
+        boolean[] fini = new boolean[1];
+        temoin.TracerImage(new Toile() {
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                (fini[0] ? image : brouillon).drawPixel(coul, xe, ye);
+            }
+
+            @Override
+            public void finirBrouillon() {
+                fini[0] = true;
+            }
+        }, 5, 2);
+        Ressources.Image attendueEntiere = new Ressources.Image(largeur, hauteur);
+        new Lancer(scene, camera).TracerPixels(attendueEntiere, 5, 1);
+        assertArrayEquals(attendueEntiere.composantes, image.composantes, "l'image vient après, avec toutes ses réflexions");
+        for (int j = 0; j < hauteur; j++) {
+            for (int i = 0; i < largeur; i++) {
+                double xe = (i / 4 * 4 + Math.min(i / 4 * 4 + 4, largeur)) / 2.0;
+                double ye = (j / 4 * 4 + Math.min(j / 4 * 4 + 4, hauteur)) / 2.0;
+                Couleur attendue = temoin.getCouleurPixel(xe, ye, 1);
+                assertEquals((float) attendue.r, brouillon.composantes[3 * (j * largeur + i)], "pixel " + i + ", " + j);
+            }
+        }
+    }
+
+    @Test
+    void leBrouillonLanceUnRayonParCarreDeQuatrePixelsMemeCoupeParLeBord() {
+        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
+        for (int[] taille : new int[][] {{64, 32}, {32, 64}, {1, 1}, {33, 70}, {6, 3}}) {
+            Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
+            int[] peints = new int[1];
+            lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
+            assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getCompteurs().primaires, taille[0] + " × " + taille[1]);
+            assertEquals(taille[0] * taille[1], peints[0]);
+        }
+    }
+
+    @Test
+    void unDessinArreteNeFinitPas() {
+        Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
+        Lancer lancer = new Lancer(scene, new Camera(64, 64));
+        int[] pixels = new int[1];
+        boolean arrete = false;
+        try {
+            lancer.TracerPixels((coul, xe, ye) -> {
+                pixels[0]++;
+                lancer.arreter();
+            }, 5, 1);
+        } catch (CancellationException e) {
+            arrete = true;
+        }
+        assertTrue(arrete);
+        assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");
+    }
+
+    @Test
+    void lesTaillesExtremesNOntQueDesNombresFinis() {
+        for (int[] taille : new int[][] {{1, 1}, {1, 500}, {500, 1}, {33, 65}}) {
+            Ressources.Image image = image(new Scene(Ressources.chemin("reference/p1-quatre.ini")), taille[0], taille[1], 5, 2);
+            assertEquals(0, image.ecart(image), Arrays.toString(taille));
+        }
+    }
+}

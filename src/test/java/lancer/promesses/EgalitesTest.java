@@ -1,0 +1,227 @@
+package lancer.promesses;
+
+import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.fois;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.memesBits;
+import static lancer.essai.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Pave;
+import lancer.essai.Ressources;
+import lancer.essai.Tirages;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Deux façons de dire la même scène, ou de la dessiner, qui doivent donner la même image au bit près ; {@link DessinTest} en a d'autres.
+ */
+class EgalitesTest {
+
+    private static final Camera CAMERA = new Camera(64, 48);
+
+    private static Scene foule() {
+        return new Scene(Ressources.chemin("reference/p4-foule.ini"));
+    }
+
+    /** La même vue d'un monde {@code fois} plus grand. */
+    private static final class CameraAgrandie extends Camera {
+
+        private final double fois;
+
+        CameraAgrandie(double fois) {
+            super(CAMERA.getLargeur(), CAMERA.getHauteur());
+            this.fois = fois;
+        }
+
+        @Override
+        public Rayon getRayon(double xe, double ye) {
+            Point ecran = super.getRayon(xe, ye).getP();
+            return new Rayon(fois(ecran, fois), new Vecteur(OEIL, ecran).mul(fois));
+        }
+    }
+
+    private static Scene agrandie(Scene scene, double fois) {
+        List<Objet3D> objets = new ArrayList<>();
+        for (Objet3D objet : scene.getObjets()) {
+            Sphere s = new Sphere(fois(((Sphere) objet).getCentre(), fois), ((Sphere) objet).getRayon() * fois);
+            s.setKd(objet.getKd());
+            s.setKs(objet.getKs());
+            s.setNs(objet.getNs());
+            objets.add(s);
+        }
+        List<Lampe> lampes = new ArrayList<>();
+        for (Lampe lampe : scene.getLampes()) {
+            lampes.add(new Lampe(fois(lampe.getPosition(), fois), lampe.getCouleur()));
+        }
+        return new Scene(objets, lampes);
+    }
+
+    /** Rien dans le programme n'a d'unité de longueur : ni seuil de distance, ni décalage, ni case plus petite que tout. */
+    @Test
+    void grossirToutLeMondeParUnePuissanceDeDeuxNeChangePasUnBit() {
+        for (String nom : new String[] {"p1-quatre", "p2-sol", "p3-miroirs", "p4-foule"}) {
+            Scene scene = new Scene(Ressources.chemin("reference/" + nom + ".ini"));
+            Ressources.Image attendue = imageRapide(scene, new CameraAgrandie(1), 5);
+            assertTrue(memesBits(attendue, image(new Scene(scene.getObjets(), scene.getLampes()), 64, 48, 5, 2)), nom);
+            for (int k : new int[] {-300, -1, 300}) {
+                Camera camera = new CameraAgrandie(Math.scalb(1.0, k));
+                Scene grosse = agrandie(scene, Math.scalb(1.0, k));
+                Ressources.Image lisible = new Ressources.Image(64, 48);
+                new Lancer(grosse, camera).TracerPixels(lisible, 5, 2);
+                assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);
+                assertTrue(memesBits(attendue, imageRapide(grosse, camera, 5)), nom + " fois 2^" + k + ", recherche rapide");
+            }
+        }
+    }
+
+    /** Noire, au cœur d'une boule, ou sous le sol : une lampe que rien ne voit. */
+    @Test
+    void uneLampeInutileNeChangePasUnBit() {
+        List<Sphere> boules = Arrays.asList(boule(0, -1001.5, 8, 1000, 0.8, 0.2, 3), boule(0, 0, 6, 1, 0.5, 0.5, 40),
+                boule(1.5, 0.3, 5, 0.5, 0.4, 0.6, 0), boule(-1.2, -0.4, 4, 0.7, 0.9, 0, 1));
+        Lampe utile = new Lampe(new Point(-5, 8, -4), new Couleur(0.9, 0.8, 0.7));
+        Ressources.Image sans = imageRapide(scene(boules, utile), CAMERA, 5);
+        Lampe[] inutiles = {new Lampe(new Point(3, 3, 0), new Couleur()), new Lampe(new Point(0.3, 0.2, 5.6), new Couleur(1e6)),
+            new Lampe(new Point(0, -20, 6), new Couleur(50)), new Lampe(new Point(0, -1001.5, 8), new Couleur(1))};
+        for (Lampe inutile : inutiles) {
+            for (Lampe[] lampes : new Lampe[][] {{utile, inutile}, {inutile, utile}}) {
+                assertTrue(memesBits(sans, imageRapide(scene(boules, lampes), CAMERA, 5)), inutile.toString());
+                assertTrue(memesBits(sans, image(scene(boules, lampes), 64, 48, 5, 2)), inutile + ", --simple");
+            }
+        }
+        Lampe vue = new Lampe(new Point(3, 3, 0), new Couleur(0.001));
+        assertFalse(memesBits(sans, imageRapide(scene(boules, utile, vue), CAMERA, 5)), "une lampe utile, si faible qu'elle soit, se voit");
+    }
+
+    /** La foule n'a pas deux contacts à la même distance d'un rayon : {@link #aDistanceEgaleLaPremiereDuFichierEstVue}. */
+    @Test
+    void sansDistancesEgalesMelangerLesSpheresNeChangePasUnBitDeLImageRapide() {
+        Scene scene = foule();
+        Ressources.Image attendue = image(scene, 64, 48, 5, 2);
+        Tirages tirages = new Tirages(46);
+        for (int essai = 0; essai < 8; essai++) {
+            List<Objet3D> melees = new ArrayList<>(scene.getObjets());
+            Collections.shuffle(melees, tirages.hasard);
+            assertTrue(memesBits(attendue, imageRapide(new Scene(melees, scene.getLampes()), CAMERA, 5)), "graine 46, essai " + essai);
+        }
+    }
+
+    /** Deux boules symétriques, à la même distance de tout rayon du plan x = y : seules, puis dans une foule derrière elles. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 60})
+    void aDistanceEgaleLaPremiereDuFichierEstVue(int foule) {
+        List<Sphere> ordre = new ArrayList<>(Arrays.asList(boule(0, 1, 6, 1, 0.9, 0, 1), boule(1, 0, 6, 1, 0.2, 0, 1)));
+        for (int k = 0; k < foule; k++) {
+            ordre.add(boule(k % 10 - 4.5, k / 10 - 2.7, 12, 0.2, 0.5, 0, 1));
+        }
+        List<Sphere> envers = new ArrayList<>(ordre);
+        Collections.swap(envers, 0, 1);
+        Lampe lampe = new Lampe(new Point(3, 6, -4), new Couleur(0.9));
+        Ressources.Image[] images = new Ressources.Image[2];
+        for (int k = 0; k < 2; k++) {
+            images[k] = image(scene(k == 0 ? ordre : envers, lampe), 64, 48, 5, 2);
+            assertTrue(memesBits(images[k], imageRapide(scene(k == 0 ? ordre : envers, lampe), CAMERA, 5)), "recherche rapide, " + k);
+        }
+        int egales = 0;
+        for (int k = 0; k < 64 * 48; k++) {
+            Rayon rayon = CAMERA.getRayon(k % 64 + 0.5, k / 64 + 0.5);
+            double haute = ordre.get(0).getIntersectionDistance(rayon);
+            boolean egale = haute < Constantes.INFINI && haute == ordre.get(1).getIntersectionDistance(rayon);
+            boolean differe = images[0].composantes[3 * k] != images[1].composantes[3 * k];
+            assertTrue(egale || !differe, "pixel " + k);
+            egales += differe ? 1 : 0;
+            if (egale) {
+                assertSame(ordre.get(0), scene(ordre, lampe).getClosestIntersection(rayon).objet);
+                assertSame(envers.get(0), scene(envers, lampe).getClosestIntersection(rayon).objet);
+            }
+        }
+        assertTrue(egales > 5, egales + " pixels");
+    }
+
+    /** Une somme de n termes positifs, dans un autre ordre, change d'au plus (n − 1)u de part et d'autre. */
+    @Test
+    void melangerLesLampesNeChangeQueLOrdreDUneSomme() {
+        Tirages tirages = new Tirages(460);
+        List<Lampe> lampes = new ArrayList<>();
+        for (int n = 0; n < 20; n++) {
+            lampes.add(new Lampe(new Point(tirages.entre(-20, 20), tirages.entre(2, 20), tirages.entre(-20, 3)), tirages.couleur()));
+        }
+        Scene scene = new Scene(foule().getObjets(), lampes);
+        List<Lampe> melees = new ArrayList<>(lampes);
+        Collections.shuffle(melees, tirages.hasard);
+        Scene melee = new Scene(foule().getObjets(), melees);
+        int differents = 0;
+        for (int k = 0; k < 32 * 24; k++) {
+            double a = scene.getCouleurVue(CAMERA.getRayon(2 * (k % 32) + 1, 2 * (k / 32) + 1), null, 0).r;
+            double b = melee.getCouleurVue(CAMERA.getRayon(2 * (k % 32) + 1, 2 * (k / 32) + 1), null, 0).r;
+            assertEquals(a, b, 2 * 19 * 0x1p-53 * a, "graine 460, pixel " + k);
+            differents += a != b ? 1 : 0;
+        }
+        assertTrue(differents > 0, "sinon la borne ne dit rien");
+    }
+
+    /** Les pavés ne sont qu'un partage du travail : d'autres, de toutes formes, donnent les mêmes bits. */
+    @Test
+    void leDecoupageEnPavesNeChangePasUnBit() {
+        Ressources.Image attendue = imageRapide(foule(), new Camera(90, 70), 5);
+        for (int[] pas : new int[][] {{1, 1}, {5, 3}, {90, 1}, {1, 70}}) {
+            Scene foule = foule();
+            Scene scene = foule.avec(foule.getModele().avec((pave, voulus, vue, toile) -> {
+                // de droite à gauche et de bas en haut, pour que l'ordre change aussi
+                for (int j = pave.j1; j > pave.j0; j -= pas[1]) {
+                    for (int i = pave.i1; i > pave.i0; i -= pas[0]) {
+                        Pave petit = new Pave(Math.max(pave.i0, i - pas[0]), Math.max(pave.j0, j - pas[1]), i, j);
+                        for (int p = petit.i0; p < petit.i1; p++) {
+                            for (int q = petit.j0; q < petit.j1; q++) {
+                                toile.drawPixel(vue.couleur(p + 0.5, q + 0.5), p, q);
+                            }
+                        }
+                    }
+                }
+                return 0;
+            }, Constantes.SEUIL));
+            assertTrue(memesBits(attendue, imageRapide(scene, new Camera(90, 70), 5)), Arrays.toString(pas));
+        }
+    }
+
+    /** De haut en bas aussi, là où il n'y a pas de ciel : tout est dans une grande boule, les lampes dans le plan y = 0. */
+    @Test
+    void sansCielUneSceneSymetriqueDeHautEnBasDonneUneImageSymetriqueAuBit() {
+        List<Sphere> boules = new ArrayList<>();
+        // mate : un rayon qui la quitte ne la revoit pas, et verrait donc le ciel
+        boules.add(boule(0, 0, 0, 30, 0.7, 0, 1));
+        boules.add(boule(0.4, 0, 6, 0.8, 0.5, 0.4, 20));
+        for (int cote = -1; cote <= 1; cote += 2) {
+            boules.add(boule(-1.1, cote * 0.7, 5, 0.5, 0.6, 0.3, 40));
+            boules.add(boule(0.9, cote * 0.9, 4, 0.3, 0.2, 0.7, 90));
+        }
+        Scene scene = scene(boules, new Lampe(new Point(-2, 0, -3), new Couleur(0.8)), new Lampe(new Point(50, 0, 50), new Couleur(0.8)));
+        Ressources.Image image = imageRapide(scene, new Camera(70, 61), 5);
+        for (int j = 0; j < 61; j++) {
+            for (int k = 0; k < 3 * 70; k++) {
+                assertEquals(image.composantes[3 * 70 * j + k], image.composantes[3 * 70 * (60 - j) + k], 0f, "ligne " + j);
+            }
+        }
+    }
+}

@@ -1,0 +1,252 @@
+package lancer.promesses;
+
+import static lancer.essai.Ressources.fois;
+import static lancer.essai.Ressources.image;
+import static lancer.essai.Ressources.imageRapide;
+import static lancer.essai.Ressources.scene;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import lancer.Camera;
+import lancer.Constantes;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Recherche;
+import lancer.essai.Ombre;
+import lancer.essai.RechercheSimple;
+import lancer.essai.Ressources;
+import lancer.essai.Tirages;
+import lancer.rapide.Preparation;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui est vrai de tous les rayons de toutes les scènes : au moins cent mille rayons par propriété, à graine fixe. */
+class ProprietesScenesTest {
+
+    private static final int RAYONS = 100_000;
+    private static final int RAYONS_PAR_SCENE = 1_000;
+    private static final Camera CAMERA = new Camera(50, 40);
+
+    private static Recherche simple(Scene scene) {
+        return new RechercheSimple(scene.getObjets(), scene.getCompteurs());
+    }
+
+    private static Rayon copie(Rayon rayon) {
+        return new Rayon(rayon.getP(), rayon.getV(), new Couleur(1));
+    }
+
+    private static Vecteur reflechi(Vecteur V, Vecteur N) {
+        return V.sub(N.mul(2 * V.dot(N))).normalized();
+    }
+
+    @Test
+    void unRayonQuiQuitteUneSurfaceNeLaRetouchePas() {
+        Tirages tirages = new Tirages(41);
+        int quittes = 0;
+        while (quittes < RAYONS) {
+            Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
+            Recherche[] recherches = {simple(scene), Preparation.pour(scene, CAMERA, part -> { })};
+            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
+                Rayon rayon = new Rayon(tirages.point(), tirages.direction());
+                Objet3D depart = null;
+                for (int n = 0; n < 8; n++) {
+                    recherches[k % 2].plusProche(rayon, depart);
+                    PointContact contact = rayon.calcContact();
+                    if (contact == null) {
+                        break;
+                    }
+                    String cas = "graine 41, rayon " + quittes + ", " + contact.objet;
+                    assertNotSame(depart, contact.objet, cas);
+                    Vecteur N = contact.objet.getNormale(contact);
+                    Vecteur R = reflechi(rayon.getV(), N);
+                    if (rayon.getV().dot(N) < 0) {
+                        // venu du dehors, le reflet s'éloigne du plan tangent, donc de la boule, qui est de l'autre côté
+                        assertTrue(R.dot(N) > 0, cas);
+                        for (Lampe lampe : scene.getLampes()) {
+                            if (N.dot(new Vecteur(contact, lampe.getPosition())) > 0) {
+                                assertFalse(Ombre.cachee(scene(Collections.singletonList(contact.objet)), lampe, contact, contact.objet),
+                                        cas);
+                            }
+                        }
+                    }
+                    depart = contact.objet;
+                    rayon = new Rayon(contact, R);
+                    quittes++;
+                }
+            }
+        }
+    }
+
+    @Test
+    void laRechercheRapideRepondCommeLesBouclesDuCoursAuBitPres() {
+        Tirages tirages = new Tirages(42);
+        for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
+            Scene scene = tirages.scene(1 + tirages.hasard.nextInt(n % 3 == 0 ? 120 : 20));
+            Recherche simple = simple(scene);
+            Recherche rapide = Preparation.pour(scene, CAMERA, part -> { });
+            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
+                String cas = "graine 42, rayon " + (n + k);
+                Rayon rayon = new Rayon(tirages.point(), tirages.direction());
+                Objet3D sauf = k % 2 == 0 ? null : scene.getObjets().get(tirages.hasard.nextInt(scene.getObjets().size()));
+                Rayon memeRayon = copie(rayon);
+                simple.plusProche(rayon, sauf);
+                rapide.plusProche(memeRayon, sauf);
+                assertSame(rayon.getObjet(), memeRayon.getObjet(), cas);
+                assertEquals(rayon.getDistance(), memeRayon.getDistance(), cas);
+                PointContact contact = rayon.calcContact();
+                for (Lampe lampe : contact == null ? Collections.<Lampe>emptyList() : scene.getLampes()) {
+                    if (!contact.sub(lampe.getPosition()).equals(new Vecteur())) {
+                        assertEquals(Ombre.cachee(simple, lampe, contact, contact.objet),
+                                Ombre.cachee(rapide, lampe, contact, contact.objet), cas);
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void touteComposanteEstFiniePositiveEtLaMemeParLesDeuxChemins() {
+        for (int n = 0; n < 50; n++) {
+            Scene scene = new Tirages(4300 + n).scene(1 + 2 * n);
+            Ressources.Image rapide = imageRapide(scene, CAMERA, 8);
+            scene.getModele().setRecherche(simple(scene));
+            Ressources.Image lisible = image(scene, CAMERA.getLargeur(), CAMERA.getHauteur(), 8, 2);
+            for (int k = 0; k < rapide.composantes.length; k++) {
+                float c = rapide.composantes[k];
+                assertTrue(c >= 0 && c <= Float.MAX_VALUE, "graine " + (4300 + n) + ", composante " + k + " : " + c);
+                assertEquals(lisible.composantes[k], c, 0f, "graine " + (4300 + n) + ", composante " + k);
+            }
+        }
+    }
+
+    /** Kd, Ks ≤ 1, aucune lampe : au bout des miroirs il n'y a que le ciel, et chaque miroir n'en rend qu'une part. */
+    @Test
+    void sansLampeOnNeVoitJamaisPlusBrillantQueLeCielAuBoutDesMiroirs() {
+        Tirages tirages = new Tirages(44);
+        int auCiel = 0;
+        for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
+            Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
+                Rayon premier = new Rayon(tirages.point(), tirages.direction());
+                Couleur vue = scene.getCouleurVue(copie(premier), null, 12);
+                Couleur part = new Couleur(1);
+                Rayon rayon = premier;
+                PointContact contact = scene.getClosestIntersection(rayon);
+                for (int reflets = 0; contact != null && reflets < 12; reflets++) {
+                    part = part.mul(contact.objet.getKs());
+                    rayon = new Rayon(contact, reflechi(rayon.getV(), contact.objet.getNormale(contact)), part);
+                    contact = scene.getClosestIntersection(rayon, contact.objet);
+                }
+                Couleur ciel = contact == null ? rayon.getSkyColor() : new Couleur();
+                String cas = "graine 44, rayon " + (n + k) + " : " + vue + ", ciel " + ciel;
+                assertTrue(vue.r <= ciel.r && vue.v <= ciel.v && vue.b <= ciel.b, cas);
+                // et exactement cette part, à l'ordre des produits près
+                assertEquals(part.r * ciel.r, vue.r, 1e-12, cas);
+                assertEquals(part.v * ciel.v, vue.v, 1e-12, cas);
+                assertEquals(part.b * ciel.b, vue.b, 1e-12, cas);
+                auCiel += rayon != premier && contact == null ? 1 : 0;
+            }
+        }
+        assertTrue(auCiel > RAYONS / 10, auCiel + " rayons réfléchis jusqu'au ciel");
+    }
+
+    /** Toute la scène multipliée par 2^k : le même objet, à une distance multipliée par 2^k, au bit près, par les deux chemins. */
+    @Test
+    void grossirLaSceneGrossitLesDistancesAuBit() {
+        Tirages tirages = new Tirages(45);
+        for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
+            List<Sphere> boules = tirages.boules(1 + tirages.hasard.nextInt(30));
+            double f = Math.scalb(1.0, tirages.hasard.nextInt(601) - 300);
+            List<Sphere> grosses = new ArrayList<>();
+            for (Sphere s : boules) {
+                grosses.add(new Sphere(fois(s.getCentre(), f), s.getRayon() * f));
+            }
+            Scene scene = scene(boules);
+            Scene grosse = scene(grosses);
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            grosse.getModele().setRecherche(Preparation.pour(grosse, CAMERA, part -> { }));
+            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
+                Point p = tirages.point();
+                Point vers = tirages.point();
+                Rayon rayon = new Rayon(p, vers);
+                Rayon gros = new Rayon(fois(p, f), fois(vers, f));
+                scene.getClosestIntersection(rayon);
+                grosse.getClosestIntersection(gros);
+                String cas = "graine 45, rayon " + (n + k) + ", facteur " + f;
+                assertEquals(boules.indexOf(rayon.getObjet()), grosses.indexOf(gros.getObjet()), cas);
+                assertEquals(rayon.getDistance() * f, gros.getDistance(), cas);
+            }
+        }
+    }
+
+    /** Un nombre qui s'écrit avec peu de bits : la somme de deux d'entre eux ne s'arrondit pas. */
+    private static double court(double x) {
+        return Math.rint(x * 0x1p20) / 0x1p20;
+    }
+
+    @Test
+    void deplacerEnsembleSphereEtRayonSansArrondiNeChangePasUnBit() {
+        Tirages tirages = new Tirages(46);
+        int touches = 0;
+        for (int k = 0; k < RAYONS; k++) {
+            Point p = new Point(court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)));
+            Point c = new Point(court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)), court(tirages.entre(-4, 4)));
+            Vecteur saut = new Vecteur(court(tirages.entre(-1e6, 1e6)), court(tirages.entre(-1e6, 1e6)), court(tirages.entre(-1e6, 1e6)));
+            double r = tirages.entre(0.1, 2);
+            Vecteur v = new Vecteur(p, c).add(tirages.direction().mul(1.2 * r)).normalized();
+            double t = new Sphere(c, r).getIntersectionDistance(new Rayon(p, v));
+            assertEquals(t, new Sphere(c.add(saut), r).getIntersectionDistance(new Rayon(p.add(saut), v)), "graine 46, tirage " + k);
+            touches += t < Constantes.INFINI ? 1 : 0;
+        }
+        assertTrue(touches > RAYONS / 4, touches + " touchés");
+    }
+
+    /**
+     * Un saut quelconque arrondit le départ et le centre ; tourner le monde (les axes changés de place et de sens) change l'ordre
+     * des sommes. La distance change de ce que le conditionnement permet : (1 + r/h) fois ces arrondis.
+     */
+    @Test
+    void deplacerOuTournerEnsembleSphereEtRayonNeChangeQueCeQuePermetLeConditionnement() {
+        double u = 0x1p-53;
+        Tirages tirages = new Tirages(47);
+        int juges = 0;
+        int douteux = 0;
+        while (juges < RAYONS) {
+            Point c = tirages.point();
+            double r = Math.pow(10, tirages.entre(-3, 1));
+            Point p = tirages.point();
+            Vecteur f = new Vecteur(p, c);
+            Vecteur v = f.add(tirages.direction().mul(1.1 * r)).normalized();
+            Vecteur saut = tirages.direction().mul(Math.pow(10, tirages.entre(-2, 6)));
+            double l = f.sub(v.mul(f.dot(v))).norme();
+            double arrondi = u * (16 * (f.norme() + r) + 4 * saut.norme() + 50);
+            if (Math.abs(r - l) < 4 * arrondi || Math.abs(f.norme() - r) < 4 * arrondi) {
+                douteux++;
+                continue;
+            }
+            double t = new Sphere(c, r).getIntersectionDistance(new Rayon(p, v, new Couleur(1)));
+            double deplace = new Sphere(c.add(saut), r).getIntersectionDistance(new Rayon(p.add(saut), v, new Couleur(1)));
+            double tourne = new Sphere(new Point(-c.y, c.z, -c.x), r)
+                    .getIntersectionDistance(new Rayon(new Point(-p.y, p.z, -p.x), new Vecteur(-v.y, v.z, -v.x), new Couleur(1)));
+            String cas = "graine 47, tirage " + juges + ", r = " + r + ", saut " + saut.norme();
+            double tolerance = arrondi * (1 + r / Math.sqrt(Math.abs(r - l) * (r + l)));
+            assertTrue(t == deplace || Math.abs(t - deplace) <= tolerance, cas + " : " + t + " puis " + deplace);
+            assertTrue(t == tourne || Math.abs(t - tourne) <= tolerance, cas + " : " + t + " puis " + tourne);
+            juges++;
+        }
+        assertTrue(douteux < RAYONS / 100, douteux + " laissés de côté");
+    }
+}
