@@ -16,6 +16,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Collections;
+import java.util.Enumeration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -281,7 +282,7 @@ final class Inspecteur extends JPanel {
     /** Appelle {@code geste} pour chaque nœud qui a des enfants, un parent avant ses enfants. */
     private void parcourir(BiConsumer<Noeud, TreePath> geste) {
         DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
-        List<?> branches = racine == null ? Collections.emptyList() : Collections.list(racine.preorderEnumeration());
+        List<?> branches = racine == null ? Collections.emptyList() : Collections.list((Enumeration<?>) racine.preorderEnumeration());
         for (Object branche : branches) {
             if (!((DefaultMutableTreeNode) branche).isLeaf()) {
                 geste.accept(noeud(branche), new TreePath(((DefaultMutableTreeNode) branche).getPath()));

@@ -20,7 +20,7 @@ import lancer.correction.modele.SourcesDuCours;
 public final class Cours {
 
     /** Lecture de textes Java. */
-    public interface Lecture {
+    public interface LectureDeSources {
 
         /** Une valeur par texte, celle de {@link lancer.correction.enfant.Lecteur#lire}. */
         List<?> lire(List<String> textes) throws Arret;
@@ -31,13 +31,13 @@ public final class Cours {
     private final Map<String, Type> corrige;
 
     /** @param noms ceux de l'étudiant, par nom du cours */
-    public Cours(Lecture lecture, Map<String, String> noms) throws Arret {
+    public Cours(LectureDeSources lecture, Map<String, String> noms) throws Arret {
         this.noms = noms;
         squelette = lire(lecture, SourcesDuCours::squelette);
         corrige = lire(lecture, SourcesDuCours::corrige);
     }
 
-    private Map<String, Type> lire(Lecture lecture, Function<String, String> source) throws Arret {
+    private Map<String, Type> lire(LectureDeSources lecture, Function<String, String> source) throws Arret {
         List<String> textes = SourcesDuCours.classes().stream().map(c -> dans(source.apply(c))).collect(Collectors.toList());
         Iterator<?> lus = lecture.lire(textes).iterator();
         return textes.stream().map(t -> Source.types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));

@@ -96,7 +96,7 @@ public final class Projet {
      *
      * @param commun le cours, sans noms changés ; @param alias noms que l'enseignant déclare changés : celui du cours, puis le sien
      */
-    public static List<Projet> copies(Rendu rendu, Cours.Lecture lecture, Cours commun, Map<String, String> alias) throws Arret {
+    public static List<Projet> copies(Rendu rendu, Cours.LectureDeSources lecture, Cours commun, Map<String, String> alias) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);

@@ -63,7 +63,8 @@ public final class Source {
      *
      * @param duCours noms des classes du cours, et ceux de l'étudiant ; @param remarques reçoit les fichiers illisibles
      */
-    static List<Type> lire(Map<String, byte[]> octets, Cours.Lecture lecture, Set<String> duCours, List<String> remarques) throws Arret {
+    static List<Type> lire(Map<String, byte[]> octets, Cours.LectureDeSources lecture, Set<String> duCours, List<String> remarques)
+            throws Arret {
         Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
         List<Source> fichiers = new ArrayList<>();
         for (String chemin : octets.keySet()) {

@@ -176,7 +176,7 @@ public final class Dialogue {
     }
 
     /** Contenu d'une réponse de la machine virtuelle. @throws Echec si le rendu n'a pas répondu */
-    static <T> T reponse(DataInputStream reponse, Machines.Lecture<T> lecture) throws IOException {
+    static <T> T reponse(DataInputStream reponse, Machines.LectureDeReponse<T> lecture) throws IOException {
         char sorte = reponse.readChar();
         if (sorte == Execution.RENDU) {
             return lecture.lire(reponse);

@@ -83,8 +83,7 @@ final class Machines {
         }
     }
 
-    /** Lecture d'une réponse. */
-    interface Lecture<T> {
+    interface LectureDeReponse<T> {
         T lire(DataInputStream reponse) throws IOException;
     }
 
@@ -124,7 +123,7 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(Echange.Redaction demande, int max, Lecture<T> lecture) throws Arret {
+        <T> T demander(Echange.Redaction demande, int max, LectureDeReponse<T> lecture) throws Arret {
             try {
                 DataInputStream reponse = enfant.demander(Echange.message(demande), max);
                 try {
@@ -187,7 +186,7 @@ final class Machines {
             });
         }
 
-        private <T> T demander(char sorte, Map<String, String> textes, Lecture<T> lecture) throws Arret {
+        private <T> T demander(char sorte, Map<String, String> textes, LectureDeReponse<T> lecture) throws Arret {
             Map<String, byte[]> octets = new LinkedHashMap<>();
             textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
             lancer(Compilateur.class, chemin, Limites.DE_COMPILATION);

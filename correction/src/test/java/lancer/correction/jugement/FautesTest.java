@@ -11,6 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.BeforeAll;
@@ -19,7 +24,7 @@ import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Le corrigé, avec une faute classique : elle est vue à son étape, et à elle seule. */
+/** Le corrigé, écrit d'après le seul énoncé, est juste ; avec une faute classique, elle est vue à son étape, et à elle seule. */
 @EnabledForJreRange(min = JRE.JAVA_17)
 class FautesTest extends JuryEssai {
 
@@ -43,6 +48,7 @@ class FautesTest extends JuryEssai {
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Lancer.java"));
         copier(RENDUS.resolve("classe/Étudiant 6_106_assignsubmission_file/brume/src/main/java/lancer/Brume.java"),
                 rendus.resolve("racine-negative/brume/src/main/java/lancer/Brume.java"));
+        ecrireCorrige(rendus.resolve("corrige"));
         ecrireCorrige(rendus.resolve("extensions"));
         variante(rendus.resolve("extensions/brume"), SourcesDuCours.corrige("Lancer")
                 .replace("getColor(scene, initial, contact, profondeur)",
@@ -62,6 +68,39 @@ class FautesTest extends JuryEssai {
         assertEquals(new TreeSet<>(List.of(etapes)), ratees, faute + " : " + resultats.get(faute).verdicts.entrySet().stream()
                 .filter(e -> e.getValue().etat == Verdict.Etat.RATE).map(e -> e.getKey() + " " + e.getValue().message)
                 .collect(Collectors.toList()));
+    }
+
+    @Test
+    void leCorrigeDessineNotreImageEtPasseTout() throws IOException {
+        Resultat corrige = resultats.get("corrige");
+        assertEquals(new TreeSet<>(), ratees(corrige));
+        assertTrue(corrige.verdicts.values().stream().allMatch(Verdict::compte));
+        int faux = 0;
+        for (String nom : Reference.SCENES.keySet()) {
+            int[] taille = Reference.SCENES.get(nom);
+            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), SourcesDuCours.scene(nom, GRAINE)).toString());
+            // sans les variantes, que les tests de ce module ont dans leur chemin
+            Lancer lancer = new Lancer(new Scene(lue.getObjets(), lue.getLampes()), new Camera(taille[0], taille[1]));
+            for (int p = 0; p < taille[0] * taille[1]; p++) {
+                Couleur c = lancer.getCouleurPixel(p % taille[0], p / taille[0], taille[2]);
+                for (int k = 0; k < 3; k++) {
+                    int sien = corrige.images.get(nom).code(p % taille[0], p / taille[0]) >> 16 - 8 * k & 255;
+                    faux += Math.abs(sien - (c.getCode() >> 16 - 8 * k & 255)) > 1 ? 1 : 0;
+                }
+            }
+        }
+        assertEquals(0, faux, "composantes à plus d'un niveau de celles de notre programme");
+    }
+
+    @Test
+    void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException, Arret {
+        Reference reference = jury(Confinement.essayer(), PATIENTES).reference;
+        assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
+                reference.verifications.stream().filter(v -> !v.compte).map(Verification::id)
+                        .collect(Collectors.toCollection(TreeSet::new)));
+        for (Verification v : reference.verifications) {
+            assertEquals(v.compte, !reference.duSquelette(v).compte(), v.id() + " : seule parmi le corrigé, la classe de même");
+        }
     }
 
     @Test

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.Formatter;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,7 +17,6 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;
@@ -131,13 +129,13 @@ public final class Reponses {
     }
 
     /** La scène des étapes : un sol, une sphère, et une autre qui l'ombre et s'y reflète. */
-    private static Scene scene(boolean brillante) {
+    private static Scene scene() {
         List<Sphere> boules = Arrays.asList(new Sphere(new Point(0.35, 0, 7), 1.1),
                 new Sphere(new Point(-1.3, -0.35, 5.8), 0.5), new Sphere(new Point(0, -1001.1, 7), 1000));
         Couleur[] Kd = {new Couleur(0.75, 0.12, 0.1), new Couleur(0.1, 0.3, 0.75), new Couleur(0.6, 0.55, 0.45)};
         for (int k = 0; k < boules.size(); k++) {
             boules.get(k).setKd(Kd[k]);
-            boules.get(k).setKs(brillante ? new Couleur(k == 2 ? 0.1 : 0.35) : new Couleur());
+            boules.get(k).setKs(new Couleur(k == 2 ? 0.1 : 0.35));
             boules.get(k).setNs(60);
         }
         return new Scene(boules, Arrays.asList(new Lampe(new Point(-5, 5, -1), new Couleur(0.9)),
@@ -153,10 +151,7 @@ public final class Reponses {
         if (etape == 0) {
             return new Couleur(1, 1, 0);
         }
-        // avant l'étape des ombres, l'objet est seul dans sa scène
-        List<Objet3D> seul = Collections.singletonList(contact.objet);
-        Scene vue = etape < 3 ? new Scene(seul, scene.getLampes()) : scene;
-        return contact.objet.getColor(vue, rayon, contact, etape < 4 ? 0 : Constantes.MAX_REFLETS);
+        return contact.objet.getColor(scene, rayon, contact, etape < 4 ? 0 : Constantes.MAX_REFLETS);
     }
 
     /** Les cinq étapes, côte à côte. */
@@ -164,7 +159,13 @@ public final class Reponses {
         ImageMemoire image = blanche(5 * LARGEUR + 4 * 4, HAUTEUR);
         Camera camera = new Camera(LARGEUR, HAUTEUR);
         for (int etape = 0; etape < 5; etape++) {
-            Scene scene = scene(etape > 1);
+            Scene scene = scene();
+            if (etape < 2) {
+                scene.getModele().oterSpecularite();
+            }
+            if (etape < 3) {
+                scene.getModele().oterOmbres();
+            }
             for (int p = 0; p < LARGEUR * HAUTEUR; p++) {
                 image.drawPixel(moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE), etape * (LARGEUR + 4) + p % LARGEUR,
                         p / LARGEUR);
@@ -186,7 +187,7 @@ public final class Reponses {
         int cote = 28;
         ImageMemoire image = blanche(2 * cote * LOUPE + 8, cote * LOUPE);
         Camera camera = new Camera(100, 75);
-        Scene scene = scene(true);
+        Scene scene = scene();
         for (int n = 1; n <= 3; n += 2) {
             for (int p = 0; p < cote * cote; p++) {
                 Couleur couleur = moyenne(4, scene, camera, 60 + p % cote, 12 + p / cote, n);

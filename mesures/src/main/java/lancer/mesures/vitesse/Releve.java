@@ -54,12 +54,6 @@ final class Releve {
         return champs.getOrDefault(colonne, "");
     }
 
-    /** Circonstances de la mesure. */
-    String circonstances() {
-        return texte("machine") + ", " + texte("coeurs") + " cœurs, " + texte("jvm") + ", commit " + texte("commit") + ", "
-                + texte("date").replace('T', ' ');
-    }
-
     double nombre(String colonne) {
         String texte = texte(colonne);
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
