@@ -145,8 +145,8 @@ final class Face {
 
     /**
      * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), avec K = 1 − r². À v donné, son bord est en
-     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), avec m = cy v + cz. Cette formule ne soustrait pas de
-     * nombres voisins.
+     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), avec m = cy v + cz. Cette formule ne soustrait pas
+     * de nombres voisins.
      */
     private boolean ellipse(double cx, double cy, double cz, double r) {
         // boîte englobante de l'ellipse
