@@ -1,5 +1,2 @@
-/**
- * Explication de la couleur d'un pixel : la suite de ses contacts, que les classes du cours notent en la calculant. Ce
- * paquet ne calcule aucune couleur.
- */
+/** Explication de la couleur d'un pixel : ses contacts, notés par les classes du cours, seules à calculer. */
 package lancer.inspection;

@@ -7,8 +7,7 @@ import lancer.precision.Intersection;
 
 /**
  * Une fenêtre rectangulaire vue d'un point et découpée en cases. Elle donne la case d'une direction, et les cases que
- * couvre la silhouette d'une sphère. Dans le repère de la face, une direction (x, y, z), avec z &gt; 0, coupe la
- * fenêtre en u = x/z, v = y/z.
+ * couvre la silhouette d'une sphère. Une direction (x, y, z), avec z &gt; 0, coupe la fenêtre en u = x/z, v = y/z.
  */
 final class Face {
 

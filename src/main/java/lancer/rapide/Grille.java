@@ -24,8 +24,7 @@ final class Grille implements Intersections {
 
     /**
      * Élargissement des sphères, en part de la plus grande coordonnée. Il couvre les arrondis de {@link Noeuds#MARGE}
-     * et ceux d'une traversée qui additionne ses pas, pour un départ au plus {@link #DEPART_MAX} fois plus loin que la
-     * grille.
+     * et ceux d'une traversée qui additionne ses pas, pour un départ à moins de {@link #DEPART_MAX} fois la grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;
