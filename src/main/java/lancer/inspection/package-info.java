@@ -1,2 +1,2 @@
-/** Explication de la couleur d'un pixel : ses contacts, notés par les classes du cours, seules à calculer. */
+/** Explication de la couleur d'un pixel, d'après ses contacts. Ce paquet ne calcule aucune couleur. */
 package lancer.inspection;
