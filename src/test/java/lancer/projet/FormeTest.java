@@ -155,7 +155,8 @@ class FormeTest {
             while (m.find()) {
                 noms++;
                 String source = sources.get(m.group(1));
-                boolean existe = source != null && (m.group(2) == null || source.isEmpty() || source.contains(m.group(2)));
+                boolean existe = source != null && (m.group(2) == null || source.isEmpty()
+                        || Pattern.compile("\\b" + m.group(2) + "\\b").matcher(source).find());
                 if (!existe && !deJava(m.group(1))) {
                     fautes.add(fichier + " : " + m.group());
                 }

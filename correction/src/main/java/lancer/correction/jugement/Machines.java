@@ -83,6 +83,7 @@ final class Machines {
         }
     }
 
+    /** Lecture d'une réponse. */
     interface LectureDeReponse<T> {
         T lire(DataInputStream reponse) throws IOException;
     }

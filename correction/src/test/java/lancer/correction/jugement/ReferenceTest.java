@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Le corrigé, écrit d'après le seul énoncé, est juste ; avec une faute classique, elle est vue à son étape, et à elle seule. */
 @EnabledForJreRange(min = JRE.JAVA_17)
-class FautesTest extends JuryEssai {
+class ReferenceTest extends JuryEssai {
 
     @TempDir
     static Path dossier;
