@@ -282,7 +282,8 @@ final class Inspecteur extends JPanel {
     /** Appelle {@code geste} pour chaque nœud qui a des enfants, un parent avant ses enfants. */
     private void parcourir(BiConsumer<Noeud, TreePath> geste) {
         DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
-        List<?> branches = racine == null ? Collections.emptyList() : Collections.list((Enumeration<?>) racine.preorderEnumeration());
+        List<?> branches = racine == null ? Collections.emptyList()
+                : Collections.list((Enumeration<?>) racine.preorderEnumeration());
         for (Object branche : branches) {
             if (!((DefaultMutableTreeNode) branche).isLeaf()) {
                 geste.accept(noeud(branche), new TreePath(((DefaultMutableTreeNode) branche).getPath()));

@@ -14,18 +14,15 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import lancer.Main;
 import lancer.essai.Essai;
 import org.ini4j.Config;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,23 +62,6 @@ class ChangerLaBaseTest {
                 Essai.Isole base = new Essai.Isole(rien)) {
             assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
         }
-    }
-
-    @Test
-    void lesTestsQueNommeLaPageExistent() throws IOException {
-        Map<String, String> sources = new HashMap<>();
-        try (Stream<Path> fichiers = Files.walk(Paths.get(""))) {
-            for (Path f : (Iterable<Path>) fichiers.filter(f -> f.toString().matches(".*src.test.java.*Tests?\\.java"))::iterator) {
-                sources.put(f.getFileName().toString().replace(".java", ""), lire(f.toString()));
-            }
-        }
-        Matcher m = Pattern.compile("`(\\w*Tests?)(?:\\.(\\w+))?`").matcher(lire("docs/etendre.md"));
-        int nommes = 0;
-        for (; m.find(); nommes++) {
-            assertTrue(sources.containsKey(m.group(1)) && (m.group(2) == null || sources.get(m.group(1)).contains(" " + m.group(2) + "(")),
-                    m.group());
-        }
-        assertTrue(nommes > 20, nommes + " tests");
     }
 
     private static String lire(String fichier) throws IOException {
