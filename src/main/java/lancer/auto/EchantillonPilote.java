@@ -74,9 +74,7 @@ final class EchantillonPilote {
                 .map(composante -> 255 * Math.max(0, Math.min(1, composante))).toArray();
     }
 
-    /**
-     * La moyenne de (x − a)(x − b) : estimation sans biais du carré de l'écart, si a et b le sont et sont indépendants.
-     */
+    /** Moyenne de (x − a)(x − b) : carré de l'écart, sans biais si a et b sont sans biais et indépendants. */
     static double produit(double[] x, double[] a, double[] b) {
         return ((x[0] - a[0]) * (x[0] - b[0]) + (x[1] - a[1]) * (x[1] - b[1]) + (x[2] - a[2]) * (x[2] - b[2])) / 3;
     }

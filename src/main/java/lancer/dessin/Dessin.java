@@ -360,8 +360,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /**
      * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours. L'échantillonnage, présent dans toutes les piles, vient ensuite, puis toute classe hors de
-     * Java.
+     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
      */
     static String[] classes(Scene scene) {
         Modele modele = scene.getModele();

@@ -76,7 +76,7 @@ public final class Inspection implements Vue, Toile {
         equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)), Collections.singletonList(lancer));
     }
 
-    /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les étapes qui la précèdent. */
+    /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les segments qui la précèdent. */
     public void faireOuEchouer(int rang) {
         try {
             faire(rang);

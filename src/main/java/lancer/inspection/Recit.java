@@ -141,7 +141,7 @@ public final class Recit {
         lignes.add(dire("chaîne de l'échantillon %s", pixel.getChoisi()));
     }
 
-    /** @param rayon celui de l'étape, parti de {@code depart} ; {@code null} si une forme n'a pas noté sa direction */
+    /** @param rayon celui du segment, parti de {@code depart} ; {@code null} si une forme n'a pas noté sa direction */
     private Noeud contact(Segment segment, Rayon rayon, Objet3D depart) {
         String nom = segment.contact == null ? "ciel" : pixel.nom(segment.contact.objet);
         quoi = "";

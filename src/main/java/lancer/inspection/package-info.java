@@ -1,5 +1,2 @@
-/**
- * Explication de la couleur d'un pixel : la suite de ses contacts, que les classes du cours notent en la calculant. Ce
- * paquet ne calcule aucune couleur.
- */
+/** Explication de la couleur d'un pixel, d'après ses contacts. Ce paquet ne calcule aucune couleur. */
 package lancer.inspection;

@@ -35,8 +35,7 @@ public final class Intersection {
      * nombres voisins, et {@link IntersectionCompensee} refait le calcul.
      *
      * <p>Erreur relative : au plus 8 u (1 + r/h), avec u = 2⁻⁵³, pour des longueurs de 1e-300 à 1e300. L'arrondi de la
-     * direction y est compris, et peut en causer presque la totalité. La plus grande erreur mesurée en est les trois
-     * quarts.
+     * direction y est compris, et peut en causer presque la totalité. L'erreur mesurée en est au plus les trois quarts.
      */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {

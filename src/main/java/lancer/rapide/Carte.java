@@ -184,9 +184,7 @@ final class Carte implements Intersections, Occultations {
         return Tri.parMoitieHaute(ordre);
     }
 
-    /**
-     * Premier contact parmi les sphères de la case. L'arbre répond à un rayon d'ailleurs que l'œil, ou faute de crédit.
-     */
+    /** Premier contact dans la case. L'arbre répond aux rayons qui ne viennent pas de l'œil, ou faute de crédit. */
     @Override
     public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {

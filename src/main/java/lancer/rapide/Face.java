@@ -7,8 +7,7 @@ import lancer.precision.Intersection;
 
 /**
  * Une fenêtre rectangulaire vue d'un point et découpée en cases. Elle donne la case d'une direction, et les cases que
- * couvre la silhouette d'une sphère. Dans le repère de la face, une direction (x, y, z), avec z &gt; 0, coupe la
- * fenêtre en u = x/z, v = y/z.
+ * couvre la silhouette d'une sphère. Une direction (x, y, z), avec z &gt; 0, coupe la fenêtre en u = x/z, v = y/z.
  */
 final class Face {
 
@@ -145,8 +144,8 @@ final class Face {
 
     /**
      * La silhouette est l'ellipse (cx u + cy v + cz)² = K (u² + v² + 1), avec K = 1 − r². À v donné, son bord est en
-     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), avec m = cy v + cz : rien de voisin ne s'y
-     * soustrait.
+     * (cx m ± √(K (cz² − r²)(v+ − v)(v − v−))) / (cy² + cz² − r²), avec m = cy v + cz. Cette formule ne soustrait pas
+     * de nombres voisins.
      */
     private boolean ellipse(double cx, double cy, double cz, double r) {
         // boîte englobante de l'ellipse

@@ -1,9 +1,6 @@
 package lancer.rapide;
 
-/**
- * Les fenêtres d'une lampe. Une seule, ajustée, suffit si toutes les sphères sont d'un même côté de la lampe. Sinon, ce
- * sont les six faces d'un cube.
- */
+/** Les fenêtres d'une lampe : une seule, ajustée, si les sphères sont d'un même côté ; sinon, six faces d'un cube. */
 final class Faces {
 
     private static final double[][] CUBE = {

@@ -23,9 +23,8 @@ final class Grille implements Intersections {
     private static final int PLACES_PAR_SPHERE = 12;
 
     /**
-     * Élargissement des sphères, en part de la plus grande coordonnée. Il couvre les arrondis de {@link Noeuds#MARGE}
-     * et ceux d'une traversée qui additionne ses pas, pour un départ au plus {@link #DEPART_MAX} fois plus loin que la
-     * grille.
+     * Élargissement des sphères, relatif à la plus grande coordonnée. Il couvre les arrondis de {@link Noeuds#MARGE} et
+     * d'une traversée qui additionne ses pas, pour un départ au plus {@link #DEPART_MAX} fois plus loin que la grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;

@@ -21,8 +21,7 @@ import lancer.fils.Equipe;
  * <p>Mémoire pour N sphères : leur copie prend 40 N octets, et l'arbre, s'il est construit, 4 N + 26 N. La grille a au
  * plus 4 N cases et 12 N places de 4 octets. Toutes les cartes ensemble ont au plus {@value #PLACES_PAR_SPHERE} N
  * places de 8 octets, ou 8 Mo si c'est plus. Leurs cases, de 12 octets, sont au plus les tuiles de l'image et
- * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques d'une petite scène prennent 170 ko, et ceux de ses
- * ombres 1 Mo au plus.
+ * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques prennent 170 ko, et ceux des ombres 1 Mo au plus.
  */
 public final class Preparation implements IntConsumer, Calcul {
 
@@ -30,8 +29,8 @@ public final class Preparation implements IntConsumer, Calcul {
     private static final int DEUX = 2;
 
     /**
-     * Pour une petite scène, produit des pixels, des objets et des rayons par contact jusqu'auquel les boucles du cours
-     * finissent avant la construction et le sondage d'une structure (mesuré par {@code make mesure-processus}).
+     * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène sans structure : les
+     * boucles du cours y finissent avant une construction et son sondage ({@code make mesure-processus}).
      */
     private static final long VITE_FAIT = 1 << 20;
 

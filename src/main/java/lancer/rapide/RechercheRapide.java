@@ -28,10 +28,7 @@ public final class RechercheRapide implements Recherche {
     private final Occultations[] ombres;
     private final EtatDeRecherche etat;
 
-    /**
-     * Numéro de la dernière sphère rencontrée, ou -1 : en général celle que l'on éclaire, et d'où part le rayon
-     * suivant.
-     */
+    /** Numéro de la dernière sphère rencontrée, ou -1 : en général la sphère éclairée, d'où part le rayon suivant. */
     private int derniere = -1;
     private Objet3D rencontree;
 

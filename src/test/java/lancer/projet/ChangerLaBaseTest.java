@@ -23,7 +23,6 @@ import javax.tools.ToolProvider;
 import lancer.Main;
 import lancer.essai.Essai;
 import org.ini4j.Config;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

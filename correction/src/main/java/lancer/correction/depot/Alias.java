@@ -9,9 +9,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import lancer.correction.modele.SourcesDuCours;
 
-/**
- * Les noms du cours que des étudiants ont changés, déclarés par l'enseignant dans un {@link Tableau} : {@code id,nom écrit,nom du cours}.
- */
+/** Noms du cours que des étudiants ont changés, déclarés par l'enseignant dans un {@link Tableau} : {@code id,nom écrit,nom du cours}. */
 public final class Alias {
 
     private static final String TITRES = "id,nom écrit,nom du cours";

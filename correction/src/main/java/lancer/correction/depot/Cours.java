@@ -71,9 +71,7 @@ public final class Cours {
         return squelette.get(classe(classe));
     }
 
-    /**
-     * Empreintes des méthodes de cette classe dans le projet à compléter et dans le corrigé : elles ne sont pas le travail d'un étudiant.
-     */
+    /** Empreintes des méthodes de cette classe dans le projet à compléter et le corrigé, qui ne sont pas le travail d'un étudiant. */
     public Set<String> arbres(String classe) {
         return Stream.of(squelette, corrige).flatMap(types -> types.get(classe(classe)).methodes.stream()).map(m -> m.arbre)
                 .collect(Collectors.toSet());

@@ -23,9 +23,7 @@ import lancer.correction.Panne;
 import org.apache.commons.compress.archivers.zip.ZipFile;
 import org.apache.commons.io.function.IOSupplier;
 
-/**
- * Les rendus d'une classe : un dossier, l'archive de Moodle, ou un seul rendu. Chaque étudiant y figure, même si son rendu est illisible.
- */
+/** Rendus d'une classe : un dossier, l'archive de Moodle, ou un seul rendu. Chaque étudiant y figure, même si son rendu est illisible. */
 public final class Depot {
 
     private static final int SOURCE_MAX = 1 << 20;
@@ -107,10 +105,7 @@ public final class Depot {
         return liste;
     }
 
-    /**
-     * Ajoute le contenu d'un dossier, par ordre alphabétique. Un lien n'est pas suivi ; un fichier illisible n'empêche pas de lire les
-     * autres.
-     */
+    /** Ajoute le contenu d'un dossier, par ordre alphabétique, sans suivre les liens. Un fichier illisible n'arrête pas la lecture. */
     private static void ajouter(Path dossier, String debut, List<Entree> entrees) {
         Set<String> vus = new HashSet<>();
         try (Stream<Path> flux = Files.list(dossier)) {

@@ -109,9 +109,7 @@ public final class Source {
         return neuf.toString();
     }
 
-    /**
-     * Ses classes, chacune avec son texte, aux mêmes lignes. Si le fichier en déclare plusieurs, dont une du cours, elles sont séparées.
-     */
+    /** Ses classes, chacune avec son texte, aux mêmes lignes. Un fichier de plusieurs classes, dont une du cours, est séparé. */
     private List<Type> classes(Set<String> paquets, Set<String> duCours) {
         String debut = arranger(paquets);
         String nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");

@@ -25,9 +25,7 @@ public final class Echange {
     /** Taille maximale d'une réponse qui contient une image ou des classes, en octets. */
     public static final int GROSSE_REPONSE_MAX = 8 << 20;
 
-    /**
-     * Caractères qui commandent un terminal ou changent le sens d'écriture, et moitiés de caractères ; sauf tabulations et fins de ligne.
-     */
+    /** Caractères qui commandent un terminal ou changent le sens d'écriture, moitiés de caractères ; ni tabulation, ni fin de ligne. */
     public static final Pattern NUISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}&&[^\n\t]]");
 
     private static final int TEXTE_MAX = 2000;

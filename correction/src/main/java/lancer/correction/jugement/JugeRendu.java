@@ -21,10 +21,7 @@ import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.SourcesDuCours;
 
-/**
- * Juge un rendu : d'abord toutes ses classes ensemble, puis chacune seule avec celles du corrigé, pour qu'une faute n'en cache pas
- * d'autres.
- */
+/** Juge un rendu : toutes ses classes ensemble, puis chacune seule avec celles du corrigé. Une faute n'en cache ainsi pas d'autres. */
 final class JugeRendu implements AutoCloseable {
 
     /** Début du message d'une méthode qui ne se compile pas. */

@@ -132,10 +132,7 @@ public final class Juge {
         return String.format(Locale.ROOT, "%.4f", pas);
     }
 
-    /**
-     * Comparaison de deux images de la même scène, pixel par pixel. Les composantes sont limitées à [0, 1] ; les écarts sont en niveaux de
-     * 1/255.
-     */
+    /** Comparaison de deux images d'une scène, limitées à [0, 1], pixel par pixel ; les écarts sont en niveaux de 1/255. */
     static final class Accord {
 
         private static final double PAS_8 = 1 / 255.0;

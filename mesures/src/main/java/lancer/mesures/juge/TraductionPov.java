@@ -25,8 +25,8 @@ import lancer.commande.Echec;
  * <p>Les termes se correspondent un à un (source de POV-Ray 3.7, {@code source/backend/render/trace.cpp}). {@code diffuse} est Kd ⊗ K_L
  * (N·L). {@code phong} est K_L (R·L)^phong_size, multiplié par un seul nombre : si un Ks est coloré, il faut un dessin par composante.
  * {@code reflection} est Ks ⊗ la couleur du rayon réfléchi. Un rayon de niveau n (0 pour le premier) est tracé si n est inférieur à
- * {@code max_trace_level} et si le produit des plus grandes composantes de Ks atteint {@code adc_bailout}. Si les Ks sont gris, c'est le
- * seuil de ce programme.
+ * {@code max_trace_level} et si le produit des plus grandes composantes de Ks atteint {@code adc_bailout}. Si les Ks sont gris, ce seuil
+ * est celui de ce programme.
  *
  * <p>POV-Ray ignore un contact à moins de 1e-4 du départ d'un rayon, un obstacle à moins de 1e-3, et tout objet au-delà de 1e7 (source,
  * {@code MIN_ISECT_DEPTH}, {@code SHADOW_TOLERANCE}, {@code MAX_DISTANCE}). La scène est donc agrandie d'une puissance de deux, ce qui ne

@@ -113,14 +113,7 @@ public final class Foule {
         return (long) (LARGEUR / cote) * (long) (HAUTEUR / cote) * (long) (FOND / cote);
     }
 
-    /**
-     * Une couleur d'après sa teinte.
-     *
-     * @param teinte en tours : 0 rouge, 1/3 vert, 2/3 bleu
-     * @param vivacite 0 pour un gris, 1 pour une couleur pure
-     * @param clarte la plus grande des trois composantes
-     * @return rouge, vert, bleu, au millième
-     */
+    /** Une couleur, au millième. La teinte est en tours : 0 rouge, 1/3 vert. La vivacité va de 0, un gris, à 1. */
     static double[] couleur(double teinte, double vivacite, double clarte) {
         double[] rvb = new double[3];
         for (int i = 0; i < 3; i++) {

@@ -52,10 +52,7 @@ final class Reflets {
         return facons;
     }
 
-    /**
-     * Erreur médiane du contact, par arithmétique et par nombre de reflets, en rayons de la sphère. @param chaines nombre de chaînes au
-     * hasard
-     */
+    /** Erreur médiane du contact sur tant de chaînes, par arithmétique et par nombre de reflets, en rayons de la sphère. */
     static List<Exactitude> mesurer(int chaines) {
         Map<String, double[][]> erreurs = new LinkedHashMap<>();
         facons().keySet().forEach(nom -> erreurs.put(nom, new double[MAX][chaines]));

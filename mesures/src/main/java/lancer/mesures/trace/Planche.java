@@ -29,7 +29,7 @@ import org.jfree.chart.ui.VerticalAlignment;
  */
 public final class Planche {
 
-    private String titre;
+    private final String titre;
     private final String note;
     private final List<Volet> volets = new ArrayList<>();
 
@@ -48,12 +48,6 @@ public final class Planche {
     public Planche(String titre, String note) {
         this.titre = titre;
         this.note = note;
-    }
-
-    /** Change le titre. */
-    public Planche titre(String constat) {
-        titre = constat;
-        return this;
     }
 
     /** Change la taille, en pixels, sans changer celle des caractères. */

@@ -28,10 +28,7 @@ import org.jfree.data.general.DatasetUtils;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
-/**
- * Des séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Le nom d'un point est écrit près de lui, s'il y a de la
- * place.
- */
+/** Séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Le nom d'un point est près de lui, s'il y a la place. */
 public final class Volet {
 
     private static final double RETRAIT = 8;

@@ -73,9 +73,7 @@ final class Catalogue {
             this.lancements = lancements;
         }
 
-        /**
-         * Vrai si une manche est un programme entier, de la commande au PNG ; faux si elle est un dessin d'une machine virtuelle échauffée.
-         */
+        /** Vrai si une manche est un programme entier, de la commande au PNG ; faux si elle est un dessin de code déjà compilé. */
         boolean estDeProgrammes() {
             return !famille.equals(DEMANDES) && !famille.equals(INTERSECTIONS);
         }

@@ -116,8 +116,9 @@ final class Comptes {
             miroirs.add(new Sphere(((Sphere) objet).getCentre(), ((Sphere) objet).getRayon()));
             miroirs.get(miroirs.size() - 1).setKs(new Couleur(1));
         }
-        Planche planche = new Planche("", "10 000 petites boules, toutes des miroirs parfaits, sans lampe : chaque pixel est le ciel vu au "
-                + "bout de la chaîne. " + petite + ". make mesures").taille(Style.LARGEUR, 1000);
+        Planche planche = new Planche("Deux programmes justes, en double, ne donnent pas la même image", "10 000 petites boules, toutes "
+                + "des miroirs parfaits, sans lampe : chaque pixel est le ciel vu au bout de la chaîne. " + petite + ". make mesures")
+                .taille(Style.LARGEUR, 1000);
         for (int reflets : new int[] {Constantes.MAX_REFLETS, REFLETS}) {
             SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
                     petite.largeur, petite.hauteur);
@@ -133,9 +134,7 @@ final class Comptes {
             }
             planche.vignette(image(notre, petite), "lancer, " + reflets + " reflets", "")
                     .vignette(image(sienne, petite), "POV-Ray, " + reflets + " reflets", "")
-                    .vignette(ecart, "où ils diffèrent de plus de " + Gabarit.VISIBLE + " niveaux", Style.arrondi(part) + " % des pixels")
-                    .titre("Deux programmes justes, en double : à " + reflets + " reflets, " + Style.arrondi(part)
-                    + " % des pixels n'ont pas la même couleur");
+                    .vignette(ecart, "où ils diffèrent de plus de " + Gabarit.VISIBLE + " niveaux", Style.arrondi(part) + " % des pixels");
         }
         planche.ecrire(dossier.resolve(PROGRAMMES));
     }

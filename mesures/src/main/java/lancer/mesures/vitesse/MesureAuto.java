@@ -39,8 +39,6 @@ import lancer.scene.SectionLue;
  * Mesure de {@code --auto erreur=E} : l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont les scènes livrées, et d'autres qui
  * rendent le choix difficile. L'erreur de l'image choisie est comparée à la référence et au verdict du programme. Les rayons du dessin sont
  * comparés à ceux du réglage le moins cher qui tient l'erreur ({@link Oracle}).
- *
- * <p>Commande : {@code java -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto FICHIER.csv [GRAINE COMBIEN]}.
  */
 public final class MesureAuto {
 
