@@ -78,7 +78,7 @@ class NomsTest extends ClasseEssai {
         List<String> dit = Files.readAllLines(dossier.resolve("dit"));
         assertEquals(1, dit.size(), dit.toString());
         contient(dit.get(0), "rien n'a été exécuté : bwrap n'", "SANS_CONFINEMENT=1 (--sans-confinement)");
-        contient(Files.readString(DOCUMENT), "Sans `bwrap` (Windows, Mac), rien n'est exécuté et le statut est 1 ;",
+        contient(Files.readString(DOCUMENT), "Sans `bwrap` (Windows, Mac), rien n'est exécuté et le statut est 1",
                 "`SANS_CONFINEMENT=1`");
     }
 
