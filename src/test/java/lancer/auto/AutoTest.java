@@ -28,6 +28,7 @@ import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.Dessin;
+import lancer.essai.Plan;
 import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,28 +75,14 @@ class AutoTest {
     }
 
     /** Un mur sans fin qui luit et reflète : entre deux, un rayon ne s'arrête jamais. */
-    private static final class Mur extends Objet3D {
+    private static final class Mur extends Plan {
 
-        private final double z;
         private final double lueur;
 
         Mur(double z, double ks, double lueur) {
-            this.z = z;
+            super(new Point(0, 0, z), new Vecteur(0, 0, -Math.signum(z)));
             this.lueur = lueur;
             setKs(new Couleur(ks));
-        }
-
-        @Override
-        public double getIntersectionDistance(Rayon incident) {
-            double t = (z - incident.getP().z) / incident.getV().z;
-            double d = t > 0 ? t : Double.POSITIVE_INFINITY;
-            incident.setContact(this, d);
-            return d;
-        }
-
-        @Override
-        public Vecteur getNormale(Point contact) {
-            return new Vecteur(0, 0, -Math.signum(z));
         }
 
         @Override

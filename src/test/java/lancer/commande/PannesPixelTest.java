@@ -10,14 +10,13 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.essai.Plan;
 import lancer.rapide.Preparation;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
@@ -28,26 +27,20 @@ class PannesPixelTest {
     private static final Camera CAMERA = new Camera(40, 30);
 
     /** Un mur dont la normale échoue d'un seul côté. */
-    private static final class Mur extends Objet3D {
+    private static final class Mur extends Plan {
 
         private final Vecteur normale;
 
         Mur(Vecteur normale) {
+            super(new Point(0, 0, 8), new Vecteur(0, 0, -1));
             this.normale = normale;
             setKd(new Couleur(1));
         }
 
         @Override
-        public double getIntersectionDistance(Rayon incident) {
-            double d = (8 - incident.getP().z) / incident.getV().z;
-            incident.setContact(this, d);
-            return d;
-        }
-
-        @Override
         public Vecteur getNormale(Point contact) {
             if (contact.x < 0) {
-                return new Vecteur(0, 0, -1);
+                return super.getNormale(contact);
             }
             if (normale == null) {
                 throw new IllegalStateException("pas encore écrit");

@@ -20,6 +20,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.essai.Plan;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
@@ -146,19 +147,7 @@ class ExigencesTest {
         /** Une forme nouvelle n'a que deux méthodes à donner ; son contact est alors P + t V, tel quel. */
         @Test
         void sansPointDeSurfaceGardeSonContact() {
-            Objet3D plan = new Objet3D() {
-                @Override
-                public double getIntersectionDistance(Rayon incident) {
-                    double t = (7 - incident.getP().z) / incident.getV().z;
-                    incident.setContact(this, t);
-                    return t;
-                }
-
-                @Override
-                public Vecteur getNormale(Point contact) {
-                    return new Vecteur(0, 0, -1);
-                }
-            };
+            Objet3D plan = new Plan(new Point(0, 0, 7), new Vecteur(0, 0, -1));
             Rayon rayon = new Rayon(new Point(1, 2, 3), new Point(1, 5, 7));
             plan.getIntersectionDistance(rayon);
             PointContact contact = rayon.calcContact();

@@ -12,11 +12,11 @@ import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.essai.Plan;
 import lancer.texte.Texte;
 import org.junit.jupiter.api.Test;
 
@@ -26,23 +26,12 @@ class DiagnosticTest {
     private static final Camera CAMERA = new Camera(4, 3);
 
     /** Un mur en z = 8, et ce qu'on lui fait dire de faux. */
-    private static class Mur extends Objet3D {
+    private static class Mur extends Plan {
 
         Mur() {
+            super(new Point(0, 0, 8), new Vecteur(0, 0, -1));
             setKd(new Couleur(0.5));
             setKs(new Couleur(0.5));
-        }
-
-        @Override
-        public double getIntersectionDistance(Rayon incident) {
-            double d = incident.getV().z > 0 ? (8 - incident.getP().z) / incident.getV().z : Double.POSITIVE_INFINITY;
-            incident.setContact(this, d);
-            return d;
-        }
-
-        @Override
-        public Vecteur getNormale(Point contact) {
-            return new Vecteur(0, 0, -1);
         }
     }
 

@@ -21,14 +21,11 @@ public enum Formule {
      */
     MANUEL {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double fx = px - cx;
-            double fy = py - cy;
-            double fz = pz - cz;
-            double a = vx * vx + vy * vy + vz * vz;
-            double b = 2 * (vx * fx + vy * fy + vz * fz);
-            double c = fx * fx + fy * fy + fz * fz - r * r;
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            Vecteur f = P.sub(C);
+            double a = V.dot(V);
+            double b = 2 * V.dot(f);
+            double c = f.dot(f) - r * r;
             double discriminant = b * b - 4 * a * c;
             if (discriminant < 0) {
                 return Constantes.INFINI;
@@ -41,14 +38,11 @@ public enum Formule {
     /** Le même discriminant, mais la racine q = −(b + signe(b)√Δ)/2 puis t = q/a ou c/q : rien ne s'y soustrait… après Δ. */
     RACINES {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double fx = px - cx;
-            double fy = py - cy;
-            double fz = pz - cz;
-            double a = vx * vx + vy * vy + vz * vz;
-            double b = 2 * (vx * fx + vy * fy + vz * fz);
-            double c = fx * fx + fy * fy + fz * fz - r * r;
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            Vecteur f = P.sub(C);
+            double a = V.dot(V);
+            double b = 2 * V.dot(f);
+            double c = f.dot(f) - r * r;
             double discriminant = b * b - 4 * a * c;
             if (discriminant < 0) {
                 return Constantes.INFINI;
@@ -61,16 +55,11 @@ public enum Formule {
     /** La perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les racines telles quelles. */
     PERPENDICULAIRE {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double fx = cx - px;
-            double fy = cy - py;
-            double fz = cz - pz;
-            double b = fx * vx + fy * vy + fz * vz;
-            double lx = fx - b * vx;
-            double ly = fy - b * vy;
-            double lz = fz - b * vz;
-            double h2 = r * r - (lx * lx + ly * ly + lz * lz);
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            Vecteur f = C.sub(P);
+            double b = f.dot(V);
+            Vecteur l = f.sub(V.mul(b));
+            double h2 = r * r - l.dot(l);
             if (h2 < 0) {
                 return Constantes.INFINI;
             }
@@ -82,41 +71,37 @@ public enum Formule {
     /** Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34). */
     REPRISE {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            double avance = Math.max(0, (cx - px) * vx + (cy - py) * vy + (cz - pz) * vz - r);
-            return avance + MANUEL.distance(px + avance * vx, py + avance * vy, pz + avance * vz, vx, vy, vz, cx, cy, cz, r);
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            double avance = Math.max(0, C.sub(P).dot(V) - r);
+            return avance + MANUEL.distance(P.add(avance, V), V, C, r);
         }
     },
 
     /** La nôtre, telle que le programme l'appelle. */
     PROGRAMME {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            return Intersection.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            return Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
         }
     },
 
     /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
     COMPENSEE {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            return IntersectionCompensee.distance(px, py, pz, vx, vy, vz, cx, cy, cz, r);
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            return IntersectionCompensee.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
         }
     },
 
     /** Celle du manuel, racines stables, chaque nombre étant la somme de deux doubles : P − C et tout ce qui le suit. */
     DEUX_DOUBLES {
         @Override
-        public double distance(double px, double py, double pz, double vx, double vy, double vz,
-                double cx, double cy, double cz, double r) {
-            DeuxDoubles fx = DeuxDoubles.difference(cx, px);
-            DeuxDoubles fy = DeuxDoubles.difference(cy, py);
-            DeuxDoubles fz = DeuxDoubles.difference(cz, pz);
-            DeuxDoubles a = DeuxDoubles.carre(vx).plus(DeuxDoubles.carre(vy)).plus(DeuxDoubles.carre(vz));
-            DeuxDoubles b = fx.fois(vx).plus(fy.fois(vy)).plus(fz.fois(vz));
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            DeuxDoubles fx = DeuxDoubles.difference(C.x, P.x);
+            DeuxDoubles fy = DeuxDoubles.difference(C.y, P.y);
+            DeuxDoubles fz = DeuxDoubles.difference(C.z, P.z);
+            DeuxDoubles a = DeuxDoubles.carre(V.x).plus(DeuxDoubles.carre(V.y)).plus(DeuxDoubles.carre(V.z));
+            DeuxDoubles b = fx.fois(V.x).plus(fy.fois(V.y)).plus(fz.fois(V.z));
             DeuxDoubles c = fx.fois(fx).plus(fy.fois(fy)).plus(fz.fois(fz)).moins(DeuxDoubles.carre(r));
             DeuxDoubles discriminant = b.fois(b).moins(a.fois(c));
             if (discriminant.haut < 0) {
@@ -132,12 +117,7 @@ public enum Formule {
         }
     };
 
-    public abstract double distance(double px, double py, double pz, double vx, double vy, double vz,
-            double cx, double cy, double cz, double r);
-
-    public final double distance(Point P, Vecteur V, Point C, double r) {
-        return distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
-    }
+    public abstract double distance(Point P, Vecteur V, Point C, double r);
 
     private static double premiere(double t1, double t2) {
         return t1 > 0 ? t1 : t2 > 0 ? t2 : Constantes.INFINI;

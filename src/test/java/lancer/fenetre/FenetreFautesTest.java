@@ -18,12 +18,12 @@ import java.util.stream.IntStream;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import lancer.Couleur;
-import lancer.Objet3D;
 import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.essai.Plan;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -34,24 +34,13 @@ class FenetreFautesTest extends EssaiInspecteur {
     private static final int NOIR = 0xFF000000;
 
     /** Un mur au fond, dont la classe échoue où l'on veut ; ailleurs, il est gris. */
-    private static final class Mur extends Objet3D {
+    private static final class Mur extends Plan {
 
         private final boolean partout;
 
         Mur(boolean partout) {
+            super(new lancer.Point(0, 0, 50), new Vecteur(0, 0, -1));
             this.partout = partout;
-        }
-
-        @Override
-        public double getIntersectionDistance(Rayon incident) {
-            double d = incident.getV().z > 0 ? (50 - incident.getP().z) / incident.getV().z : Double.POSITIVE_INFINITY;
-            incident.setContact(this, d);
-            return d;
-        }
-
-        @Override
-        public Vecteur getNormale(lancer.Point contact) {
-            return new Vecteur(0, 0, -1);
         }
 
         @Override

@@ -13,6 +13,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.essai.Plan;
 
 /** Des scènes faites pour nuire : chacune attaque un raccourci. Toujours les mêmes, le hasard a sa graine. */
 final class ScenesDEssai {
@@ -293,7 +294,7 @@ final class ScenesDEssai {
     }
 
     private ScenesDEssai plan(double hauteur) {
-        objets.add(peint(new Plan(hauteur)));
+        objets.add(peint(new Plan(new Point(0, hauteur, 0), new Vecteur(0, 1, 0))));
         return this;
     }
 
@@ -313,28 +314,6 @@ final class ScenesDEssai {
             objets.get(k).setNs(k % 4 == 0 ? 0 : 5);
         }
         return this;
-    }
-
-    /** Le plan horizontal qu'écrirait un élève. */
-    static final class Plan extends Objet3D {
-        private final double hauteur;
-
-        Plan(double hauteur) {
-            this.hauteur = hauteur;
-        }
-
-        @Override
-        public double getIntersectionDistance(Rayon incident) {
-            double t = (hauteur - incident.getP().y) / incident.getV().y;
-            double d = t > 0 ? t : Double.POSITIVE_INFINITY;
-            incident.setContact(this, d);
-            return d;
-        }
-
-        @Override
-        public Vecteur getNormale(Point contact) {
-            return new Vecteur(0, 1, 0);
-        }
     }
 
     /** Une sphère dont on ne voit que le haut. */
