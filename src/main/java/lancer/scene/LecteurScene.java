@@ -37,7 +37,8 @@ public final class LecteurScene {
     private static final int PALETTE_MAX = 256;
 
     /** Les clés de la matière, permises dans la section de toute forme. */
-    public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
+    public static final List<String> CLES_MATIERE =
+            Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
