@@ -42,14 +42,18 @@ class RetenuTest {
         {"Sphere", "this.centre = centre;", "rayon > 0", "--fils=1", "lecture de"},
         {"Objet3D", "Vecteur V = incident.getV();", "profondeur > 0", "--auto=erreur=2", "pixel \\d+, \\d+ de"}};
 
+    /** Les cas se jugent ensemble : chacun attend dix secondes. */
     @Test
-    void leProgrammeSArreteEtNommeLaLigneQuiLeRetient() throws Exception {
+    void leProgrammeNommeLaLigneQuiLeRetientEtNeSArreteQueSiRienNAvance() throws Exception {
+        Path attendue = dossier.resolve("attendue.png");
+        assertEquals(0, Essai.executer("--taille=40x30", "--image", attendue.toString(), SCENE).code);
         List<Callable<Void>> essais = new ArrayList<>();
+        essais.add(() -> essayerUnPixelLentDontLesRayonsAvancent(attendue));
         for (String[] cas : CAS) {
             Path sien = Files.createDirectories(dossier.resolve("cas" + essais.size()));
             essais.add(() -> essayer(sien, cas));
         }
-        ExecutorService fils = Executors.newFixedThreadPool(CAS.length);
+        ExecutorService fils = Executors.newFixedThreadPool(essais.size());
         try {
             for (Future<Void> essai : fils.invokeAll(essais)) {
                 essai.get();
@@ -73,11 +77,9 @@ class RetenuTest {
         return null;
     }
 
-    @Test
-    void unPixelLentDontLesRayonsAvancentEstNommeEtDessineCommeUnAutre() throws IOException {
+    /** Il est nommé, et dessiné comme un autre. */
+    private Void essayerUnPixelLentDontLesRayonsAvancent(Path attendue) throws IOException {
         Path image = dossier.resolve("i.png");
-        Path attendue = dossier.resolve("attendue.png");
-        assertEquals(0, Essai.executer("--taille=40x30", "--image", attendue.toString(), SCENE).code);
         try (Essai.Isole programme = Modification.de(dossier, "Lancer", "Rayon initial =", "for (int k = 0; xe == 20.5 && ye == 15.5 "
                 + "&& k < 130; k++) { scene.getCompteurs().ombre++; java.util.concurrent.locks.LockSupport.parkNanos(100_000_000); }"
                 + "Rayon initial =")) {
@@ -88,5 +90,6 @@ class RetenuTest {
             assertEquals(1, essai.erreur.trim().split("\n").length, essai.erreur);
         }
         assertArrayEquals(Files.readAllBytes(attendue), Files.readAllBytes(image));
+        return null;
     }
 }
