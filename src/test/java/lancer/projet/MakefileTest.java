@@ -51,7 +51,7 @@ class MakefileTest extends EssaiProcessus {
     private String scene(String variante) throws IOException, InterruptedException {
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
                 "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
         return sortie().trim();
     }
@@ -78,7 +78,7 @@ class MakefileTest extends EssaiProcessus {
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
                 "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "BASE=./target/lancer.jar", "--eval",
                 "essai:;@$(call actualiser,neuves,images)", "essai"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
         assertEquals("changée : autre.png\nchangée : nouvelle.png\n", sortie());
         assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
@@ -95,7 +95,7 @@ class MakefileTest extends EssaiProcessus {
                 + ">> target/pit-reports/mutations.csv\n").getBytes());
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
                 "-I", new File("").getAbsolutePath(), "MVN=sh pit", "mutations"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
         assertTrue(sortie().contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
     }
@@ -107,7 +107,7 @@ class MakefileTest extends EssaiProcessus {
         // à la place d'un dossier en lecture seule, où root écrirait
         Files.write(dossier.resolve("target"), new byte[1]);
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(2, statut(make));
         assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"),
                 erreur());
@@ -136,7 +136,7 @@ class MakefileTest extends EssaiProcessus {
     private void verifierListe() throws IOException, InterruptedException {
         Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"), StandardCopyOption.REPLACE_EXISTING);
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS"));
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
     }
 }
