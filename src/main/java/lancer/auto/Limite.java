@@ -22,7 +22,7 @@ final class Limite {
         this.seuil = seuil;
     }
 
-    /** Limites, de la plus étroite à la plus large. @param reflets {@code null} : à choisir ; de même le seuil */
+    /** Limites, de la plus étroite à la plus large. Un argument {@code null} est à choisir. */
     static Limite[] permises(Integer reflets, Double seuil) {
         return Arrays.stream(seuil == null ? SEUILS : new double[] {seuil})
                 .mapToObj(s -> new Limite(reflets == null ? Essais.PROFONDEUR : reflets, s)).toArray(Limite[]::new);
