@@ -9,7 +9,7 @@ public class Sphere extends Objet3D {
     /** Normale que {@link #getNormale} rend au centre, où aucune n'est définie. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    /** Rayon de sphère au-delà duquel corriger un contact proche l'éloignerait de la surface. */
+    /** Rayon de sphère au-delà duquel une correction éloignerait de la surface un contact proche. */
     private static final double GEANTE = 1e8;
 
     private final Point centre;

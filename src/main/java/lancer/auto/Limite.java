@@ -7,7 +7,7 @@ import java.util.Arrays;
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
-    /** Nombre de pixels des essais, et part du carré de l'erreur voulue que les reflets peuvent prendre. */
+    /** Nombre de pixels des essais, et part du carré de l'erreur voulue que celui des reflets peut atteindre. */
     private static final int PIXELS = 500;
     private static final double PART = 0.15;
 

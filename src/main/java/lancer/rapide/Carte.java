@@ -95,7 +95,7 @@ final class Carte implements Intersections, Occultations {
 
     /**
      * Compte une sphère dans chaque case que touche sa silhouette, sauf au-delà d'une coupe. La place dans les cases si
-     * {@link #entrees} existe. Les sphères sont comptées par distance croissante : une coupe n'ôte aucune sphère.
+     * {@link #entrees} existe. Les sphères sont comptées par distance croissante : aucune coupe n'en retire ensuite.
      *
      * @param cle voir {@link #parDistance}
      * @return le nombre de cases examinées

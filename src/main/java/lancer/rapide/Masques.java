@@ -71,7 +71,7 @@ final class Masques implements Intersections {
     }
 
     /**
-     * Note les sphères b que peut rencontrer un rayon qui part de la sphère a : l'angle de sa direction et de AB est au
+     * Note les sphères b que peut rencontrer un rayon parti de la sphère a. L'angle de sa direction et de AB est au
      * plus asin((rA + rB) / AB). Dans un cube de centre c et de demi-côté h, le cosinus d'une direction avec w est au
      * plus c·w + h(|wx| + |wy| + |wz|).
      */

@@ -29,8 +29,8 @@ public final class Preparation implements IntConsumer, Calcul {
     private static final int DEUX = 2;
 
     /**
-     * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène sans structure : les
-     * boucles du cours y finissent avant une construction et son sondage ({@code make mesure-processus}).
+     * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène. Les boucles du cours y
+     * finissent avant la construction d'une structure et son sondage ({@code make mesure-processus}).
      */
     private static final long VITE_FAIT = 1 << 20;
 
