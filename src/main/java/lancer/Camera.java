@@ -51,7 +51,7 @@ public class Camera {
         return new Point(getX(xe), getY(ye), 0);
     }
 
-    /** Le point de l'image où l'œil voit p : x et y en pixels ; z, le nombre de pixels d'une unité, là où est p. */
+    /** Le point de l'image où l'œil voit p : x et y, en pixels ; z est le nombre de pixels d'une unité en p. */
     public Point projeter(Point p) {
         Point oeil = getOeil();
         double pixels = (getEcran(0, 0).z - oeil.z) / (p.z - oeil.z) * largeur / Constantes.ECHELLE;

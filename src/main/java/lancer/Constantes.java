@@ -43,7 +43,7 @@ public final class Constantes {
     /** Couleur du ciel à l'horizon ; vers le zénith, elle tend vers le bleu pur (cours, « Ciel »). */
     public static final Couleur CIEL = new Couleur(0.7, 0.7, 1);
 
-    /** Couleur du sol à l'horizon, et ce que perd sa composante verte de l'horizon à la verticale. */
+    /** Couleur du sol à l'horizon, puis baisse de sa composante verte de l'horizon à la verticale. */
     public static final Couleur SOL = new Couleur(0.5, 0.4, 0.1);
     public static final double SOL_ASSOMBRI = 0.2;
 

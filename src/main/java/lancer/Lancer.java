@@ -18,7 +18,7 @@ import lancer.fils.Fautes;
 import lancer.fils.Retenu;
 
 /**
- * L'algorithme qui fait une image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
+ * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
  * plusieurs fils se partagent ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
  */
 public final class Lancer implements Calcul {
@@ -189,13 +189,13 @@ public final class Lancer implements Calcul {
         }
     }
 
-    /** {@inheritDoc} C'est le rang du pixel. */
+    /** {@inheritDoc} Ici, c'est le rang du pixel. */
     @Override
     public long getLieu() {
         return (long) ye * camera.getLargeur() + (long) xe;
     }
 
-    /** {@inheritDoc} C'est le nombre de rayons de toutes sortes. */
+    /** {@inheritDoc} Ici, c'est le nombre de rayons de toutes sortes. */
     @Override
     public long getProgres(Thread fil) {
         return rayons();

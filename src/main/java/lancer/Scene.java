@@ -68,7 +68,7 @@ public final class Scene {
     /**
      * Le contact le plus proche sur ce rayon. Le rayon le retient à la place du précédent.
      *
-     * @param saufLui l'objet d'où part le rayon, ou {@code null} : un arrondi pourrait les faire se toucher
+     * @param saufLui l'objet d'où part le rayon, ou {@code null} ; un arrondi pourrait le faire toucher de nouveau
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
@@ -165,7 +165,7 @@ public final class Scene {
         return vue;
     }
 
-    /** La somme, encore noire, de la lumière d'un contact de normale N, où R est la direction réfléchie. */
+    /** La lumière, encore nulle, d'un contact. @param N sa normale @param R la direction réfléchie */
     Lumiere getLumiere(Vecteur N, Vecteur R) {
         return new Lumiere(modele.getEcoute(), N, R, modele.getSeuil());
     }

@@ -9,7 +9,7 @@ public class Sphere extends Objet3D {
     /** Normale que {@link #getNormale} rend au centre, où aucune n'est définie. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    /** Rayon de sphère au-delà duquel corriger un contact proche l'éloignerait de la surface. */
+    /** Rayon de sphère au-delà duquel une correction éloignerait de la surface un contact proche. */
     private static final double GEANTE = 1e8;
 
     private final Point centre;
@@ -44,8 +44,8 @@ public class Sphere extends Objet3D {
 
     /**
      * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C). Soit u l'arrondi unité :
-     * l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. Celui de X = P + tV est
-     * de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre et un
+     * l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. L'écart de X = P + tV
+     * est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre et un
      * point qui n'est pas fini sont rendus tels quels.
      */
     @Override
@@ -63,13 +63,13 @@ public class Sphere extends Objet3D {
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
 
-    /** {@inheritDoc} Si la sphère est géante et que t est inférieur à son rayon, P + tV est plus juste : à 2 u t. */
+    /** {@inheritDoc} Si la sphère est géante et que t est inférieur à r, P + tV est plus juste, à 2 u t près. */
     @Override
     Point getPointDeSurface(Point contact, double distance) {
         return rayon > GEANTE && distance < rayon ? contact : getPointDeSurface(contact);
     }
 
-    /** {@inheritDoc} Au centre, que peut atteindre un contact arrondi, la normale est par convention (0, 0, −1). */
+    /** {@inheritDoc} Un arrondi peut placer le contact au centre : la normale y est, par convention, (0, 0, −1). */
     @Override
     public Vecteur getNormale(Point contact) {
         double k = 1 / rayon;

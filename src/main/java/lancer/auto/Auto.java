@@ -17,9 +17,9 @@ import lancer.contrat.Toile;
 import lancer.contrat.Variante;
 
 /**
- * {@code --auto} : choisit le réglage le moins cher dont l'erreur est celle voulue, d'après des essais sur quelques
- * pixels. L'erreur de l'image dessinée est ensuite mesurée sur d'autres pixels. Le choix ne dépend que de la scène, de
- * la taille et de l'erreur voulue.
+ * {@code --auto} : choisit le réglage le moins cher dont l'erreur ne dépasse pas l'erreur voulue, d'après des essais
+ * sur quelques pixels. L'erreur de l'image dessinée est ensuite mesurée sur d'autres pixels. Le choix ne dépend que de
+ * la scène, de la taille et de l'erreur voulue.
  */
 public final class Auto {
 
@@ -32,7 +32,7 @@ public final class Auto {
     private static final double LIMITES = 0.35;
     private static final double REFERENCES = 0.55;
     private static final double CHOIX = 0.85;
-    /** Écart type du carré d'une erreur, en fois ce carré : d'un réglage au suivant, puis d'une scène à l'autre. */
+    /** Écart type relatif du carré d'une erreur : d'un réglage au suivant, puis d'une scène à l'autre. */
     private static final double DISPERSION = 0.35;
     private static final double DIVERSITE = 2;
     /** L'essai est inutile si l'erreur attendue, moins ce nombre d'écarts types, dépasse l'erreur voulue. */
@@ -101,7 +101,7 @@ public final class Auto {
         return voulue == 0 ? Double.MAX_VALUE : part * permis - essais.rayons.get();
     }
 
-    /** Essaie les réglages du moins cher au plus juste, jusqu'au premier dont l'erreur maximale est celle voulue. */
+    /** Essaie les réglages du moins cher au plus juste, jusqu'au premier dont l'erreur maximale convient. */
     private Candidat choisir(Consumer<Auto> suivi) {
         ReglagePropose avant = proposes.keySet().iterator().next();
         double carre = avant.erreur * avant.erreur;

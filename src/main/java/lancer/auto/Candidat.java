@@ -6,7 +6,7 @@ import lancer.contrat.Section;
 /** Un réglage essayé : son échantillonnage, sa limite des reflets, son erreur attendue et son prix. Immuable. */
 public final class Candidat {
 
-    /** Nombre d'écarts types entre l'erreur attendue et ses bornes, où elle est neuf fois sur dix (loi normale). */
+    /** Nombre d'écarts types de l'erreur attendue à ses bornes, justes neuf fois sur dix (loi normale). */
     static final double PRUDENCE = 1.64;
     /** Réflexions, seuil des reflets, section de la variante d'échantillonnage, ou {@code null} sans section. */
     public final int reflets;

@@ -17,7 +17,7 @@ final class Essais {
     /** Profondeur et seuil d'un rayon sans limite : au-dessous de ce produit des Ks, un reflet est invisible. */
     static final int PROFONDEUR = 1000;
     static final double SANS_LIMITE = 1e-9;
-    /** Nombre des premiers essais, et part des rayons restants que les suivants peuvent utiliser d'après leur prix. */
+    /** Nombre des premiers essais, qui donnent un prix ; part des rayons restants permise aux essais suivants. */
     private static final int PREMIERS = 4;
     private static final double PRUDENCE = 0.9;
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
 final class Limite {
 
     private static final double[] SEUILS = {1.0 / 16, 1.0 / 64, 1.0 / 256, 0};
-    /** Nombre de pixels des essais, et part du carré de l'erreur voulue que les reflets peuvent prendre. */
+    /** Nombre de pixels des essais, et part du carré de l'erreur voulue que celui des reflets peut atteindre. */
     private static final int PIXELS = 500;
     private static final double PART = 0.15;
 
@@ -22,7 +22,7 @@ final class Limite {
         this.seuil = seuil;
     }
 
-    /** Limites, de la plus étroite à la plus large. @param reflets {@code null} : à choisir ; de même le seuil */
+    /** Limites, de la plus étroite à la plus large. Un argument {@code null} est à choisir. */
     static Limite[] permises(Integer reflets, Double seuil) {
         return Arrays.stream(seuil == null ? SEUILS : new double[] {seuil})
                 .mapToObj(s -> new Limite(reflets == null ? Essais.PROFONDEUR : reflets, s)).toArray(Limite[]::new);

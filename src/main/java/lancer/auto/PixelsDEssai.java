@@ -25,7 +25,7 @@ final class PixelsDEssai {
     /** Nombre de pixels à tirer : {@code TIRES}, ou {@code PAR_RACINE} fois la racine quatrième du nombre total. */
     private static final int TIRES = 170;
     private static final double PAR_RACINE = 13;
-    /** Part maximale des petits objets parmi eux ; nombre de pixels dessinés au-dessous duquel rien n'est estimé. */
+    /** Part maximale des petits objets parmi ces pixels ; nombre minimal de pixels dessinés pour une estimation. */
     private static final double PETITS = 0.25;
     private static final int TIRES_MIN = 12;
 

@@ -8,7 +8,7 @@ public final class Compteurs {
     public long ombre;
     public long reflechis;
 
-    /** Intersections calculées ; parmi elles, sauf par les boucles du cours, celles dont la forme directe doute. */
+    /** Intersections calculées ; parmi celles de la recherche rapide, celles dont la forme directe est en doute. */
     public long testsSpheres;
     public long testsPrecis;
 

@@ -5,7 +5,7 @@ import lancer.Camera;
 import lancer.Objet3D;
 
 /**
- * Choix des points de l'écran dont un pavé prend les couleurs, au lieu du seul centre de chaque pixel. Les pixels
+ * Choix des points de l'écran qui donnent les couleurs d'un pavé, au lieu du seul centre de chaque pixel. Les pixels
  * voisins d'un pavé partagent des points. Tous les fils appellent le même objet, qui n'a pas d'état.
  */
 public interface Echantillonnage {

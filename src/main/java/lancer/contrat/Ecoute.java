@@ -32,7 +32,7 @@ public final class Ecoute {
 
         public final List<Eclairage> lampes = new ArrayList<>();
 
-        /** Termes de la somme, dans l'ordre : avant les lampes, chaque lampe, le rayon réfléchi ; terme en cours. */
+        /** Termes dans l'ordre : un avant les lampes, un par lampe, celui du rayon réfléchi ; puis terme en cours. */
         public final List<Eclairage> termes = new ArrayList<>();
         public Eclairage enCours = suivre(new Eclairage(null, null, 0));
 
@@ -60,7 +60,7 @@ public final class Ecoute {
             return terme;
         }
 
-        /** Somme du contact moins les termes notés, dans l'ordre ; noire s'ils la donnent au bit près. */
+        /** Couleur du contact, moins la somme des termes notés ; noire si les deux sont égales au bit près. */
         public Couleur inconnue() {
             Couleur connue = termes.stream().flatMap(terme -> terme.ajouts.stream()).reduce(new Couleur(),
                     (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));

@@ -103,7 +103,7 @@ public final class Modele {
         this.recherche = recherche;
     }
 
-    /** Plus petite valeur de la plus grande composante du produit des Ks pour laquelle un rayon réfléchi est lancé. */
+    /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */
     public double getSeuil() {
         return seuil;
     }

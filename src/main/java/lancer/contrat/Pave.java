@@ -19,7 +19,7 @@ public final class Pave {
         this.j1 = j1;
     }
 
-    /** Nombre de pavés de ce côté, en pixels, dans l'image. */
+    /** Nombre de pavés de l'image. @param cote leur côté, en pixels */
     public static int nombre(int largeur, int hauteur, int cote) {
         return enColonnes(largeur, cote) * enColonnes(hauteur, cote);
     }

@@ -35,7 +35,7 @@ public final class PixelFautif extends RuntimeException {
         return pile.length > 0 ? pile : PILES.get(getCause().getClass());
     }
 
-    /** @throws PixelFautif si cette couleur, qui est rendue, est nulle ou a une composante qui n'est pas finie */
+    /** Rend cette couleur. @throws PixelFautif si elle est {@code null} ou si une composante n'est pas finie */
     public static Couleur verifier(Couleur couleur, double xe, double ye) {
         if (couleur == null || !couleur.estFinie()) {
             throw new PixelFautif(xe, ye,

@@ -101,7 +101,7 @@ public abstract class Section {
     /** La valeur de cette clé, comme dans le fichier, ou {@code null}. Cette lecture ne rend pas la clé connue. */
     public abstract String valeur(String cle);
 
-    /** Section identique, où {@code cle} vaut {@code valeur}, sans la clé {@code sans}, ou {@code null}. */
+    /** Section identique, où {@code cle} vaut {@code valeur}. @param sans clé à ôter, ou {@code null} */
     public abstract Section avec(String cle, String valeur, String sans);
 
     /** Texte de la section, comme dans un fichier, avec {@code separateur} entre deux clés. */

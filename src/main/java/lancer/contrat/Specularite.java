@@ -44,7 +44,7 @@ public interface Specularite {
         return resultat;
     }
 
-    /** Base de la {@link #puissance}, pour l'inspecteur, comme les deux méthodes suivantes ; NaN s'il n'y en a pas. */
+    /** Base de la {@link #puissance} ; NaN sans elle. L'inspecteur appelle cette méthode et les deux suivantes. */
     default double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
         return Double.NaN;
     }

@@ -36,7 +36,7 @@ public final class ReglagesDessin {
     /** Types des variantes débranchées, quelle que soit leur casse. */
     private final SortedSet<String> debranchees;
 
-    /** Réglages de la ligne de commande et du fichier ; {@code null} si ces réglages-ci en viennent. */
+    /** Réglages de la ligne de commande et du fichier ; {@code null} si ce sont ceux-ci. */
     private final ReglagesDessin initiaux;
 
     private ReglagesDessin(Etape etape, int reflets, double seuil, Map<Variante, Section> lues,
@@ -141,13 +141,13 @@ public final class ReglagesDessin {
         return getEssayees().keySet().stream().map(this::getSectionEntiere).findFirst().orElse(null);
     }
 
-    /** Les sections qui, écrites dans le fichier à la place des siennes, donneraient ces réglages. */
+    /** Les sections à écrire dans le fichier, à la place des siennes, pour obtenir ces réglages. */
     public List<Section> getSectionsChangees() {
         return lues.keySet().stream().filter(this::estBranchee).map(Variante::getSection).map(changees::get)
                 .filter(Objects::nonNull).collect(Collectors.toList());
     }
 
-    /** Réglages identiques, sauf ceux que donnent les arguments, comme les trois méthodes suivantes. */
+    /** Réglages identiques, sauf ceux des arguments. Les trois méthodes suivantes font de même. */
     public ReglagesDessin avec(int autresReflets, double autreSeuil) {
         return new ReglagesDessin(etape, autresReflets, autreSeuil, lues, changees, debranchees, initiaux());
     }
@@ -190,8 +190,8 @@ public final class ReglagesDessin {
     }
 
     /**
-     * Le modèle qu'appliquent ces réglages : chaque variante branchée y est installée. La section d'une variante
-     * débranchée est vérifiée aussi, si elle vient du fichier.
+     * Le modèle qu'appliquent ces réglages : chaque variante branchée y est installée. Si le fichier contient la
+     * section d'une variante débranchée, elle est vérifiée aussi.
      *
      * @throws lancer.SceneFautive si une section est refusée
      */

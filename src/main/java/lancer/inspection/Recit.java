@@ -64,7 +64,7 @@ public final class Recit {
         Objet3D depart = null;
         for (Segment suivante : pixel.getSegments()) {
             segment = suivante.numero;
-            // la couleur d'un contact vient avant le contact dont le reflet la voit
+            // un contact est écrit avant celui qui le reflète
             contacts.add(0, contact(suivante, rayon, depart));
             rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
             depart = rayon == null ? null : suivante.contact.objet;
@@ -169,7 +169,7 @@ public final class Recit {
         return titre.sur(lignes, false).choisissant(segment.numero, -1);
     }
 
-    /** Les termes d'une somme, en un mot chacun. */
+    /** Les termes d'une somme, un mot par terme. */
     private String resume(Segment segment) {
         if (segment.N == null) {
             return "";
@@ -245,7 +245,7 @@ public final class Recit {
                 ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", segment.poids)), true);
     }
 
-    /** Écrit que des facteurs donnent la dernière valeur ou, si leur produit est autre, qu'ils ne la donnent pas. */
+    /** Écrit si le produit des facteurs donne, ou ne donne pas, la dernière valeur. */
     private Noeud produit(String format, Couleur produit, Object... valeurs) {
         return dire(produit.equals(valeurs[valeurs.length - 1]) ? format
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);

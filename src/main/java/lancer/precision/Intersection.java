@@ -12,8 +12,8 @@ public final class Intersection {
     private static final double A_COTE = 1 + 0x1p-49;
 
     /**
-     * Si c dépasse cette part de |C − P|², la forme directe suffit. L'erreur de c est au plus 6 u |C − P|², donc celle
-     * de la distance au plus 24 u ; la tolérance est d'au moins 16 u. Sur 10⁵ tirages proches, l'erreur est de 12 u.
+     * Si c dépasse cette part de |C − P|², la forme directe suffit. L'erreur de c est au plus 6 u |C − P|². Celle de la
+     * distance est donc au plus 24 u ; la tolérance est d'au moins 16 u. Sur 10⁵ tirages proches, l'erreur est de 12 u.
      */
     private static final double SUR = 0.25;
 
@@ -34,8 +34,8 @@ public final class Intersection {
      * voisins est donc calculée en divisant c par l'autre. Si P est près de la surface, c lui-même soustrait deux
      * nombres voisins, et {@link IntersectionCompensee} refait le calcul.
      *
-     * <p>Erreur relative : au plus 8 u (1 + r/h), avec u = 2⁻⁵³, pour des longueurs de 1e-300 à 1e300. L'arrondi de la
-     * direction y est compris, et peut en causer presque la totalité. L'erreur mesurée en est au plus les trois quarts.
+     * <p>Erreur relative : au plus 8 u (1 + r/h), avec u = 2⁻⁵³, pour des longueurs de 1e-300 à 1e300. Cette borne
+     * comprend l'arrondi de la direction, parfois presque toute l'erreur. L'erreur mesurée est au plus 3/4 de la borne.
      */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
@@ -55,7 +55,7 @@ public final class Intersection {
         double lz = fz - b * vz;
         double l2 = lx * lx + ly * ly + lz * lz;
         double r2 = r * r;
-        // la négation donne « aucun contact » aussi pour NaN
+        // la négation donne aussi « aucun contact » pour NaN
         if (!(l2 <= r2 * A_COTE + Norme.CARRE_MIN)) {
             return Constantes.INFINI;
         }

@@ -11,10 +11,10 @@ import lancer.Constantes;
  * 4.2.2). Les longueurs sont coupées en morceaux dont les produits et les sommes sont exacts (Dekker, <i>A
  * floating-point technique for extending the available precision</i>, Numerische Mathematik 18, 1971). La coupe commune
  * est celle de Rump, Ogita et Oishi (<i>Accurate floating-point summation</i>, SIAM Journal on Scientific Computing 31,
- * 2008). Puis h² = b² − c : près de la surface, cette forme n'amplifie pas l'arrondi de la direction.
+ * 2008). Enfin, h² = b² − c. Près de la surface, cette forme n'amplifie pas l'arrondi de la direction.
  *
  * <p>Erreur relative de la distance : au plus 8 u (1 + r/h), avec u = 2⁻⁵³, arrondi de la direction compris. L'erreur
- * mesurée est inférieure à la moitié. Aucun objet n'est alloué.
+ * mesurée est inférieure à la moitié de cette borne. Aucun objet n'est alloué.
  */
 public final class IntersectionCompensee {
 
@@ -92,7 +92,7 @@ public final class IntersectionCompensee {
         return Math.abs(c) > ASSEZ * (r * r) ? c : finement(haut, pas, hx, hy, hz, hr, dx, dy, dz, dr, ex, ey, ez);
     }
 
-    /** Puissance quand presque tout s'annule : d et e sont coupés aussi, et moins de 2⁻⁷⁶ r² est arrondi. */
+    /** Puissance très proche de zéro : d et e sont coupés aussi, et seule une part sous 2⁻⁷⁶ r² est arrondie. */
     private static double finement(double haut, double pas, double hx, double hy, double hz, double hr,
             double dx, double dy, double dz, double dr, double ex, double ey, double ez) {
         double coupeD = COUPE_DU_RESTE * pas;

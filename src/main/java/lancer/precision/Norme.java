@@ -1,13 +1,13 @@
 package lancer.precision;
 
-/** Longueurs dont le carré est un nombre ordinaire, et autres longueurs. */
+/** Longueurs ordinaires, dont le carré ne déborde pas et ne perd pas de chiffres, et autres longueurs. */
 public final class Norme {
 
     /** Carrés de norme entre lesquels les carrés des composantes ne perdent pas de chiffres et ne débordent pas. */
     public static final double CARRE_MIN = 0x1.0p-900;
     public static final double CARRE_MAX = 0x1.0p1000;
 
-    /** Si le carré c d'une longueur s'écarte de 1 d'au plus cela, 1/√c = 1,5 − 0,5 c, au carré de l'écart près. */
+    /** Plus grand écart de 1 au carré c d'une longueur pour que 1/√c = 1,5 − 0,5 c, au carré de l'écart près. */
     public static final double PRESQUE_UN = 0x1p-27;
 
     /** Un rayon plus petit que cette part de la distance au centre est négligeable. */
@@ -25,7 +25,7 @@ public final class Norme {
         return r2 > CARRE_MIN && r2 + (x * x + y * y + z * z) < CARRE_MAX;
     }
 
-    /** La puissance de deux qui, multipliée, rend ces longueurs ordinaires ; 1 si elle est inutile ou impossible. */
+    /** Puissance de deux dont le produit par ces longueurs est ordinaire ; 1 si elle est inutile ou impossible. */
     public static double echelle(double x, double y, double z, double rayon) {
         if (sontOrdinaires(x, y, z, rayon)) {
             return 1;
@@ -39,7 +39,7 @@ public final class Norme {
     public static double ecart(double carre, double r) {
         double r2 = r * r;
         double e = (carre - r2) * (0.5 / r2);
-        // le carré de e est négligeable, sauf exception : ni racine, ni deuxième division
+        // le carré de e est presque toujours négligeable : cela évite une racine et une deuxième division
         return Math.abs(e) < ECART_PETIT ? e : 1 - r / Math.sqrt(carre);
     }
 }

@@ -8,8 +8,8 @@ import lancer.precision.Intersection;
 
 /**
  * Hiérarchie de boîtes englobantes (BVH), parcourue de la boîte la plus proche à la plus lointaine. Elle convient à
- * toute scène, quelles que soient les tailles et les positions. Elle répond aux rayons qu'une autre structure n'accepte
- * pas, ou quand le crédit est épuisé. Les {@link Noeuds} sont construits à la première demande.
+ * toute scène, quelles que soient les tailles et les positions. Elle répond si une autre structure n'accepte pas le
+ * rayon, ou si le crédit d'examens est épuisé. Les {@link Noeuds} sont construits à la première demande.
  *
  * <p>Une boîte n'est écartée que si aucune de ses sphères ne peut être le premier contact, arrondis compris.
  * {@link Intersection#distance} rend la distance exacte d'une sphère dont le rayon diffère d'au plus 16 u (|C − P| +

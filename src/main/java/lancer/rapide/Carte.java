@@ -95,7 +95,7 @@ final class Carte implements Intersections, Occultations {
 
     /**
      * Compte une sphère dans chaque case que touche sa silhouette, sauf au-delà d'une coupe. La place dans les cases si
-     * {@link #entrees} existe. Les sphères sont comptées par distance croissante : une coupe n'en ôte aucune.
+     * {@link #entrees} existe. Les sphères sont comptées par distance croissante : aucune coupe n'en retire ensuite.
      *
      * @param cle voir {@link #parDistance}
      * @return le nombre de cases examinées
@@ -184,7 +184,7 @@ final class Carte implements Intersections, Occultations {
         return Tri.parMoitieHaute(ordre);
     }
 
-    /** Premier contact dans la case. L'arbre répond aux rayons qui ne viennent pas de l'œil, ou faute de crédit. */
+    /** Premier contact dans la case. L'arbre répond si le rayon ne vient pas de l'œil, ou sans crédit. */
     @Override
     public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
             int sauf) {

@@ -20,7 +20,7 @@ final class Face {
     /** Plus grande ouverture d'une fenêtre, en u et v : 63 degrés de part et d'autre de l'axe. */
     static final double OUVERTURE = 2;
 
-    /** Si le point de vue est plus près de la surface, en part de la distance, la sphère est notée partout. */
+    /** Part de la distance au centre : si la surface est plus proche, la sphère est notée dans toutes les cases. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
 
     /** Distances entre lesquelles les carrés ne débordent pas. */

@@ -24,7 +24,7 @@ final class Grille implements Intersections {
 
     /**
      * Élargissement des sphères, relatif à la plus grande coordonnée. Il couvre les arrondis de {@link Noeuds#MARGE} et
-     * d'une traversée qui additionne ses pas, pour un départ au plus {@link #DEPART_MAX} fois plus loin que la grille.
+     * ceux d'une traversée par addition de pas. Un départ est au plus {@link #DEPART_MAX} fois plus loin que la grille.
      */
     private static final double MARGE = 0x1.0p-34;
     private static final double DEPART_MAX = 64;

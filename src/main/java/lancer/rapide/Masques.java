@@ -22,7 +22,7 @@ final class Masques implements Intersections {
     /** Côté d'une tuile de l'écran, en pixels. */
     private static final int TUILE = 8;
 
-    /** Élargissement des sphères de départ ou éclairées, en part des longueurs ; pour un départ, sa moitié. */
+    /** Élargissement d'une sphère de départ ou éclairée, en part des longueurs ; un départ en vérifie la moitié. */
     private static final double MARGE = 1e-9;
 
     private final Spheres spheres;
@@ -71,7 +71,7 @@ final class Masques implements Intersections {
     }
 
     /**
-     * Note les sphères b que peut rencontrer un rayon qui part de la sphère a : l'angle de sa direction et de AB est au
+     * Note les sphères b que peut rencontrer un rayon parti de la sphère a. L'angle de sa direction et de AB est au
      * plus asin((rA + rB) / AB). Dans un cube de centre c et de demi-côté h, le cosinus d'une direction avec w est au
      * plus c·w + h(|wx| + |wy| + |wz|).
      */
@@ -100,7 +100,7 @@ final class Masques implements Intersections {
                 for (int j = 0; j < COTE; j++) {
                     double cy = ((2 * j + 1) * demi - 1) * y + cz;
                     for (int i = 0; i < COTE; i++, c++) {
-                        // la négation note partout deux centres confondus, dont le cosinus est NaN
+                        // deux centres confondus ont un cosinus NaN : la négation les note partout
                         if (!(((2 * i + 1) * demi - 1) * x + cy < cosinus)) {
                             parDirection[c] |= 1L << b;
                         }

@@ -113,7 +113,7 @@ final class Noeuds {
                 parts[t].ajouter(g[s], g[s + 1], g[s + 2], g[s + 3]);
                 nombres[t]++;
             }
-            // coût de chaque coupe : aire d'un côté multipliée par son nombre de sphères, plus de même l'autre côté
+            // coût d'une coupe : somme, sur ses deux côtés, de l'aire fois le nombre de sphères
             double[] aDroite = new double[TRANCHES];
             Boite e = new Boite();
             int c = 0;

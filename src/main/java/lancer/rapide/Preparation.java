@@ -20,7 +20,7 @@ import lancer.fils.Equipe;
  *
  * <p>Mémoire pour N sphères : leur copie prend 40 N octets, et l'arbre, s'il est construit, 4 N + 26 N. La grille a au
  * plus 4 N cases et 12 N places de 4 octets. Toutes les cartes ensemble ont au plus {@value #PLACES_PAR_SPHERE} N
- * places de 8 octets, ou 8 Mo si c'est plus. Leurs cases, de 12 octets, sont au plus les tuiles de l'image et
+ * places de 8 octets, ou 8 Mo si c'est plus. Elles ont au plus une case de 12 octets par tuile de l'image, plus
  * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques prennent 170 ko, et ceux des ombres 1 Mo au plus.
  */
 public final class Preparation implements IntConsumer, Calcul {
@@ -29,8 +29,8 @@ public final class Preparation implements IntConsumer, Calcul {
     private static final int DEUX = 2;
 
     /**
-     * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène sans structure : les
-     * boucles du cours y finissent avant une construction et son sondage ({@code make mesure-processus}).
+     * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène. Les boucles du cours y
+     * finissent avant la construction d'une structure et son sondage ({@code make mesure-processus}).
      */
     private static final long VITE_FAIT = 1 << 20;
 
@@ -50,7 +50,7 @@ public final class Preparation implements IntConsumer, Calcul {
     /** Nombre maximal de masques d'ombre, un par lampe et par sphère. */
     private static final int MASQUES_D_OMBRES = 1 << 16;
 
-    /** Nombre de places de toutes les cartes, par sphère, et de cases de toutes celles des lampes, par sphère. */
+    /** Par sphère : nombre de places de toutes les cartes, puis nombre de cases des cartes de toutes les lampes. */
     private static final int PLACES_PAR_SPHERE = 26;
     private static final int CASES_PAR_SPHERE = 8;
 
@@ -79,7 +79,7 @@ public final class Preparation implements IntConsumer, Calcul {
     private final Structures structures;
     private final long pixels;
     private final DoubleConsumer suivi;
-    /** Point à la plus grande coordonnée des sphères : une lampe lointaine de ce point l'est de tous les contacts. */
+    /** Point de plus grande coordonnée des sphères : une lampe lointaine pour ce point l'est pour tout contact. */
     private Point bout;
     private final Equipe equipe = new Equipe("preparation");
 

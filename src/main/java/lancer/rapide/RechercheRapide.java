@@ -15,7 +15,7 @@ import lancer.contrat.Recherche;
  */
 public final class RechercheRapide implements Recherche {
 
-    /** Parmi ces premiers objets de la scène, un rayon d'ombre examine d'abord ceux qui ne sont pas des sphères. */
+    /** Nombre des premiers objets : un rayon d'ombre examine d'abord ceux d'entre eux qui ne sont pas des sphères. */
     private static final int PREMIERS = 8;
 
     final Structures structures;

@@ -1,6 +1,6 @@
 package lancer.rapide;
 
-/** Tri par base (Hollerith, 1887), en trois passages : un million de clés entre deux lectures de l'interruption. */
+/** Tri par base (Hollerith, 1887), en trois passages. L'interruption est lue une fois par million de clés. */
 final class Tri {
 
     private static final int BITS = 11;

@@ -271,12 +271,11 @@ public final class GraphiqueVitesse extends JPanel {
         }
     }
 
-    /** Écrit le nom de ce point, décalé de {@code dy}, du côté où il y a de la place. */
+    /** Écrit le nom de ce point, décalé de {@code dy}, dans le cadre. */
     private void nommer(Graphics2D g, String debut, Candidat p, int dy) {
         String nom = debut + enMots(p).replaceFirst(",.*", "");
-        double x = x(secondes(p)) + 3 * RAYON;
-        boolean tient = x + g.getFontMetrics().stringWidth(nom) < getWidth() - DROITE;
-        ecrire(g, nom, tient ? x : x - 6 * RAYON, y(p.erreur) + dy, tient ? 0 : 1);
+        double droite = getWidth() - DROITE - g.getFontMetrics().stringWidth(nom);
+        ecrire(g, nom, Math.max(GAUCHE + RAYON, Math.min(droite, x(secondes(p)) + 3 * RAYON)), y(p.erreur) + dy, 0);
     }
 
     private static Color encre() {
