@@ -9,9 +9,6 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
@@ -28,8 +25,6 @@ import lancer.fils.Equipe;
 import lancer.fils.Retenu;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
-import lancer.rapide.Preparation;
-import lancer.rapide.RechercheRapide;
 import lancer.rapide.Sondage;
 import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
@@ -159,7 +154,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
             @Override
             public void accept(int tache) {
                 Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-                ecart = chercher(scene, camera, options.simple, Dessin.this);
+                ecart = Sondage.choisir(scene, camera, options.simple, Dessin.this);
                 pret[0] = new Lancer(scene, camera);
             }
         }.faire("préparation");
@@ -247,17 +242,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
      */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
-        chercher(scene, camera, simple, part -> { });
+        Sondage.choisir(scene, camera, simple, part -> { });
         return new Lancer(scene, camera);
-    }
-
-    /** Choisit la recherche de la scène. @return la raison de son refus par le sondage ; {@code null} sans refus */
-    private static String chercher(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        RechercheRapide recherche = simple || !Preparation.estUtile(scene, camera) ? null
-                : Preparation.pour(scene, camera, suivi);
-        String ecart = recherche == null ? null : Sondage.ecart(scene, camera, recherche);
-        scene.getModele().setRecherche(ecart == null ? recherche : null);
-        return ecart;
     }
 
     private long construitNs() {
@@ -353,22 +339,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     public Echec nommer(PixelFautif panne) {
         // ce fil ne doit appeler aucune classe de la scène : elle pourrait ne pas finir
         String[] classes = panne.getCause() instanceof Retenu
-                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : classes(scene);
+                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : Pannes.classes(scene);
         return Echec.panne(Pannes.duPixel(panne, classes, reglages.getOptions(), fichier,
                 image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur));
-    }
-
-    /**
-     * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
-     */
-    static String[] classes(Scene scene) {
-        Modele modele = scene.getModele();
-        // les contrats par défaut de la base ne peuvent être la cause de l'échec
-        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
-                scene.getObjets().stream()).map(Modele::nom).distinct()
-                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
-        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
-                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
     }
 }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -51,6 +52,15 @@ public final class Sondage {
         rapide = boucles.avec(new Modele());
         rapide.getModele().setRecherche(entiere ? recherche.pourUnFil(rapide.getCompteurs())
                 : new RechercheRapide(new Structures(plates, scene.getLampes()), rapide.getCompteurs()));
+    }
+
+    /** Choisit la recherche de la scène. @return la raison de son refus par le sondage ; {@code null} sans refus */
+    public static String choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+        RechercheRapide recherche = simple || !Preparation.estUtile(scene, camera) ? null
+                : Preparation.pour(scene, camera, suivi);
+        String ecart = recherche == null ? null : ecart(scene, camera, recherche);
+        scene.getModele().setRecherche(ecart == null ? recherche : null);
+        return ecart;
     }
 
     /**
