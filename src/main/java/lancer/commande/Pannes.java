@@ -5,13 +5,8 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Constantes;
-import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.texte.Texte;
 
@@ -74,20 +69,6 @@ public final class Pannes {
         return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
                 + Texte.cause(panne, classes) + " ; pour le revoir : "
                 + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
-    }
-
-    /**
-     * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
-     */
-    public static String[] classes(Scene scene) {
-        Modele modele = scene.getModele();
-        // les contrats par défaut de la base ne peuvent être la cause de l'échec
-        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
-                scene.getObjets().stream()).map(Modele::nom).distinct()
-                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
-        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
-                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
     }
 
     /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */

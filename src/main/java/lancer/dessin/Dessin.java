@@ -9,6 +9,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
@@ -339,8 +342,22 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     public Echec nommer(PixelFautif panne) {
         // ce fil ne doit appeler aucune classe de la scène : elle pourrait ne pas finir
         String[] classes = panne.getCause() instanceof Retenu
-                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : Pannes.classes(scene);
+                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : classes(scene);
         return Echec.panne(Pannes.duPixel(panne, classes, reglages.getOptions(), fichier,
                 image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur));
+    }
+
+    /**
+     * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
+     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
+     */
+    static String[] classes(Scene scene) {
+        Modele modele = scene.getModele();
+        // les contrats par défaut de la base ne peuvent être la cause de l'échec
+        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
+                scene.getObjets().stream()).map(Modele::nom).distinct()
+                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
+        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
+                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
     }
 }

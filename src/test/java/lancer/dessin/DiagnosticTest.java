@@ -14,7 +14,6 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.commande.Pannes;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.essai.Plan;
@@ -61,7 +60,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Texte.cause(panne, Pannes.classes(scene)).replace(DiagnosticTest.class.getName(), "")
+        return Texte.cause(panne, Dessin.classes(scene)).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -94,7 +93,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Texte.cause(panne, Pannes.classes(scene(new Mur())));
+        String dit = Texte.cause(panne, Dessin.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 
