@@ -20,7 +20,7 @@ public final class Scene {
     /** Écart permis entre 1 et le carré de la longueur d'une direction pour qu'une {@link Recherche} réponde. */
     private static final double UNITE = 1e-10;
 
-    /** Nombre d'intersections, moins un, entre deux lectures de l'interruption du fil (0,1 ms environ). */
+    /** Nombre d'intersections, moins un, entre deux lectures de l'interruption du fil. */
     private static final long PAS = (1 << 14) - 1;
 
     private final List<Objet3D> objets;

@@ -7,7 +7,7 @@ import lancer.precision.Intersection;
 
 /**
  * Grille régulière, dont un rayon traverse les cases l'une après l'autre (Amanatides et Woo, 1987). Pour les rayons
- * réfléchis, souvent courts, elle est deux à trois fois plus rapide que l'arbre. Elle suppose que les sphères ont des
+ * réfléchis, souvent courts, elle est plus rapide que l'arbre. Elle suppose que les sphères ont des
  * tailles et des écarts comparables : les quelques sphères démesurées sont examinées à part.
  */
 final class Grille implements Intersections {
