@@ -46,7 +46,7 @@ class NomsTest extends ClasseEssai {
             }
         }
         Path feuille = dossier.resolve("notes.csv");
-        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note)\nParticipant11,,-\n");
+        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note)\nParticipant11,,20.00,-\n");
         Path pages = dossier.resolve("pages");
         Essai essai = executer("--sans-confinement", "--sortie", pages, "--notes", feuille, archive);
         assertEquals(0, essai.code, essai.erreur);

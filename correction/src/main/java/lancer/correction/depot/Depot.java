@@ -101,7 +101,7 @@ public final class Depot {
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
         liste.forEach(Rendu::conclure);
-        liste.sort(Comparator.comparing((Rendu r) -> naturel(r.nom)).thenComparing(r -> naturel(r.id)));
+        liste.sort(Comparator.comparing(r -> ordre(r.nom, r.id)));
         return liste;
     }
 
@@ -182,9 +182,9 @@ public final class Depot {
         return nom.replaceFirst("(?i)\\.zip$", "");
     }
 
-    /** Clé de tri qui range « Étudiant 2 » avant « Étudiant 10 ». */
-    private static String naturel(String nom) {
-        return Pattern.compile("\\d{1,18}").matcher(nom).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
+    /** Clé de tri d'un étudiant, qui range « Étudiant 2 » avant « Étudiant 10 ». */
+    public static String ordre(String nom, String id) {
+        return Pattern.compile("\\d{1,18}").matcher(nom + "\0" + id).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
     }
 
     private static boolean estArchive(String nom) {

@@ -161,7 +161,7 @@ public final class Source {
         return new String(octets, codage(octets)).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
     }
 
-    private static Charset codage(byte[] octets) {
+    public static Charset codage(byte[] octets) {
         if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF
                 && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;

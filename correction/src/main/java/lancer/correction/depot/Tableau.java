@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.BiFunction;
+import lancer.correction.enfant.Echange;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
@@ -40,7 +41,8 @@ public final class Tableau {
                     .setDelimiter(texte.split("\n", 2)[0].contains(";") ? ';' : ',').setIgnoreSurroundingSpaces(true).get())) {
                 for (CSVRecord ligne : csv) {
                     String lu = ligne.get(0);
-                    String id = ids.contains(lu) ? lu : lu.replaceFirst("^\\D+", "");
+                    String id = ids.stream().filter(i -> lu.equals(i) || lu.equals(Echange.sansFormule(i))).findFirst()
+                            .orElse(lu.replaceFirst("^\\D+", ""));
                     String faute = ligne.getRecordNumber() == 1 && lu.equalsIgnoreCase("id") ? ""
                             : ligne.size() < Math.min(3, colonnes) || ligne.size() > colonnes ? "attendu : " + titres
                             : !ids.contains(id) ? "l'étudiant « " + lu + " » n'existe pas" : prendre.apply(id, ligne);

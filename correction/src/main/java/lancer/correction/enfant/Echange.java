@@ -172,6 +172,11 @@ public final class Echange {
         return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
     }
 
+    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
+    public static String sansFormule(String texte) {
+        return protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
+    }
+
     /** Limite une liste à quelques lignes de longueur limitée, pour une page. */
     public static void abreger(List<String> liste) {
         liste.replaceAll(Echange::protege);

@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -77,7 +78,7 @@ public final class Resultat {
     }
 
     /** Écrit le résultat dans un fichier, une donnée par ligne : sa sorte, puis ses valeurs. */
-    public void ecrire(Path fichier) throws IOException {
+    void ecrire(Path fichier) throws IOException {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("étudiant", id, nom, nonCorrige, centre));
         listes().forEach((sorte, liste) -> liste.forEach(texte -> lignes.add(List.of(sorte, texte))));
@@ -91,7 +92,9 @@ public final class Resultat {
     }
 
     public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
-        try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
+        // ce flux remplace une moitié de caractère, que d'autres refusent
+        try (CSVPrinter csv = new CSVPrinter(new OutputStreamWriter(Files.newOutputStream(fichier), StandardCharsets.UTF_8),
+                CSVFormat.DEFAULT)) {
             csv.printRecords(lignes);
         }
     }
@@ -103,7 +106,7 @@ public final class Resultat {
     }
 
     /** @throws RuntimeException si ce fichier n'est pas celui d'un résultat */
-    public static Resultat lire(Path fichier) throws IOException {
+    static Resultat lire(Path fichier) throws IOException {
         List<CSVRecord> lignes = lignes(fichier);
         Resultat resultat = new Resultat(lignes.get(0).get(1), lignes.get(0).get(2));
         resultat.nonCorrige = Boolean.parseBoolean(lignes.get(0).get(3));

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Tableau;
+import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 
@@ -42,21 +43,23 @@ public final class Ajustements {
     /** Lit {@code ajustements.csv} dans ce dossier, s'il existe. */
     public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-        // critères dont le maximum s'ajoute à celui de la note
+        // l'enseignant donne ce qu'il veut à une étape du cours, ou aux consignes
         List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());
         fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
             String critere = ligne.get(1);
             String points = ligne.get(2);
             if (!criteres.contains(critere)) {
-                return "le critère « " + critere + " » n'existe pas ; attendu : un parmi " + String.join(", ", criteres);
+                return "le critère « " + critere + " » n'existe pas ; attendu : un parmi " + String.join(", ", criteres)
+                        + ", ou une ligne de plus dans bareme.ini : bonus=+1, retard=-2";
             } else if (points.isEmpty()) {
                 return "";
             } else if (!points.matches("[+-]?\\d{1,4}([.,]\\d{1,6})?")) {
                 return "« " + points + " » ; attendu : un nombre de points";
             }
             double nombre = Double.parseDouble(points.replace(',', '.'));
-            if (bornes.contains(critere) && (nombre < 0 || nombre > bareme.poids(critere))) {
-                return "« " + points + " » ; attendu : de 0 à " + bareme.poids(critere) + " pour « " + critere + " »";
+            double borne = bareme.ecrits(critere);
+            if (bornes.contains(critere) && (nombre < Math.min(0, borne) || nombre > Math.max(0, borne))) {
+                return "« " + points + " » ; attendu : de " + (borne < 0 ? borne + " à 0" : "0 à " + borne) + " pour « " + critere + " »";
             }
             return lignes.computeIfAbsent(id, i -> new LinkedHashMap<>()).putIfAbsent(critere, new Ligne(ligne.toList())) == null ? ""
                     : "« " + critere + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";
@@ -77,7 +80,7 @@ public final class Ajustements {
         for (Eleve eleve : eleves) {
             de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
             (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
-                    tableau.add(List.of(eleve.resultat.id, critere, "", "")));
+                    tableau.add(List.of(Echange.sansFormule(eleve.resultat.id), critere, "", "")));
         }
         Resultat.ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
     }

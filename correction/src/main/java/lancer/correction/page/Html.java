@@ -79,6 +79,11 @@ final class Html {
         }
     }
 
+    @Override
+    public String toString() {
+        return texte.toString();
+    }
+
     /** La page entière, sans référence extérieure. */
     String page(String titre) {
         String[] modele = SourcesDuCours.ressource("page.html").split("TITRE|CORPS");

@@ -37,7 +37,7 @@ final class PageEleve {
         }
         double perdus = eleve.perdus(Verdict.Etat.NON_EVALUABLE);
         List<String> aNoter = eleve.aNoter();
-        html.brut("<p>").dire(Html.nombre(eleve.total()) + " points sur " + Html.nombre(eleve.sur))
+        html.brut("<p>").dire(Html.nombre(eleve.note) + " points sur " + Html.nombre(classe.bareme.total))
                 .dire(perdus > 0 ? " (dont " + Html.nombre(perdus) + " perdus par ce qui n'a pu être évalué, et ne rapporte rien)" : "")
                 .dire(aNoter.isEmpty() ? "" : ", sans ce que l'enseignant n'a pas encore noté : " + String.join(", ", aNoter))
                 .dire(" ; étape atteinte : ").element("strong", eleve.atteinte).brut("</p>\n");
@@ -56,6 +56,9 @@ final class PageEleve {
                 + "class=\"n\">points<th>détail</tr>\n");
         for (GrilleDeNotation.Etape etape : classe.grille.etapes) {
             Eleve.Part part = eleve.parts.get(etape.nom);
+            if (etape.libre() && part.ajustement == null && !part.aNoter) {
+                continue;
+            }
             html.brut("<tr><td>").dire(etape.titre).brut("<td class=\"n\">" + pastille(part) + "<td class=\"n\">")
                     .dire(Html.nombre(part.points) + " / " + Html.nombre(part.sur)).brut("<td>");
             if (part.ajustement != null) {
@@ -67,10 +70,10 @@ final class PageEleve {
         html.brut("</table>\n");
     }
 
-    /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter ». */
+    /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
     static String combien(Eleve.Part part) {
-        return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + "/" + Html.nombre(part.sur)
-                : part.reussis + "/" + part.comptent;
+        return part.aNoter ? "à noter" : part.ajustement != null ? Html.nombre(part.points) + (part.sur > 0 ? "/" + Html.nombre(part.sur)
+                : "") : part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
     }
 
     static String pastille(Eleve.Part part) {

@@ -5,10 +5,12 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
@@ -40,15 +42,29 @@ public final class Pages {
      */
     public void ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
-        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "*.html")) {
+        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "[0-9][0-9][0-9]*-*.html")) {
             for (Path ancienne : anciennes) {
                 Files.delete(ancienne);
             }
         }
+        Map<Eleve, String> rangees = new LinkedHashMap<>();
         for (Eleve eleve : eleves) {
-            Files.writeString(etudiants.resolve(eleve.page), new PageEleve(this, eleve).ecrire());
+            Html rangee = new Html();
+            try {
+                ligne(rangee, eleve);
+                rangees.put(eleve, rangee.toString());
+                Files.writeString(etudiants.resolve(eleve.page), new PageEleve(this, eleve).ecrire());
+            } catch (IOException | RuntimeException | Error e) {
+                String raison = "sa page n'a pas pu être écrite (" + Echange.protege(e.toString()) + ")";
+                eleve.aRegarder.add(raison);
+                rangees.put(eleve, nommer(new Html().brut("<tr><td class=\"vignette\"><td>"), eleve).brut("<td class=\"n\">")
+                        .dire(noteDe(eleve)).brut("<td colspan=\"" + (grille.etapes.size() + 1) + "\">").dire(raison).brut("</tr>\n")
+                        .toString());
+                Files.writeString(etudiants.resolve(eleve.page), new Html().element("h1", eleve.resultat.nom)
+                        .element("p class=\"avis\"", raison).page(eleve.resultat.nom));
+            }
         }
-        Files.writeString(dossier.resolve("index.html"), classe(eleves, avis));
+        Files.writeString(dossier.resolve("index.html"), classe(rangees, avis));
         tableau(dossier.resolve("classe.csv"), eleves);
     }
 
@@ -61,32 +77,30 @@ public final class Pages {
             // un rendu qui n'a pu être jugé n'a pas de note
             boolean juge = !e.illisible();
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
-                    juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
+                    juge ? String.format(Locale.ROOT, "%.2f", e.note) : "", String.format(Locale.ROOT, "%.2f", bareme.total),
                     juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
             e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
-            ligne.replaceAll(Pages::sansFormule);
+            ligne.replaceAll(Echange::sansFormule);
             lignes.add(ligne);
         }
         Resultat.ecrire(fichier, lignes);
     }
 
-    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
-    static String sansFormule(String texte) {
-        return Echange.protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
-    }
-
-    private String classe(List<Eleve> eleves, List<String> avis) {
+    private String classe(Map<Eleve, String> rangees, List<String> avis) {
         Html html = new Html();
+        Set<Eleve> eleves = rangees.keySet();
         List<Eleve> lisibles = eleves.stream().filter(e -> !e.illisible()).collect(Collectors.toList());
         int autres = eleves.size() - lisibles.size();
         html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
-                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(bareme.total * lisibles.stream()
-                .mapToDouble(e -> e.total() / e.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
+                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream()
+                .mapToDouble(e -> e.note).average().orElse(0)) + " sur " + Html.nombre(bareme.total)) + (bareme.total == bareme.somme ? ""
+                : ", la note maximale de la feuille ; tous les points de ces pages sont ramenés des " + Html.nombre(bareme.somme)
+                + " du barème à ceux-ci"));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
-        if (!grille.sansConfinement.isEmpty()) {
-            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
+        if (!grille.sansConfinement().isEmpty()) {
+            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement()
                     + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
         }
         aRegarder(html, eleves);
@@ -97,7 +111,7 @@ public final class Pages {
                 + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total)).brut("<th>étape atteinte");
         grille.etapes.forEach(e -> html.brut("<th class=\"debout\">").element("span", e.court));
         html.brut("</tr>\n");
-        eleves.forEach(eleve -> ligne(html, eleve));
+        rangees.values().forEach(html::brut);
         html.brut("</table>\n<p class=\"petit gris\">")
                 .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
                 + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; bleu : à noter ; gris : pas commencé, "
@@ -112,12 +126,12 @@ public final class Pages {
     }
 
     /** Liste de ce que l'enseignant doit décider. */
-    private void aRegarder(Html html, List<Eleve> eleves) {
+    private void aRegarder(Html html, Collection<Eleve> eleves) {
         List<Eleve> siens = eleves.stream().filter(e -> !e.aRegarder.isEmpty()).collect(Collectors.toList());
         html.element("h2", "À regarder").brut(siens.isEmpty()
                 ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
         for (Eleve eleve : siens) {
-            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "sans note" : noteDe(eleve))
+            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(noteDe(eleve))
                     .brut("<td class=\"petit\">");
             eleve.aRegarder.forEach(raison -> html.element("div", raison));
             html.brut("</tr>\n");
@@ -130,7 +144,7 @@ public final class Pages {
         for (GrilleDeNotation.Etape etape : grille.etapes) {
             for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.rate() && bareme.poids(etape.nom) > 0) {
+                if (verdict.rate() && bareme.poids(etape.nom) != 0) {
                     html.brut(debut).element("strong", etape.titre)
                             .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
                             .element("code", verdict.message).brut(fin);
@@ -163,10 +177,8 @@ public final class Pages {
         html.brut("</tr>\n");
     }
 
-    /** La note, suivie de son maximum si des lignes libres l'ont changé. */
-    private String noteDe(Eleve eleve) {
-        return String.format(Locale.FRANCE, "%.2f", eleve.total()) + (eleve.sur == bareme.total ? ""
-                : "/" + Html.nombre(eleve.sur));
+    private static String noteDe(Eleve eleve) {
+        return eleve.illisible() ? "sans note" : String.format(Locale.FRANCE, "%.2f", eleve.note);
     }
 
     /** Pour chaque extension rendue : son image, celle de la base du même étudiant, celle du corrigé. */

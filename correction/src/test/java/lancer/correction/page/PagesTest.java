@@ -25,11 +25,11 @@ class PagesTest {
         for (char separateur : new char[] {',', ';', '\t', '\n'}) {
             for (String debut : new String[] {"", "a", "\"", " \"\" "}) {
                 for (String formule : new String[] {"=1+1", "+1", "-1", "@A1"}) {
-                    String texte = Pages.sansFormule(debut + (debut.equals("a") ? separateur : "") + formule);
+                    String texte = Echange.sansFormule(debut + (debut.equals("a") ? separateur : "") + formule);
                     assertFalse(texte.matches("(?s)(.*[;\t\n\r])?[\\s\"]*[=+@-].*"), texte);
                 }
             }
         }
-        assertEquals("Étudiant 1 ; à regarder", Pages.sansFormule("Étudiant 1 ; à regarder"), "un texte ordinaire reste");
+        assertEquals("Étudiant 1 ; à regarder", Echange.sansFormule("Étudiant 1 ; à regarder"), "un texte ordinaire reste");
     }
 }
