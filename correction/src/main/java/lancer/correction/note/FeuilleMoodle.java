@@ -38,6 +38,8 @@ public final class FeuilleMoodle {
     private static final String FIN = " ; le détail est dans le fichier de retour.";
     private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), étape atteinte, « [^\n»]* »"
             + Pattern.quote(FIN));
+    /** Ni note, ni commentaire. */
+    private static final String[] RIEN = {"", ""};
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
@@ -130,21 +132,19 @@ public final class FeuilleMoodle {
         Map<String, String[]> ecrites = cases(travail.resolve(DEPOSEE));
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
-        List<List<String>> sansRienDeTape = new ArrayList<>();
-        for (List<String> ligne : lignes) {
-            List<String> sans = new ArrayList<>(ligne);
-            sansRienDeTape.add(sans);
+        List<List<String>> sansRienDeTape = lignes.stream().map(ArrayList::new).collect(Collectors.toList());
+        for (int k = 1; k < lignes.size(); k++) {
+            List<String> ligne = lignes.get(k);
             if (ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
-                String[] la = deposees.getOrDefault(numero(ligne), new String[] {"", ""});
-                String[] ecrite = ecrites.getOrDefault(numero(ligne), new String[] {"", ""});
-                String tapee = la[0].equals(ecrite[0]) || reel(la[0]) == reel(ecrite[0]) || estNotre(la[0], la[1]) ? "" : la[0];
-                String mots = reste(la[1]).equals(reste(ecrite[1])) ? "" : reste(la[1]);
                 Eleve eleve = parId.remove(numero(ligne));
+                String[] la = deposees.getOrDefault(numero(ligne), RIEN);
+                String[] ecrite = ecrites.getOrDefault(numero(ligne), RIEN);
+                boolean sienne = !la[0].equals(ecrite[0]) && reel(la[0]) != reel(ecrite[0]) && !estNotre(la[0], la[1]);
+                String mots = reste(la[1]).equals(reste(ecrite[1])) ? "" : reste(la[1]);
+                remplir(sansRienDeTape.get(k), eleve, "", "");
+                List<String> regarder = remplir(ligne, eleve, sienne ? la[0] : "", mots);
                 if (eleve != null) {
-                    remplir(sans, eleve, "", "");
-                    eleve.aRegarder.addAll(remplir(ligne, eleve, tapee, mots));
-                } else if (!tapee.isEmpty() || !mots.isEmpty()) {
-                    remplir(ligne, null, tapee, mots);
+                    eleve.aRegarder.addAll(regarder);
                 }
             }
         }
@@ -154,7 +154,7 @@ public final class FeuilleMoodle {
         return parId.values();
     }
 
-    /** Les notes et les commentaires d'une feuille, par étudiant, si elle existe. */
+    /** La note et le commentaire de chaque étudiant d'une feuille, si elle existe. */
     private static Map<String, String[]> cases(Path fichier) {
         Map<String, String[]> cases = new HashMap<>();
         if (Files.exists(fichier)) {
@@ -193,12 +193,15 @@ public final class FeuilleMoodle {
      * @return ce qu'il doit examiner
      */
     private List<String> remplir(List<String> ligne, Eleve eleve, String tapee, String mots) {
+        List<String> regarder = new ArrayList<>();
+        if (eleve == null && tapee.isEmpty() && mots.isEmpty()) {
+            return regarder;
+        }
         boolean juge = eleve != null && !eleve.illisible();
         String neuve = juge ? String.format(Locale.ROOT, "%.2f", eleve.note) : "";
         String ancienne = tapee.isEmpty() ? ligne.get(note) : tapee;
         String dit = valeur(ligne, commentaire);
         boolean aNous = tapee.isEmpty() && estNotre(ancienne, dit);
-        List<String> regarder = new ArrayList<>();
         if (aNous && juge) {
             // le signe décimal est celui de la note maximale
             ligne.set(note, valeur(ligne, maximum).contains(",") ? neuve.replace('.', ',') : neuve);

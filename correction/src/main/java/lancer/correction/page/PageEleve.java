@@ -52,7 +52,7 @@ final class PageEleve {
     }
 
     private void etapes() {
-        html.brut("<h2>Étape par étape</h2>\n<table>\n<tr><th>étape<th class=\"n\">réussi<th "
+        html.brut("<h2>Étape par étape</h2>\n<table class=\"etapes\">\n<tr><th>étape<th class=\"n\">réussi<th "
                 + "class=\"n\">points<th>détail</tr>\n");
         for (GrilleDeNotation.Etape etape : classe.grille.etapes) {
             Eleve.Part part = eleve.parts.get(etape.nom);

@@ -96,8 +96,8 @@ public final class Pages {
                 + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
                 : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(lisibles.stream()
                 .mapToDouble(e -> e.note).average().orElse(0)) + " sur " + Html.nombre(bareme.total)) + (bareme.total == bareme.somme ? ""
-                : ", la note maximale de la feuille ; tous les points de ces pages sont ramenés des " + Html.nombre(bareme.somme)
-                + " du barème à ceux-ci"));
+                : " ; les notes et les points sont sur " + Html.nombre(bareme.total) + ", la note maximale de la feuille ; dans bareme.ini "
+                + "et ajustements.csv, ils sont sur " + Html.nombre(bareme.somme)));
         avis.forEach(a -> html.element("p class=\"avis\"", a));
         if (!grille.sansConfinement().isEmpty()) {
             html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement()
