@@ -17,8 +17,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import lancer.correction.depot.Alias;
-import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
@@ -118,18 +116,17 @@ public final class Correction {
     /** Juge chaque rendu, et écrit les résultats : un fichier par rendu, et la grille du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)));
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
                     + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
                     + "SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
+            List<Rendu> rendus = jury.lire(Path.of(demande.get(RENDUS)));
+            suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
             AtomicInteger finis = new AtomicInteger();
-            Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
-            List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
+            List<Resultat> tous = jury.juger(rendus, resultat -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
             // les résultats sont écrits à la fin : une interruption n'en laisse pas une partie
             Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
@@ -145,7 +142,7 @@ public final class Correction {
                 suivi.println("correction : les résultats de " + autres + " autres rendus, jugés avant dans ce dossier, sont effacés ; "
                         + "SORTIE=dossier (--sortie) juge à part");
             }
-            jury.reference.grille.ecrire(resultats.resolve(GRILLE));
+            jury.reference().grille.ecrire(resultats.resolve(GRILLE));
             for (int rang = 0; rang < tous.size(); rang++) {
                 tous.get(rang).ecrire(resultats.resolve(rendus.get(rang).fichier(rang) + ".csv"));
             }
@@ -200,16 +197,14 @@ public final class Correction {
         Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
         Ajustements ajustements = new Ajustements(dossier, ids, grille, bareme);
-        List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
-        fautes.addAll(ajustements.fautes);
-        fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
+        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
         resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier.getFileName().toString().replace(".csv", ".html"),
                 grille, bareme, ajustements.de(resultat.id))));
         Eleve.comparer(eleves);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
+        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

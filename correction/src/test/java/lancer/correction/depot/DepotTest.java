@@ -35,7 +35,7 @@ class DepotTest extends DepotEssai {
         verifier(lus.get("11"), "Étudiant 1");
         verifier(lus.get("12"), "Étudiant 1");
         verifier(lus.get("13"), "Participant");
-        assertEquals(List.of("aucun fichier .java dans ce rendu"), lus.get("14").refus);
+        assertEquals(List.of("aucun fichier dans ce rendu"), lus.get("14").refus);
     }
 
     @Test
@@ -174,7 +174,7 @@ class DepotTest extends DepotEssai {
         // une barre à l'envers n'est pas celle d'un dossier : celui-là n'entre pas chez un autre
         ecrire(rendus.resolve("martin/lancer/Vecteur.java"), CLASSE);
         ClasseEssai.archiver(rendus.resolve("martin"), rendus.resolve("martin\\dupont.zip"), "");
-        List<Rendu> lus = Depot.lire(rendus);
+        List<Rendu> lus = classe(rendus);
         assertEquals(10, lus.size());
         TreeSet<String> ids = new TreeSet<>();
         TreeSet<String> fichiers = new TreeSet<>();
@@ -222,14 +222,14 @@ class DepotTest extends DepotEssai {
                 octets[hasard.nextInt(octets.length)] = (byte) hasard.nextInt();
             }
             Rendu rendu = new Rendu("1", "un");
-            rendu.ajouter(nom + ".java", octets);
+            rendu.sources.put(nom + ".java", octets);
             projet(rendu).base.keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
         }
     }
 
     @Test
     void rienEstRefuseEnUnePhrase() {
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"))).code);
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus)).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> classe(dossier.resolve("absent"))).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> classe(rendus)).code);
     }
 }
