@@ -79,6 +79,9 @@ class BancTest extends ClasseEssai {
                     fichiers.put("lancer-base/" + mots[1], "");
                 } else if (mots[0].equals("copie")) {
                     SourcesDuCours.A_COMPLETER.forEach(c -> fichiers.put(mots[1] + "/lancer/" + c + ".java", SourcesDuCours.squelette(c)));
+                } else if (mots[0].equals("brouillon")) {
+                    fichiers.put("lancer-base/lancer/" + ligne.substring(11 + mots[1].length()) + ".java",
+                            SourcesDuCours.squelette(mots[1]));
                 } else if (mots[0].equals("variante")) {
                     partie = new TreeMap<>(partie);
                     parties.put(mots[1], partie);

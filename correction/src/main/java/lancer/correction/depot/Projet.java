@@ -178,10 +178,14 @@ public final class Projet {
     /** L'extension que nomme le dossier d'un projet ou, à défaut, un dossier plus haut qui ne contient aucun autre projet nommé. */
     private static String partie(String racine, Set<String> projets) {
         String commun = projets.stream().findFirst().orElse("");
-        while (!commun.isEmpty() && (projets.contains(commun) || !projets.stream().allMatch(commun::startsWith))) {
+        while (!commun.isEmpty() && (projets.contains(commun) || !tousDans(commun, projets))) {
             commun = parent(commun);
         }
         return nommee(dossier(racine), commun, projets);
+    }
+
+    private static boolean tousDans(String dossier, Set<String> projets) {
+        return projets.stream().allMatch(p -> p.startsWith(dossier));
     }
 
     /** @param haut dossier dont le nom, et celui de tout dossier plus haut, ne dit rien */

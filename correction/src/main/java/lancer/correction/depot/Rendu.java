@@ -64,7 +64,7 @@ public final class Rendu {
             for (Collection<String> liste : List.of(refus, remarques, outils, bibliotheques)) {
                 ((List<?>) listes.next()).forEach(texte -> liste.add((String) texte));
             }
-        } catch (Arret | IOException | RuntimeException | OutOfMemoryError e) {
+        } catch (Arret | IOException | RuntimeException | Error e) {
             sources.clear();
             refus.add((e instanceof Arret ? e.getMessage() : Echange.protege("arrêté : " + e)) + " (en lisant ses fichiers)");
         }

@@ -20,6 +20,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.commons.compress.archivers.zip.UnsupportedZipFeatureException;
 import org.apache.commons.compress.archivers.zip.ZipArchiveEntry;
@@ -55,7 +56,7 @@ public final class Contenu {
     private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
 
     private final Set<String> refus = new LinkedHashSet<>();
-    private final List<String> remarques = new ArrayList<>();
+    private final Set<String> remarques = new LinkedHashSet<>();
     private final Set<String> outils = new TreeSet<>();
     private final Set<String> bibliotheques = new TreeSet<>();
     private final Set<String> autres = new TreeSet<>();
@@ -257,7 +258,9 @@ public final class Contenu {
         octets += lus.length;
         pesee += lus.length;
         if (lus.length > SOURCE_MAX || sources.size() >= SOURCES_MAX || pesee > PESEE_MAX) {
-            remarques.add(chemin + DE_COTE + "plus d'un mégaoctet, ou trop de sources");
+            String trop = lus.length > SOURCE_MAX ? chemin + DE_COTE + "plus d'un mégaoctet"
+                    : "des sources" + DE_COTE + "il y en a plus de " + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20) + " Mo en tout";
+            remarques.add(trop);
         } else {
             sources.put(chemin, lus);
         }
@@ -270,6 +273,12 @@ public final class Contenu {
         }
         byte[] archive = flux.readNBytes((int) OCTETS_MAX);
         octets += archive.length;
+        // les fiches du répertoire central, que la bibliothèque retient toutes (APPNOTE.TXT, 4.3.12)
+        fichiers += IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
+                && archive[k + 3] == 2).limit(FICHIERS_MAX + 1).count() / FICHIERS_MAX * FICHIERS_MAX;
+        if (fichiers > FICHIERS_MAX) {
+            return;
+        }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
             String dans = chemin.substring(0, chemin.length() - ".zip".length());
             entrees(zip).allMatch(e -> prendre(e, joindre(dans, e.nom), chemin, niveau + 1));
@@ -287,7 +296,7 @@ public final class Contenu {
                     + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", "))));
         }
         Echange.ecrireTout(reponse, sources);
-        List<List<String>> listes = List.of(new ArrayList<>(refus), remarques, new ArrayList<>(outils), new ArrayList<>(bibliotheques));
+        List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new).collect(Collectors.toList());
         listes.forEach(Echange::abreger);
         Echange.ecrireValeur(reponse, listes, o -> null);
     }

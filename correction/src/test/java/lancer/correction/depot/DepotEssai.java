@@ -42,15 +42,17 @@ abstract class DepotEssai {
     }
 
     static List<Rendu> classe(Path lieu) {
-        return Depot.lire(lieu, noms -> {
-            Map<String, byte[]> demande = new LinkedHashMap<>(Map.of(lieu.toString(), new byte[0]));
-            demande.putAll(noms);
-            try {
-                return new DataInputStream(new ByteArrayInputStream(Echange.message(Contenu.repondre(demande))));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        });
+        return Depot.lire(lieu, noms -> repondre(lieu, noms));
+    }
+
+    static DataInputStream repondre(Path lieu, Map<String, byte[]> noms) {
+        Map<String, byte[]> demande = new LinkedHashMap<>(Map.of(lieu.toString(), new byte[0]));
+        demande.putAll(noms);
+        try {
+            return new DataInputStream(new ByteArrayInputStream(Echange.message(Contenu.repondre(demande))));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     Map<String, Rendu> lire(Path lieu) {
