@@ -15,7 +15,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
-import lancer.correction.depot.Alias;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
@@ -116,7 +115,6 @@ public final class Correction {
     /** Juge chaque rendu, et écrit les résultats : un fichier par rendu, et la grille du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)));
         boolean ajouter = demande.containsKey("--ajouter");
         DossierDeResultats anciens = DossierDeResultats.chercher(dossier, ajouter);
         Confinement confinement = Confinement.essayer();
@@ -125,22 +123,23 @@ public final class Correction {
                     + " ; sinon, un conteneur (docs/classe.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
                     + "lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        Set<String> ids = rendus.stream().map(r -> r.id).collect(Collectors.toSet());
-        long autres = anciens == null ? 0 : anciens.resultats.values().stream().filter(r -> !ids.contains(r.id)).count();
-        if (autres > 0) {
-            suivi.println("correction : les résultats de " + (autres > 1 ? autres + " autres rendus" : "l'autre rendu") + " de ce dossier "
-                    + (ajouter ? "restent" : "seront effacés à la fin ; AJOUTER=1 (--ajouter) les garde, SORTIE=dossier (--sortie) juge à part"));
-        }
-        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
+            List<Rendu> rendus = jury.lire(Path.of(demande.get(RENDUS)));
+            Set<String> ids = rendus.stream().map(r -> r.id).collect(Collectors.toSet());
+            long autres = anciens == null ? 0 : anciens.resultats.values().stream().filter(r -> !ids.contains(r.id)).count();
+            if (autres > 0) {
+                suivi.println("correction : les résultats de " + (autres > 1 ? autres + " autres rendus" : "l'autre rendu")
+                        + " de ce dossier " + (ajouter ? "restent"
+                        : "seront effacés à la fin ; AJOUTER=1 (--ajouter) les garde, SORTIE=dossier (--sortie) juge à part"));
+            }
+            suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
             if (ajouter && anciens != null) {
-                jury.reference.grille.reprendre(anciens.grille);
+                jury.reference().grille.reprendre(anciens.grille);
             }
             AtomicInteger finis = new AtomicInteger();
-            Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
-            List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
+            List<Resultat> tous = jury.juger(rendus, resultat -> suivi.println("correction : " + finis.incrementAndGet()
                     + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
-            DossierDeResultats.ecrire(dossier, jury.reference.grille, rendus, tous, ajouter ? anciens : null);
+            DossierDeResultats.ecrire(dossier, jury.reference().grille, rendus, tous, ajouter ? anciens : null);
         }
     }
 
@@ -168,9 +167,7 @@ public final class Correction {
                 feuille == null ? 0 : feuille.sur);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
         Ajustements ajustements = new Ajustements(dossier, ids, grille, bareme);
-        List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
-        fautes.addAll(ajustements.fautes);
-        fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
+        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
         resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier + ".html", grille, bareme,
                 ajustements.de(resultat.id))));
@@ -179,7 +176,7 @@ public final class Correction {
         Collection<Eleve> sansNote = feuille == null ? List.of()
                 : feuille.ecrire(dossier, Files.createDirectories(dossier.resolve(".travail")), eleves);
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
+        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

@@ -118,9 +118,10 @@ public final class Confinement {
      *
      * @param temporaire dossier provisoire, sans confinement
      * @param visibles vrai si les archives de ce chemin sont visibles, car aucun code d'étudiant ne s'exécute
+     * @param aLire un dossier ou un fichier à lire, visible sous le nom que donne {@link #lu}
      */
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
-            Limites limites) {
+            Limites limites, Path... aLire) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
@@ -133,6 +134,7 @@ public final class Confinement {
             commande.addAll(enveloppe(enPlus));
             List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
             vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
+            Stream.of(aLire).forEach(f -> commande.addAll(List.of("--ro-bind", f.toString(), lu(f))));
             if (!visibles) {
                 commande.addAll(List.of("--seccomp", "8", "--ro-bind-data", "9", BOITE));
             }
@@ -149,6 +151,11 @@ public final class Confinement {
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
                 principale.getName()));
         return commande;
+    }
+
+    /** Le nom, dans une machine virtuelle, de ce qui y est à lire. */
+    public String lu(Path ici) {
+        return confine ? "/a-lire" : ici.toString();
     }
 
     private static List<String> enveloppe(List<String> enPlus) {

@@ -45,11 +45,11 @@ public final class Reference implements AutoCloseable {
     /** @param graine le nombre d'où viennent les scènes jugées */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         this.graine = graine;
-        cours = new Cours(compilation::lire, Map.of());
+        cours = new Cours(compilation::lire);
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
-        Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
+        Projet projet = Projet.copies(squelette, compilation::lire, cours).get(0);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();

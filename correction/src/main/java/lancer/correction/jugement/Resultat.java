@@ -33,8 +33,6 @@ public final class Resultat {
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
-    /** Empreinte de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni du projet à compléter, ni du corrigé. */
-    public final Map<String, String> arbres = new LinkedHashMap<>();
     /** Empreinte de chaque classe donnée que l'étudiant a modifiée. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
     /** Méthode de l'étudiant que vise chaque critère raté. */
@@ -74,7 +72,7 @@ public final class Resultat {
     }
 
     private Map<String, Map<String, String>> textes() {
-        return Map.of("empreinte", empreintes, "arbre", arbres, "methode", methodes);
+        return Map.of("empreinte", empreintes, "methode", methodes);
     }
 
     /** Écrit le résultat dans un fichier, une donnée par ligne : sa sorte, puis ses valeurs. */

@@ -1,7 +1,6 @@
 package lancer.correction.note;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -19,9 +18,6 @@ import lancer.correction.modele.SourcesDuCours;
  * {@link #perdus} donne les points perdus.
  */
 public final class Eleve {
-
-    /** Nombre de méthodes égales à partir duquel deux rendus sont signalés. */
-    private static final int PAREILLES = 3;
 
     /** Une étape notée, ou une ligne libre du barème. */
     public static final class Part {
@@ -139,23 +135,8 @@ public final class Eleve {
         return !resultat.refus.isEmpty();
     }
 
-    /** Signale ce qui ne se voit qu'en comparant les rendus : méthodes égales, classe donnée modifiée. */
+    /** Signale les classes données que peu de rendus ont changées, ou changées ainsi. */
     public static void comparer(List<Eleve> eleves) {
-        Map<String, Integer> nombres = new HashMap<>();
-        eleves.forEach(e -> e.resultat.arbres.values().stream().distinct().forEach(a -> nombres.merge(a, 1, Integer::sum)));
-        // une méthode commune à presque tous vient du cours
-        nombres.values().removeIf(n -> n > 2 && 4 * n > 3 * eleves.size());
-        for (Eleve e : eleves) {
-            for (Eleve autre : eleves) {
-                List<String> pareilles = e == autre ? List.of() : e.resultat.arbres.entrySet().stream()
-                        .filter(m -> nombres.containsKey(m.getValue()) && autre.resultat.arbres.containsValue(m.getValue()))
-                        .map(Map.Entry::getKey).collect(Collectors.toList());
-                if (pareilles.size() >= PAREILLES) {
-                    e.aRegarder.add("pareil à " + autre.resultat.nom + ", aux noms des variables et à la présentation près : "
-                            + String.join(", ", pareilles));
-                }
-            }
-        }
         for (String classe : SourcesDuCours.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))
