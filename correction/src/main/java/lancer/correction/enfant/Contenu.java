@@ -86,8 +86,7 @@ public final class Contenu {
             Map<String, Path> enfants = zip == null ? enfants(lieu) : Map.of();
             if (rendu.isEmpty()) {
                 (zip == null ? enfants.entrySet().stream().map(e -> e.getKey() + (dossier(e.getValue()) ? "/" : ""))
-                        : entrees(zip).map(Contenu::nom)).filter(nom -> premier(nom).length() <= CHEMIN_MAX)
-                        .takeWhile(nom -> noms.size() < NOMS_MAX)
+                        : entrees(zip).map(Contenu::nom)).takeWhile(nom -> noms.size() < NOMS_MAX)
                         .forEach(nom -> noms.put(premier(nom), nom.indexOf('/') < 0 ? new byte[1] : new byte[0]));
             } else if (zip == null) {
                 rendu.keySet().stream().filter(enfants::containsKey).forEach(nom -> contenu.parcourir(enfants.get(nom), nom, rendu.get(nom)));
@@ -188,7 +187,7 @@ public final class Contenu {
         fichiers++;
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             return false;
-        } else if (chemin.length() > CHEMIN_MAX || nom.length() > CHEMIN_MAX) {
+        } else if (chemin.length() > CHEMIN_MAX) {
             refus.add("des noms de plus de " + CHEMIN_MAX + " caractères : laissés de côté");
             return true;
         }
