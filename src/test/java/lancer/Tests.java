@@ -278,7 +278,7 @@ public class Tests {
         Point p = rayon.getP();
         Vecteur v = rayon.getV();
         double pas = combien / 100.0;
-        return new Rayon(new Point(p.x + pas * v.x + 1e-7 * combien, p.y + pas * v.y + 3e-7 * combien, p.z + pas * v.z), v);
+        return new Rayon(new Point(p.x + pas * v.x + 1e-6 * combien, p.y + pas * v.y + 3e-6 * combien, p.z + pas * v.z), v);
     }
 
     /**

@@ -53,7 +53,7 @@ public final class Projet {
     public final Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
     public final List<String> remarques;
     /** Les classes du projet à compléter. */
-    public final Cours cours;
+    public final Map<String, Type> squelette;
     /** Les classes du cours que l'étudiant a modifiées, par rapport au projet à compléter. */
     public final Set<String> changees;
     /** Écarts aux consignes de l'énoncé, par consigne. */
@@ -61,8 +61,8 @@ public final class Projet {
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    private Projet(Cours cours, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
-        this.cours = cours;
+    private Projet(Map<String, Type> squelette, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
+        this.squelette = squelette;
         this.remarques = new ArrayList<>(remarques);
         this.types = types;
         List<String> signatures = new ArrayList<>();
@@ -72,7 +72,7 @@ public final class Projet {
             dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
         changees = SourcesDuCours.classes().stream().filter(c -> texte(c) != null
-                && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
+                && !type(c).empreinte.equals(squelette.get(c).empreinte)).collect(Collectors.toSet());
     }
 
     /** Les textes, complétés par les méthodes de forme attendue. Les adaptations sont signalées une fois, sans pénalité. */
@@ -81,7 +81,7 @@ public final class Projet {
         siens.forEach((nom, type) -> textes.put(nom, type.texte));
         SourcesDuCours.classes().stream().filter(c -> !SANS_PONT.contains(c))
                 .forEach(c -> textes.computeIfPresent("lancer/" + c,
-                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(cours.squelette(c), siens.get(nom), signatures)
+                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(squelette.get(c), siens.get(nom), signatures)
                         + (c.equals("Scene") ? parFichier(siens.get(nom)) : ""))));
         return textes;
     }
@@ -99,7 +99,7 @@ public final class Projet {
     }
 
     /** Les copies du projet que contient un rendu ; la base que nomme son dossier d'abord. */
-    public static List<Projet> copies(Rendu rendu, Cours.LectureDeSources lecture, Cours cours) throws Arret {
+    public static List<Projet> copies(Rendu rendu, Source.Lecture lecture, Map<String, Type> squelette) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
@@ -143,7 +143,7 @@ public final class Projet {
         List<Projet> copies = new ArrayList<>();
         for (Map.Entry<String, Map<String, Type>> base : bases.entrySet()) {
             if (copies.size() < COPIES_MAX) {
-                Projet projet = new Projet(cours, base.getValue(), variantes, remarques);
+                Projet projet = new Projet(squelette, base.getValue(), variantes, remarques);
                 projet.consignes(rendu, dites.keySet());
                 remarques.stream().filter(r -> r.contains(Contenu.DE_COTE)).forEach(projet.aRegarder::add);
                 laisses.forEach(projet::dire);
@@ -212,10 +212,10 @@ public final class Projet {
         List<Type> inconnus = types.values().stream().filter(t -> !SourcesDuCours.classes().contains(t.nom)).collect(Collectors.toList());
         List<String> absentes = new ArrayList<>();
         for (String classe : SourcesDuCours.classes()) {
-            Set<String> attendues = cours.squelette(classe).nommees();
+            Set<String> attendues = squelette.get(classe).nommees();
             if (texte(classe) != null) {
                 (SourcesDuCours.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
-                        .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(classe, m));
+                        .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> absente(classe, m));
             } else if (SourcesDuCours.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
                     && types.values().stream().noneMatch(t -> t.noms.contains(classe))) {
                 String siens = inconnus.stream().filter(t -> 2 * t.parmi(attendues) > attendues.size()).map(t -> " ; " + t.nom + " a "
@@ -233,7 +233,7 @@ public final class Projet {
             aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
                     : " ; les classes qui ne sont pas du cours : " + inconnus.stream().map(t -> t.nom).collect(Collectors.joining(", "))));
         }
-        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
+        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(squelette.get(c).nommees()) > 0).count();
         if (presentes < 2 && inconnus.size() > presentes) {
             aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + SourcesDuCours.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
@@ -241,20 +241,18 @@ public final class Projet {
         }
     }
 
-    /** Cherche la seule méthode inconnue de mêmes types que la méthode absente ou, à défaut, une autre classe qui contient celle-ci. */
-    private void chercher(String classe, String methode) {
-        Set<String> connues = cours.squelette(classe).nommees();
-        Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
-                .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
-                && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
-        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode))
-                .collect(Collectors.toList());
-        if (semblables.size() == 1) {
-            aRegarder.add(classe + "." + methode + " absente ; " + semblables.iterator().next() + " prend et rend la même chose");
-        } else if (semblables.isEmpty() && ailleurs.size() == 1 && !cours.squelette(ailleurs.get(0)).nommees().contains(methode)) {
-            String dit = "la méthode " + methode + " est dans " + ailleurs.get(0) + ", au lieu de " + classe;
-            dire(dit);
-            noter(NOMS, dit);
+    /** Signale une méthode absente, avec la classe qui la contient à sa place, ou celles de mêmes types dans la sienne. */
+    private void absente(String classe, String methode) {
+        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode)
+                && !squelette.get(c).nommees().contains(methode)).collect(Collectors.toList());
+        String siennes = type(classe).methodes.stream().filter(s -> !squelette.get(classe).nommees().contains(s.nom)
+                && squelette.get(classe).methodes.stream().anyMatch(m -> m.nom.equals(methode) && s.types.equals(m.types)
+                && s.rend.equals(m.rend))).map(s -> s.nom).distinct().collect(Collectors.joining(", "));
+        if (!siennes.isEmpty()) {
+            aRegarder.add(classe + "." + methode + " absente ; prend et rend la même chose : " + siennes);
+        } else if (!ailleurs.isEmpty()) {
+            dire("la méthode " + methode + " est dans " + String.join(", ", ailleurs) + ", au lieu de " + classe);
+            noter(NOMS, "la méthode " + methode + " n'est pas dans " + classe);
         }
     }
 

@@ -30,6 +30,11 @@ public final class Source {
 
     private static final List<String> DU_COURS = SourcesDuCours.classes();
 
+    /** Lecture de textes Java : une valeur par texte, celle de {@link Lecteur#lire}. */
+    public interface Lecture {
+        List<?> lire(List<String> textes) throws Arret;
+    }
+
     final String chemin;
     /** Le nom du fichier, sans son dossier ni « .java ». */
     private final String nu;
@@ -68,8 +73,15 @@ public final class Source {
         return ((List<?>) lu.get(3)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
     }
 
+    /** Les classes du projet à compléter, par leur nom. */
+    public static Map<String, Type> squelette(Lecture lecture) throws Arret {
+        List<String> textes = DU_COURS.stream().map(SourcesDuCours::squelette).collect(Collectors.toList());
+        Iterator<?> lus = lecture.lire(textes).iterator();
+        return textes.stream().map(t -> types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
+    }
+
     /** Les classes de ces fichiers. @param remarques reçoit les fichiers illisibles */
-    static List<Type> lire(Map<String, byte[]> octets, Cours.LectureDeSources lecture, List<String> remarques) throws Arret {
+    static List<Type> lire(Map<String, byte[]> octets, Lecture lecture, List<String> remarques) throws Arret {
         Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
         List<Source> fichiers = new ArrayList<>();
         for (String chemin : octets.keySet()) {

@@ -68,24 +68,6 @@ public final class Contenu {
     private Contenu() {
     }
 
-    /** Un fichier, un dossier ou un lien, sur le disque ou dans une archive. */
-    private static final class Entree {
-
-        /** Nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / ». */
-        final String nom;
-        final boolean lien;
-        /** Taille annoncée, en octets ; négative si elle n'est pas annoncée. */
-        final long taille;
-        final IOSupplier<InputStream> flux;
-
-        Entree(String nom, boolean lien, long taille, IOSupplier<InputStream> flux) {
-            this.nom = nom;
-            this.lien = lien;
-            this.taille = taille;
-            this.flux = flux;
-        }
-    }
-
     public static void main(String[] args) throws IOException {
         Echange.servir(demande -> repondre(Echange.lireTout(demande)));
     }
@@ -101,17 +83,16 @@ public final class Contenu {
         Contenu contenu = new Contenu();
         Map<String, byte[]> noms = new LinkedHashMap<>();
         try (ZipFile zip = Files.isDirectory(lieu) ? null : ZipFile.builder().setPath(lieu).get()) {
+            Map<String, Path> enfants = zip == null ? enfants(lieu) : Map.of();
             if (rendu.isEmpty()) {
-                (zip == null ? enfants(lieu).entrySet().stream().map(e -> e.getKey() + (dossier(e.getValue()) ? "/" : ""))
-                        : entrees(zip).map(e -> e.nom)).filter(nom -> premier(nom).length() <= CHEMIN_MAX)
-                        .takeWhile(nom -> noms.size() < NOMS_MAX)
+                (zip == null ? enfants.entrySet().stream().map(e -> e.getKey() + (dossier(e.getValue()) ? "/" : ""))
+                        : entrees(zip).map(Contenu::nom)).takeWhile(nom -> noms.size() < NOMS_MAX)
                         .forEach(nom -> noms.put(premier(nom), nom.indexOf('/') < 0 ? new byte[1] : new byte[0]));
             } else if (zip == null) {
-                Map<String, Path> enfants = enfants(lieu);
                 rendu.keySet().stream().filter(enfants::containsKey).forEach(nom -> contenu.parcourir(enfants.get(nom), nom, rendu.get(nom)));
             } else {
-                entrees(zip).filter(e -> rendu.containsKey(premier(e.nom)))
-                        .allMatch(e -> contenu.prendre(e, chemin(e.nom, rendu.get(premier(e.nom))), "", 0));
+                entrees(zip).filter(e -> rendu.containsKey(premier(nom(e)))).allMatch(e -> contenu.prendre(zip, e, chemin(nom(e),
+                        rendu.get(premier(nom(e)))), "", 0));
             }
         } catch (IOException | RuntimeException e) {
             return reponse -> Echange.ecrireTexte(reponse, String.valueOf(e.getMessage()));
@@ -160,10 +141,17 @@ public final class Contenu {
         return enfants;
     }
 
-    /** Les entrées d'une archive, dans l'ordre, avec des « / » même si elle vient de Windows. */
-    private static Stream<Entree> entrees(ZipFile zip) {
-        return Collections.list(zip.getEntries()).stream().map(e -> new Entree(e.getName().replace('\\', '/'), e.isUnixSymlink(),
-                e.getSize(), () -> ouvrir(zip, e)));
+    private static Stream<ZipArchiveEntry> entrees(ZipFile zip) {
+        return Collections.list(zip.getEntries()).stream();
+    }
+
+    /** Le nom d'une entrée, avec des « / » même si elle vient de Windows. */
+    private static String nom(ZipArchiveEntry entree) {
+        return entree.getName().replace('\\', '/');
+    }
+
+    private boolean prendre(ZipFile zip, ZipArchiveEntry entree, String chemin, String archive, int niveau) {
+        return prendre(nom(entree), entree.isUnixSymlink(), entree.getSize(), () -> ouvrir(zip, entree), chemin, archive, niveau);
     }
 
     private static InputStream ouvrir(ZipFile zip, ZipArchiveEntry entree) throws IOException {
@@ -181,24 +169,25 @@ public final class Contenu {
     private boolean parcourir(Path lieu, String nom, byte[] debut) {
         boolean lien = !Files.isRegularFile(lieu, LinkOption.NOFOLLOW_LINKS);
         if (!dossier(lieu)) {
-            return prendre(new Entree(nom, lien, lien ? 0 : lieu.toFile().length(), () -> Files.newInputStream(lieu)),
-                    chemin(nom, debut), "", 0);
+            return prendre(nom, lien, lien ? 0 : lieu.toFile().length(), () -> Files.newInputStream(lieu), chemin(nom, debut), "", 0);
         }
-        return prendre(new Entree(nom + "/", false, 0, null), chemin(nom + "/", debut), "", 0) && enfants(lieu).entrySet().stream()
+        return prendre(nom + "/", false, 0, null, chemin(nom + "/", debut), "", 0) && enfants(lieu).entrySet().stream()
                 .allMatch(e -> parcourir(e.getValue(), nom + "/" + e.getKey(), debut));
     }
 
     /**
      * Lit une entrée, si c'est une source ou une archive. Une entrée illisible n'empêche pas de lire les autres.
      *
-     * @param chemin dans le rendu ; @param archive celle qui contient l'entrée, vide si c'est celle de la classe
+     * @param nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / » ; @param chemin dans le rendu
+     * @param taille annoncée, en octets ; négative si elle n'est pas annoncée ; @param archive celle qui contient l'entrée, vide si c'est celle de la classe
      * @return faux s'il n'y a plus rien à lire de ce rendu
      */
-    private boolean prendre(Entree entree, String chemin, String archive, int niveau) {
+    private boolean prendre(String nom, boolean lien, long taille, IOSupplier<InputStream> contenu, String chemin, String archive,
+            int niveau) {
         fichiers++;
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             return false;
-        } else if (chemin.length() > CHEMIN_MAX || entree.nom.length() > CHEMIN_MAX) {
+        } else if (chemin.length() > CHEMIN_MAX) {
             refus.add("des noms de plus de " + CHEMIN_MAX + " caractères : laissés de côté");
             return true;
         }
@@ -207,25 +196,25 @@ public final class Contenu {
         String bas = fin.toLowerCase(Locale.ROOT);
         noms.stream().filter(n -> DOSSIERS_OUTILS.contains(n) || OUTIL.matcher(n).matches()).findFirst()
                 .ifPresent(n -> outils.add(Echange.protege(n, NOM_MAX)));
-        boolean dossier = entree.nom.endsWith("/");
+        boolean dossier = nom.endsWith("/");
         if (dossier || estDebris(noms)) {
             return true;
         }
         boolean source = bas.endsWith(".java");
         boolean zip = bas.endsWith(".zip");
         // un fichier lu compte pour les octets lus, quelle que soit la taille annoncée
-        octets += source || zip ? 0 : Math.max(0, entree.taille);
+        octets += source || zip ? 0 : Math.max(0, taille);
         if (bas.endsWith(".jar")) {
             bibliotheques.add(Echange.protege(fin, NOM_MAX));
         }
-        if (entree.nom.startsWith("/") || entree.nom.matches("(?s)[A-Za-z]:.*") || List.of(entree.nom.split("/")).contains("..")) {
-            refus.add("entrée refusée, qui sort de son archive : " + entree.nom);
-        } else if (entree.lien) {
+        if (nom.startsWith("/") || nom.matches("(?s)[A-Za-z]:.*") || List.of(nom.split("/")).contains("..")) {
+            refus.add("entrée refusée, qui sort de son archive : " + nom);
+        } else if (lien) {
             refus.add("lien refusé : " + fin);
         } else if (AUTRE_ARCHIVE.matcher(fin).matches()) {
             refus.add(chemin + " : à déplier à la main ; seuls les dossiers et les .zip le sont ici");
         } else if (source || zip) {
-            try (InputStream flux = entree.flux.get()) {
+            try (InputStream flux = contenu.get()) {
                 if (zip) {
                     deplier(flux, chemin, niveau);
                 } else {
@@ -281,7 +270,7 @@ public final class Contenu {
         }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
             String dans = chemin.substring(0, chemin.length() - ".zip".length());
-            entrees(zip).allMatch(e -> prendre(e, joindre(dans, e.nom), chemin, niveau + 1));
+            entrees(zip).allMatch(e -> prendre(zip, e, joindre(dans, nom(e)), chemin, niveau + 1));
         }
     }
 

@@ -286,7 +286,7 @@ final class JugeRendu implements AutoCloseable {
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
     private Map<String, Boolean> methodes(String classe) {
         Map<String, Boolean> noms = new TreeMap<>();
-        for (Signature m : projet.cours.squelette(classe).methodes) {
+        for (Signature m : projet.squelette.get(classe).methodes) {
             if (m.texte.contains("// FIXME")) {
                 noms.merge(m.nom, projet.type(classe).methodes.stream().noneMatch(s -> s.nom.equals(m.nom) && s.arbre.equals(m.arbre)),
                         Boolean::logicalAnd);

@@ -164,7 +164,7 @@ public final class Jury implements AutoCloseable {
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus de critères est gardée
-            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours)) {
+            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.squelette)) {
                 try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;

@@ -25,7 +25,7 @@ abstract class DepotEssai {
 
     static final String CLASSE = "package lancer;\npublic class Vecteur extends Tuple {\n}\n";
 
-    private static Cours cours;
+    private static Map<String, Type> squelette;
 
     @TempDir
     Path dossier;
@@ -62,8 +62,8 @@ abstract class DepotEssai {
     /** Lu dans cette machine virtuelle-ci : rien de ces essais n'est hostile au JDK. */
     static Projet projet(Rendu rendu) {
         try {
-            cours = cours == null ? new Cours(Lecteur::lire) : cours;
-            return Projet.copies(rendu, Lecteur::lire, cours).get(0);
+            squelette = squelette == null ? Source.squelette(Lecteur::lire) : squelette;
+            return Projet.copies(rendu, Lecteur::lire, squelette).get(0);
         } catch (Arret e) {
             throw new AssertionError(e);
         }

@@ -72,9 +72,9 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        assertEquals(List.of("Sphere.getNormale absente ; normale prend et rend la même chose",
+        assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie du rendu, et "
-                + "jugez cette copie", "Objet3D.getNormale absente ; normale prend et rend la même chose"), lu.aRegarder);
+                + "jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale"), lu.aRegarder);
     }
 
     @Test
