@@ -312,7 +312,7 @@ class ClasseTest extends ClasseEssai {
         assertEquals(Double.parseDouble(classe.get("101").get("note")) + 2.5, Double.parseDouble(classe(dossier).get("101").get("note")),
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));
-        contient(page(dossier, "101"), "Donné par l&#39;enseignant : vu en TP");
+        contient(page(dossier, "101"), "Donné par l'enseignant : vu en TP");
     }
 
     @Test

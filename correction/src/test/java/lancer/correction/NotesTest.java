@@ -102,7 +102,8 @@ class NotesTest extends ClasseEssai {
         String index = Files.readString(dossier.resolve("index.html"));
         contient(index, "<td class=\"n\">16,67<td class=\"petit\"><div>note de la feuille gardée, que nous n&#39;avons pas écrite : 9.00 ; "
                 + "la nôtre serait 16.67");
-        assertFalse(index.contains("sur 24") || page(dossier, "7001").contains("sur 24"), "une seule échelle");
+        assertEquals("24", index.replaceFirst("(?s).*ajustements.csv, ils sont sur (\\d+).*", "$1"));
+        assertFalse(index.contains("/24") || page(dossier, "7001").contains("24"), "une seule échelle");
         contient(page(dossier, "7001"), "16,67 points sur 20");
     }
 
@@ -276,5 +277,17 @@ class NotesTest extends ClasseEssai {
         Essai essai = renoter();
         assertEquals("", essai.erreur);
         assertEquals("17.50", classe(dossier).values().stream().map(l -> l.get("note")).max(String::compareTo).get());
+    }
+
+    @Test
+    void unTexteDUnEtudiantNAgitNiSurSaPageNiSurLIndex() throws IOException {
+        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.csv")) ? "001-7001.csv"
+                : "002-7001.csv");
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("étudiant,7001,[^,]*,",
+                "étudiant,7001,\"<b>x</b> & '\"\"y\"\" \\${7*7} <#stop> \u202e\u0007\","));
+        assertEquals(0, renoter().code);
+        for (String page : List.of(page(dossier, "7001"), Files.readString(dossier.resolve("index.html")))) {
+            contient(page, "&lt;b&gt;x&lt;/b&gt; &amp; &#39;&quot;y&quot; ${7*7} &lt;#stop&gt; \uFFFD\uFFFD");
+        }
     }
 }

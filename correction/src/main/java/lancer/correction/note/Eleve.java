@@ -45,7 +45,7 @@ public final class Eleve {
             sur = hors ? 0 : poids;
             this.ajustement = ajustement;
             points = ajustement != null ? bareme.ramener(ajustement.points)
-                    : comptent == 0 ? 0 : poids * (hors ? comptent - reussis : reussis) / comptent;
+                    : comptent == 0 || hors && reussis == comptent ? 0 : poids * (hors ? comptent - reussis : reussis) / comptent;
         }
 
         private long nombre(Verdict.Etat etat) {
@@ -119,7 +119,7 @@ public final class Eleve {
         return parts.entrySet().stream().filter(p -> p.getValue().aNoter).map(Map.Entry::getKey).collect(Collectors.toList());
     }
 
-    public double perdus(Verdict.Etat etat) {
+    private double perdus(Verdict.Etat etat) {
         return parts.values().stream().mapToDouble(p -> p.perdus(etat)).sum();
     }
 
@@ -129,6 +129,11 @@ public final class Eleve {
             aRegarder.add(fautes.isEmpty() ? aRegarder.size() : 0, String.format(Locale.FRANCE, "%.2f points %s%s", perdus, cause,
                     fautes.isEmpty() ? "" : fautes.get(0)));
         }
+    }
+
+    /** Points perdus par ce qui n'a pu être évalué. */
+    public double nonEvaluables() {
+        return perdus(Verdict.Etat.NON_EVALUABLE);
     }
 
     public boolean illisible() {
