@@ -40,6 +40,8 @@ public final class Contenu {
     /** Taille maximale d'un rendu décompressé, en octets, et nombre maximal de fichiers. */
     private static final long OCTETS_MAX = 50L << 20;
     private static final int FICHIERS_MAX = 20_000;
+    /** Nombre maximal d'entrées d'une archive, dossiers et fichiers d'outils compris. */
+    private static final int FICHES_MAX = 200_000;
     private static final int SOURCE_MAX = 1 << 20;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
@@ -184,7 +186,6 @@ public final class Contenu {
      */
     private boolean prendre(String nom, boolean lien, long taille, IOSupplier<InputStream> contenu, String chemin, String archive,
             int niveau) {
-        fichiers++;
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             return false;
         } else if (chemin.length() > CHEMIN_MAX) {
@@ -200,6 +201,7 @@ public final class Contenu {
         if (dossier || estDebris(noms)) {
             return true;
         }
+        fichiers++;
         boolean source = bas.endsWith(".java");
         boolean zip = bas.endsWith(".zip");
         // un fichier lu compte pour les octets lus, quelle que soit la taille annoncée
@@ -263,9 +265,9 @@ public final class Contenu {
         byte[] archive = flux.readNBytes((int) OCTETS_MAX);
         octets += archive.length;
         // les fiches du répertoire central, que la bibliothèque retient toutes (APPNOTE.TXT, 4.3.12)
-        fichiers += IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
-                && archive[k + 3] == 2).limit(FICHIERS_MAX + 1).count() / FICHIERS_MAX * FICHIERS_MAX;
-        if (fichiers > FICHIERS_MAX) {
+        if (IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
+                && archive[k + 3] == 2).limit(FICHES_MAX + 1).count() > FICHES_MAX) {
+            fichiers = FICHIERS_MAX + 1;
             return;
         }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
