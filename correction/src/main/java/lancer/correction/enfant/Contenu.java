@@ -54,7 +54,8 @@ public final class Contenu {
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Fichiers d'outils que l'énoncé demande d'enlever ; les dossiers ne sont pas lus. */
-    private static final Set<String> DOSSIERS_OUTILS = Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
+    private static final Set<String> DOSSIERS_OUTILS =
+            Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
     private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
 
     private final Set<String> refus = new LinkedHashSet<>();
@@ -91,7 +92,11 @@ public final class Contenu {
                         : entrees(zip).map(Contenu::nom)).takeWhile(nom -> noms.size() < NOMS_MAX)
                         .forEach(nom -> noms.put(premier(nom), nom.indexOf('/') < 0 ? new byte[1] : new byte[0]));
             } else if (zip == null) {
-                rendu.keySet().stream().filter(enfants::containsKey).forEach(nom -> contenu.parcourir(enfants.get(nom), nom, rendu.get(nom)));
+                rendu.forEach((nom, debut) -> {
+                    if (enfants.containsKey(nom)) {
+                        contenu.parcourir(enfants.get(nom), nom, debut);
+                    }
+                });
             } else {
                 entrees(zip).filter(e -> rendu.containsKey(premier(nom(e)))).allMatch(e -> contenu.prendre(zip, e, chemin(nom(e),
                         rendu.get(premier(nom(e)))), "", 0));
@@ -181,7 +186,8 @@ public final class Contenu {
      * Lit une entrée, si c'est une source ou une archive. Une entrée illisible n'empêche pas de lire les autres.
      *
      * @param nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / » ; @param chemin dans le rendu
-     * @param taille annoncée, en octets ; négative si elle n'est pas annoncée ; @param archive celle qui contient l'entrée, vide si c'est celle de la classe
+     * @param taille annoncée, en octets ; négative si elle n'est pas annoncée
+     * @param archive celle qui contient l'entrée, vide si c'est celle de la classe
      * @return faux s'il n'y a plus rien à lire de ce rendu
      */
     private boolean prendre(String nom, boolean lien, long taille, IOSupplier<InputStream> contenu, String chemin, String archive,
@@ -287,7 +293,8 @@ public final class Contenu {
                     + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", "))));
         }
         Echange.ecrireTout(reponse, sources);
-        List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new).collect(Collectors.toList());
+        List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new)
+                .collect(Collectors.toList());
         listes.forEach(Echange::abreger);
         Echange.ecrireValeur(reponse, listes, o -> null);
     }
