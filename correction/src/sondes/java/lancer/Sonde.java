@@ -110,7 +110,8 @@ public final class Sonde {
         for (String lampe : sections) {
             if (lampe.startsWith("[Lampe")) {
                 k++;
-                dire("lampe " + k + " seule, sans Ks", eclairer(fichier, objets.replaceAll("(?m)^K[sr]=.*", "Ks=0 0 0") + lampe, camera, xe, ye));
+                dire("lampe " + k + " seule, sans Ks", eclairer(fichier, objets.replaceAll("(?m)^K[sr]=.*", "Ks=0 0 0") + lampe,
+                        camera, xe, ye));
                 dire("lampe " + k + " seule, avec Ks", eclairer(fichier, objets + lampe, camera, xe, ye));
             }
         }

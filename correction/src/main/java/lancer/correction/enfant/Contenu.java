@@ -40,6 +40,8 @@ public final class Contenu {
     /** Taille maximale d'un rendu décompressé, en octets, et nombre maximal de fichiers. */
     private static final long OCTETS_MAX = 50L << 20;
     private static final int FICHIERS_MAX = 20_000;
+    /** Nombre maximal d'entrées d'une archive, dossiers et fichiers d'outils compris. */
+    private static final int FICHES_MAX = 200_000;
     private static final int SOURCE_MAX = 1 << 20;
     private static final int SOURCES_MAX = 500;
     private static final int PESEE_MAX = 6 << 20;
@@ -52,7 +54,8 @@ public final class Contenu {
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Fichiers d'outils que l'énoncé demande d'enlever ; les dossiers ne sont pas lus. */
-    private static final Set<String> DOSSIERS_OUTILS = Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
+    private static final Set<String> DOSSIERS_OUTILS =
+            Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
     private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
 
     private final Set<String> refus = new LinkedHashSet<>();
@@ -89,7 +92,11 @@ public final class Contenu {
                         : entrees(zip).map(Contenu::nom)).takeWhile(nom -> noms.size() < NOMS_MAX)
                         .forEach(nom -> noms.put(premier(nom), nom.indexOf('/') < 0 ? new byte[1] : new byte[0]));
             } else if (zip == null) {
-                rendu.keySet().stream().filter(enfants::containsKey).forEach(nom -> contenu.parcourir(enfants.get(nom), nom, rendu.get(nom)));
+                rendu.forEach((nom, debut) -> {
+                    if (enfants.containsKey(nom)) {
+                        contenu.parcourir(enfants.get(nom), nom, debut);
+                    }
+                });
             } else {
                 entrees(zip).filter(e -> rendu.containsKey(premier(nom(e)))).allMatch(e -> contenu.prendre(zip, e, chemin(nom(e),
                         rendu.get(premier(nom(e)))), "", 0));
@@ -179,12 +186,12 @@ public final class Contenu {
      * Lit une entrée, si c'est une source ou une archive. Une entrée illisible n'empêche pas de lire les autres.
      *
      * @param nom depuis le dossier, ou dans l'archive ; celui d'un dossier finit par « / » ; @param chemin dans le rendu
-     * @param taille annoncée, en octets ; négative si elle n'est pas annoncée ; @param archive celle qui contient l'entrée, vide si c'est celle de la classe
+     * @param taille annoncée, en octets ; négative si elle n'est pas annoncée
+     * @param archive celle qui contient l'entrée, vide si c'est celle de la classe
      * @return faux s'il n'y a plus rien à lire de ce rendu
      */
     private boolean prendre(String nom, boolean lien, long taille, IOSupplier<InputStream> contenu, String chemin, String archive,
             int niveau) {
-        fichiers++;
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             return false;
         } else if (chemin.length() > CHEMIN_MAX) {
@@ -200,6 +207,7 @@ public final class Contenu {
         if (dossier || estDebris(noms)) {
             return true;
         }
+        fichiers++;
         boolean source = bas.endsWith(".java");
         boolean zip = bas.endsWith(".zip");
         // un fichier lu compte pour les octets lus, quelle que soit la taille annoncée
@@ -263,9 +271,9 @@ public final class Contenu {
         byte[] archive = flux.readNBytes((int) OCTETS_MAX);
         octets += archive.length;
         // les fiches du répertoire central, que la bibliothèque retient toutes (APPNOTE.TXT, 4.3.12)
-        fichiers += IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
-                && archive[k + 3] == 2).limit(FICHIERS_MAX + 1).count() / FICHIERS_MAX * FICHIERS_MAX;
-        if (fichiers > FICHIERS_MAX) {
+        if (IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
+                && archive[k + 3] == 2).limit(FICHES_MAX + 1).count() > FICHES_MAX) {
+            fichiers = FICHIERS_MAX + 1;
             return;
         }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
@@ -285,7 +293,8 @@ public final class Contenu {
                     + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", "))));
         }
         Echange.ecrireTout(reponse, sources);
-        List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new).collect(Collectors.toList());
+        List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new)
+                .collect(Collectors.toList());
         listes.forEach(Echange::abreger);
         Echange.ecrireValeur(reponse, listes, o -> null);
     }

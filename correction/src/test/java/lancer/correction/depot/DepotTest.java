@@ -301,6 +301,10 @@ class DepotTest extends DepotEssai {
         entrees.put("lancer/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8));
         Rendu rendu = deposer("tp.zip", zip(entrees));
         assertEquals(List.of("des noms de plus de 1000 caractères : laissés de côté"), rendu.refus);
+        for (int k = 0; k < 25_000; k++) {
+            entrees.put("tp/.git/objects/" + k, new byte[0]);
+        }
+        assertEquals(rendu.refus, deposer("tp.zip", zip(entrees)).refus, "ce que des outils ajoutent ne compte pas");
         assertEquals(1, rendu.sources.size());
     }
 

@@ -73,8 +73,8 @@ class ProjetTest extends DepotEssai {
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
         assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
-                "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie du rendu, et "
-                + "jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale"), lu.aRegarder);
+                "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
+                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale"), lu.aRegarder);
     }
 
     @Test
@@ -126,7 +126,8 @@ class ProjetTest extends DepotEssai {
     private void projet(String dossier, String... classes) throws IOException {
         for (String classe : classes) {
             ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file").resolve(dossier).resolve(classe + ".java"),
-                    "package lancer; public class " + SourcesDuCours.classes().stream().filter(classe::contains).findFirst().get() + " { /* " + dossier + " */ }");
+                    "package lancer; public class " + SourcesDuCours.classes().stream().filter(classe::contains).findFirst().get()
+                    + " { /* " + dossier + " */ }");
         }
     }
 
@@ -190,7 +191,8 @@ class ProjetTest extends DepotEssai {
     void uneMethodeCoupeeNeLEstPasAuMilieuDUnCaractere() throws IOException {
         for (int decalage = 0; decalage < 2; decalage++) {
             ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Camera.java"), "package lancer; class Camera { "
-                    + " ".repeat(decalage) + "Rayon getRayon() { /*" + "x".repeat(decalage) + "\uD835\uDC31".repeat(4000) + "*/ return null; } }");
+                    + " ".repeat(decalage) + "Rayon getRayon() { /*" + "x".repeat(decalage) + "\uD835\uDC31".repeat(4000)
+                    + "*/ return null; } }");
             String texte = projet(lire(rendus).get("11")).type("Camera").methodes.get(0).texte;
             assertEquals(texte, new String(texte.getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8));
         }
