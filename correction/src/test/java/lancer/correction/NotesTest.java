@@ -26,7 +26,8 @@ import org.junit.jupiter.api.io.TempDir;
 class NotesTest extends ClasseEssai {
 
     private static final Charset CP1252 = Charset.forName("windows-1252");
-    private static final String TITRES = "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
+    private static final String TITRES =
+            "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
 
     @TempDir
     static Path jugee;

@@ -125,9 +125,9 @@ public final class Confinement {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
-            // la taille et le nombre des fichiers sont limités ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
-            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; ulimit -n " + DESCRIPTEURS
-                    + "; f=$1; shift; exec \"$@\""
+            // les fichiers sont limités ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
+            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; ulimit -n " + DESCRIPTEURS + "; f=$1; shift; "
+                    + "exec \"$@\""
                     + (classes.equals(BOITE) ? " 8<\"$f\" 9<\"$0\"" : ""), chemin, String.valueOf(filtre)));
         }
         if (confine) {

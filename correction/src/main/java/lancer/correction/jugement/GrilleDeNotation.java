@@ -98,7 +98,8 @@ public final class GrilleDeNotation {
      */
     public void reprendre(GrilleDeNotation precedente) {
         if (!criteres().equals(precedente.criteres())) {
-            throw new Panne(2, "rien n'est ajouté : les anciens résultats viennent d'une autre version du programme ; attendu : toute la classe");
+            throw new Panne(2, "rien n'est ajouté : les anciens résultats viennent d'une autre version du programme ; "
+                    + "attendu : toute la classe, sans AJOUTER");
         }
         sansConfinement = sansConfinement.isEmpty() ? precedente.sansConfinement : sansConfinement;
     }

@@ -55,7 +55,8 @@ public final class Ajustements {
             String texte = Source.decoder(Files.readAllBytes(fichier));
             for (CSVRecord ligne : CSVParser.parse(texte, CSVFormat.DEFAULT.builder().setIgnoreSurroundingSpaces(true)
                     .setDelimiter(texte.split("\n", 2)[0].contains(";") ? ';' : ',').get())) {
-                String faute = ligne.getRecordNumber() == 1 && ligne.get(0).equalsIgnoreCase("id") ? "" : prendre(ligne, ids, grille, bareme);
+                String faute = ligne.getRecordNumber() == 1 && ligne.get(0).equalsIgnoreCase("id") ? ""
+                        : prendre(ligne, ids, grille, bareme);
                 if (!faute.isEmpty()) {
                     fautes.add("ajustements.csv, ligne " + ligne.getParser().getCurrentLineNumber() + " : " + faute);
                 }

@@ -36,7 +36,7 @@ public class Etapes implements TestExecutionListener {
     /** Secondes laissées à une vérification avant de la dire sans fin ; 0 : autant qu'elle en veut. */
     private static final int PATIENCE = Integer.getInteger("etapes.patience", 0);
 
-    /** Les étapes qui complètent une méthode déjà écrite pour une autre : plus de FIXME ne dit qu'elles restent à commencer. */
+    /** Les étapes qui complètent une méthode déjà écrite pour une autre, où aucun FIXME ne les annonce. */
     private static final List<String> DANS_LA_MEME_METHODE = Arrays.asList("phong", "ombres", "reflets");
 
     /** Ce qui suit un lieu où le squelette demande encore d'écrire. */
