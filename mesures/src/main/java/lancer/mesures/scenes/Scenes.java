@@ -14,8 +14,8 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /**
- * Des scènes par leur nom : un fichier de {@code scenes/}, la scène « tp », qui ne sert qu'aux mesures, ou une foule engendrée
- * (« foule-1000 »). Elles sont lues sans variante, même si une variante à mesurer est dans le chemin des classes.
+ * Des scènes par leur nom : un fichier de {@code scenes/}, la scène « tp », qui ne sert qu'aux mesures, ou une scène
+ * engendrée (« foule-1000 », {@link Difficiles}). Elles sont lues sans variante, même si une variante à mesurer est dans le chemin des classes.
  */
 public final class Scenes {
 
@@ -23,6 +23,9 @@ public final class Scenes {
 
     /** Dix sphères réfléchissantes et deux lampes. */
     public static final String TP = "tp";
+
+    /** Trois scènes engendrées, difficiles à échantillonner. */
+    public static final List<String> DIFFICILES = Difficiles.NOMS;
 
     private Scenes() {
     }
@@ -47,15 +50,14 @@ public final class Scenes {
      * @throws lancer.SceneFautive si une scène livrée manque
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
-        int tiret = nom.indexOf('-');
-        if (tiret < 0) {
+        if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom)) {
             return FichierScene.trouver((nom.equals(TP) ? "mesures/src/main/scenes/" : "scenes/") + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // ce fichier peut dépasser cent millions d'octets : Ctrl+C ne doit pas le laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
-            Foule.ecrire(sortie, Integer.parseInt(nom.substring(tiret + 1)));
+            Foule.ecrire(sortie, nom.replace(FOULE + "-", ""));
         }
         return fichier;
     }

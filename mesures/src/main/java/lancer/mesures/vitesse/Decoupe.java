@@ -16,12 +16,11 @@ import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
-/** Une partie de la scène du cours, par trois réglages de même durée et en référence, avec l'erreur de chacun. */
+/** Une partie de la scène du cours, par trois réglages de durées voisines et en référence, avec l'erreur de chacun. */
 final class Decoupe {
 
     static final String PNG = "temps-egal.png";
 
-    private static final String SCENE = "scene1";
     private static final Taille DECOUPE = new Taille(48, 36);
 
     /** Nombre de sous-pixels par côté d'un pixel de la référence. */
@@ -41,14 +40,14 @@ final class Decoupe {
 
     /** Dessine la planche des réglages dont la durée est la plus proche de celle du réglage par défaut de l'anticrénelage. */
     static void ecrire(Releves tous, Path dossier) throws IOException {
-        Releves siens = tous.de(Catalogue.METHODES).scene(SCENE);
-        Releve defaut = siens.le(Catalogue.COINS, Catalogue.COINS_DEFAUT);
-        Decoupe decoupe = new Decoupe(Scenes.fichier(SCENE, dossier), new Taille((int) defaut.nombre("largeur"),
+        Releves siens = tous.de(Catalogue.METHODES).scene(Catalogue.COURS);
+        Releve defaut = siens.le(Catalogue.SANS_SECTION, "");
+        Decoupe decoupe = new Decoupe(Scenes.fichier(Catalogue.COURS, dossier), new Taille((int) defaut.nombre("largeur"),
                 (int) defaut.nombre("hauteur")));
         ImageLineaire un = decoupe.image(new Methode("", ""));
         List<Releve> montres = new ArrayList<>();
         List<ImageLineaire> images = new ArrayList<>();
-        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE}) {
+        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.SANS_SECTION, Catalogue.PARTAGE}) {
             Releve r = siens.methode(methode).get().stream().min(Comparator.comparingDouble(
                     a -> Math.abs(Math.log(a.rapport().valeur / defaut.rapport().valeur)))).get();
             montres.add(r);
@@ -56,7 +55,7 @@ final class Decoupe {
         }
         decoupe.coin = decoupe.coin(un, images.get(2));
         ImageLineaire verite = decoupe.verite();
-        Planche planche = new Planche("À temps égal : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
+        Planche planche = new Planche("En des temps voisins : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
                 .taille(Style.LARGEUR, 800);
         for (int k = 0; k < montres.size(); k++) {
             Releve r = montres.get(k);

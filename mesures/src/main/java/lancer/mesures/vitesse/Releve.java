@@ -59,8 +59,13 @@ final class Releve {
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
     }
 
-    /** Rapport du temps à celui de la référence, sans bornes s'il n'y a qu'une manche. */
+    /** Rapport du temps à celui de la référence, qui est le réglage « un rayon » : 1 pour lui-même. */
     Intervalle rapport() {
+        return methode.equals(Catalogue.UN_RAYON) && nombre("rapport") > 0 ? Intervalle.exact(1) : mesure();
+    }
+
+    /** Rapport mesuré, sans bornes s'il n'y a qu'une manche. */
+    Intervalle mesure() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
                 Double.isNaN(max) ? Double.POSITIVE_INFINITY : max);
@@ -80,10 +85,10 @@ final class Releve {
         return FichierCsv.ligne(colonnes.stream().map(this::texte).toArray());
     }
 
-    /** Ces mesures, complétées ou remplacées par celles de l'autre. */
+    /** Ces mesures, complétées ou remplacées par celles que l'autre a. */
     Releve avec(Releve autre) {
         Map<String, String> tous = new HashMap<>(champs);
-        tous.putAll(autre.champs);
+        autre.champs.forEach((colonne, texte) -> tous.merge(colonne, texte, (sien, nouveau) -> nouveau.isEmpty() ? sien : nouveau));
         return new Releve(tous);
     }
 
