@@ -20,7 +20,7 @@ final class Axe extends LogAxis {
         setSmallestValue(Math.min(1e-300, min));
         setRange(min, max);
         setBase(max / min > LONG ? 10 : 2);
-        setTickUnit(new NumberTickUnit(Math.ceil((calculateLog(max) - calculateLog(min)) / ASSEZ)), false, false);
+        setTickUnit(new NumberTickUnit(Math.ceil((calculateLog(max) - calculateLog(min)) / ASSEZ)), false, true);
     }
 
     @Override

@@ -37,6 +37,10 @@ final class Planches {
     private static final Comparator<Releve> PAR_REGLAGE = Comparator.comparingInt(r -> r.methode.equals(Catalogue.UN_RAYON)
             ? Constantes.MAX_REFLETS : r.methode.equals(Catalogue.REFLETS) ? Integer.parseInt(r.parametres) : 0);
 
+    /** Méthodes dont chaque point porte son réglage ; programmes à qui rien n'est demandé, entourés et nommés. */
+    private static final List<String> A_NOMMER = Arrays.asList(Catalogue.REFLETS, Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE);
+    private static final List<String> SANS_DEMANDE = Arrays.asList(Catalogue.UN_RAYON, Catalogue.SANS_SECTION);
+
     private final Releves releves;
 
     Planches(Releves releves) {
@@ -70,10 +74,9 @@ final class Planches {
         for (Object[] ligne : LIGNES) {
             List<Marque> marques = new ArrayList<>();
             siens.tels(r -> ((List<?>) ligne[1]).contains(r.methode)).get().stream().sorted(PAR_REGLAGE).forEach(r -> {
-                Marque m = new Marque(r.rapport().fois(secondes), r.erreur());
-                marques.add(seule ? m.nommee(nom(r)) : m);
-                if (r.methode.equals(Catalogue.UN_RAYON) || r.methode.equals(Catalogue.SANS_SECTION)) {
-                    sansDemande.add(m);
+                marques.add(marque(r, secondes).nommee(seule && A_NOMMER.contains(r.methode) ? nom(r) : ""));
+                if (SANS_DEMANDE.contains(r.methode)) {
+                    sansDemande.add(marque(r, secondes).nommee(seule ? r.methode : ""));
                 }
             });
             Serie serie = new Serie((String) ligne[0], (Color) ligne[2], (FormeDePoint) ligne[3], true, marques);
@@ -82,11 +85,13 @@ final class Planches {
         return volet.serie(new Serie("", Style.NOIR, FormeDePoint.ANNEAU, false, sansDemande));
     }
 
-    /** Ce qui distingue ce réglage de ceux de la même ligne, ou son nom s'il est seul. */
+    private static Marque marque(Releve r, double secondes) {
+        return new Marque(r.rapport().fois(secondes), r.erreur());
+    }
+
+    /** Ce qui distingue ce réglage de ceux de la même ligne : « 8/0.06 ». */
     private static String nom(Releve r) {
-        return Arrays.asList(Catalogue.UN_RAYON, Catalogue.SANS_SECTION, Catalogue.BOUCLES).contains(r.methode) ? r.methode
-                : Arrays.asList(Catalogue.POVRAY, Catalogue.AUTO).contains(r.methode) ? r.nom()
-                : r.parametres.replaceAll("n=| seuil=", " ").trim().replace(' ', '/');
+        return r.parametres.replaceFirst("n=(.*) seuil=", "$1/");
     }
 
     /** Le temps du programme entier et d'autres programmes, selon le nombre de sphères. */

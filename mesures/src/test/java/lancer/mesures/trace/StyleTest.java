@@ -63,8 +63,8 @@ class StyleTest {
     private long encre(Color couleur, String nom, String repere) {
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, 600, 400);
-        new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(Marque.en(1, 30).nommee(nom),
-                Marque.en(9, 3)))).repere(1, repere).dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
+        new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(Marque.en(1, 3).nommee(nom),
+                Marque.en(9, 30)))).repere(1, repere).dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
         return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == couleur.getRGB()).count();
     }
 

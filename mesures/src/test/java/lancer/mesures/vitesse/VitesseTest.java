@@ -156,7 +156,7 @@ class VitesseTest {
     void sansAucunTempsLesErreursEtLesRayonsSeDisentEncore() throws IOException {
         new Comptes(TAILLE, null, dossier, new PrintStream(sortie)).ecrire(deux());
         Map<String, String> pages = new Tableaux(Releves.lire(dossier), Collections.emptyList()).pages();
-        assertTrue(pages.get("comptes").contains("| `scene1` | grille 2 × 2 | × 4 | "), pages.get("comptes"));
+        assertTrue(pages.get("comptes").contains("| `scene1` | grille 2 × 2 | × 3,8 | "), pages.get("comptes"));
         assertTrue(pages.get("choisir").contains("<td>un niveau au plus</td><td colspan=\"3\">rien de ce qui est mesuré</td>"),
                 pages.get("choisir"));
         assertEquals("", pages.get("machine"));
