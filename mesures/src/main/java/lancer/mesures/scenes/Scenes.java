@@ -14,15 +14,12 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /**
- * Des scènes par leur nom : un fichier de {@code scenes/}, la scène « tp », qui ne sert qu'aux mesures, ou une scène
- * engendrée (« foule-1000 », {@link Difficiles}). Elles sont lues sans variante, même si une variante à mesurer est dans le chemin des classes.
+ * Des scènes par leur nom : un fichier de {@code scenes/}, ou une scène engendrée (« foule-1000 », {@link Difficiles}). Elles sont lues
+ * sans variante, même si une variante à mesurer est dans le chemin des classes.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
-
-    /** Dix sphères réfléchissantes et deux lampes. */
-    public static final String TP = "tp";
 
     /** Trois scènes engendrées, difficiles à échantillonner. */
     public static final List<String> DIFFICILES = Difficiles.NOMS;
@@ -51,7 +48,7 @@ public final class Scenes {
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
         if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom)) {
-            return FichierScene.trouver((nom.equals(TP) ? "mesures/src/main/scenes/" : "scenes/") + nom + ".ini");
+            return FichierScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // ce fichier peut dépasser cent millions d'octets : Ctrl+C ne doit pas le laisser

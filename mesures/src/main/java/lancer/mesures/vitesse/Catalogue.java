@@ -30,7 +30,7 @@ final class Catalogue {
     static final String UN_RAYON = "un rayon";
 
     /** Le module antialias sans option, sur une scène qui n'a pas de section {@code [Antialias]}. */
-    static final String SANS_SECTION = "antialias sans section";
+    static final String SANS_SECTION = "coins par défaut";
     static final String GRILLE = "grille";
     static final String COINS = "coins";
     static final String PARTAGE = "partage";

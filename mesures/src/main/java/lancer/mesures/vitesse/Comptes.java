@@ -43,8 +43,8 @@ final class Comptes {
     /** Nombre de reflets pour lequel la précision d'un double ne suffit plus. */
     private static final int REFLETS = 15;
 
-    /** Nombre maximal de rayons d'une référence : une minute de processeur. */
-    private static final double VERITE = 3e8;
+    /** Nombre maximal de rayons d'une référence. */
+    private static final double VERITE = 1.5e8;
 
     private final Taille taille;
     private final PovRay povray;

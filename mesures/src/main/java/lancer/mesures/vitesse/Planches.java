@@ -37,7 +37,7 @@ final class Planches {
     private static final Comparator<Releve> PAR_REGLAGE = Comparator.comparingInt(r -> r.methode.equals(Catalogue.UN_RAYON)
             ? Constantes.MAX_REFLETS : r.methode.equals(Catalogue.REFLETS) ? Integer.parseInt(r.parametres) : 0);
 
-    /** Méthodes dont chaque point porte son réglage ; programmes à qui rien n'est demandé, entourés et nommés. */
+    /** Méthodes dont chaque point porte son réglage ; programmes à qui rien n'est demandé, entourés. */
     private static final List<String> A_NOMMER = Arrays.asList(Catalogue.REFLETS, Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE);
     private static final List<String> SANS_DEMANDE = Arrays.asList(Catalogue.UN_RAYON, Catalogue.SANS_SECTION);
 
@@ -76,7 +76,7 @@ final class Planches {
             siens.tels(r -> ((List<?>) ligne[1]).contains(r.methode)).get().stream().sorted(PAR_REGLAGE).forEach(r -> {
                 marques.add(marque(r, secondes).nommee(seule && A_NOMMER.contains(r.methode) ? nom(r) : ""));
                 if (SANS_DEMANDE.contains(r.methode)) {
-                    sansDemande.add(marque(r, secondes).nommee(seule ? r.methode : ""));
+                    sansDemande.add(marque(r, secondes).nommee(seule && r.methode.equals(Catalogue.UN_RAYON) ? r.methode : ""));
                 }
             });
             Serie serie = new Serie((String) ligne[0], (Color) ligne[2], (FormeDePoint) ligne[3], true, marques);

@@ -129,15 +129,13 @@ final class Tableaux {
 
     /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
     private String besoins() {
-        return table(Arrays.asList("scène", "rayons par pixel", "qui changent l'écran", "ombres pour rien", "lampes", "utiles",
-                "reflets qui changent l'écran", "sphères", "essayées par rayon", "structures", "première image", "alloué", "mémoire"),
-                besoins.stream().map(b -> {
-                    double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
+        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "utiles", "reflets qui changent l'écran", "sphères",
+                "essayées par rayon", "structures", "première image", "alloué", "mémoire"), besoins.stream().map(b -> {
                     Releves temps = releves.scene(b.get("scene")).tels(r -> !r.famille.equals(Catalogue.DEMANDES));
-                    double memoire = temps.methode(Catalogue.UN_RAYON).get().stream().mapToDouble(r -> r.nombre("memoire_mo")).findFirst().orElse(Double.NaN);
-                    return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / pixels),
-                            Style.nombre(nombre(b, "rayons_utiles") / pixels), Style.arrondi(100 * nombre(b, "ombres_inutiles")
-                            / nombre(b, "rayons")) + " %", b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
+                    double memoire = temps.methode(Catalogue.UN_RAYON).get().stream().mapToDouble(r -> r.nombre("memoire_mo"))
+                            .findFirst().orElse(Double.NaN);
+                    return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / nombre(b, "largeur")
+                            / nombre(b, "hauteur")), b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
                             + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
                             Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
                             b.get("structures").toLowerCase(Locale.ROOT), Double.isNaN(temps.secondes()) ? ""

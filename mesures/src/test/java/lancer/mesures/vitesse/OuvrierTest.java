@@ -33,7 +33,7 @@ class OuvrierTest {
 
     @Test
     void unBitDeTropRendLImageFausse() throws IOException {
-        for (String cle : new String[] {"un rayon/", "antialias sans section/", "partage/n=4 seuil=0.2"}) {
+        for (String cle : new String[] {"un rayon/", "coins par défaut/", "partage/n=4 seuil=0.2"}) {
             Methode.ScenePrete dessin = methode(cle).new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
             ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
             dessin.faire(image, 2);

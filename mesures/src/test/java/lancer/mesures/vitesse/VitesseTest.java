@@ -107,9 +107,9 @@ class VitesseTest {
                 .containsAll(Arrays.asList("lancer", "antialias", "brume", "blinn")), "chaque programme est essayé");
     }
 
-    /** Des programmes entiers, qui dessinent la scène « tp » en tout petit. */
+    /** Des programmes entiers, qui dessinent dix boules en tout petit. */
     private Releves enProcessus(Methode methode) throws IOException {
-        mesureur().mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(Catalogue.SPHERES, Scenes.TP,
+        mesureur().mesurer(new Taille(40, 30), Collections.singletonList(new Catalogue.Groupe(Catalogue.SPHERES, Scenes.FOULE + "-10",
                 methode)));
         return new Releves(Releves.lignes(dossier.resolve(Vitesse.CSV)));
     }
@@ -135,7 +135,7 @@ class VitesseTest {
         Methode boucles = new Methode(Catalogue.BOUCLES, "").enBoucles();
         boucles.options = new String[] {"--reflets", "0"};
         String message = assertThrows(IllegalStateException.class, () -> enProcessus(boucles)).getMessage();
-        assertTrue(message.contains("image fausse : tp, 40x30, boucles du cours"), message);
+        assertTrue(message.contains("image fausse : foule-10, 40x30, boucles du cours"), message);
         Methode programme = new Methode(Catalogue.PROGRAMME, "");
         programme.options = new String[] {"--reflets", "0"};
         String autre = assertThrows(IllegalStateException.class, () -> enProcessus(programme)).getMessage();
