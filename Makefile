@@ -139,7 +139,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 

@@ -226,24 +226,17 @@ final class Mesureur {
             throws IOException {
         Circonstances c = circonstances;
         double reference = temps.reference(Manches.REEL) / 1e6;
+        Intervalle rapport = temps.rapport();
         champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
                 groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
                 "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees, "reference_ms", Releve.reel(reference), "processeur_ms",
-                Releve.reel(temps.reference(Manches.PROCESSEURS) / 1e6), "memoire_mo",
-                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20))));
-        String[] noms = {"rapport", "processeur", "memoire"};
-        for (int grandeur = Manches.REEL; grandeur <= Manches.MEMOIRE; grandeur++) {
-            Intervalle rapport = temps.rapport(grandeur);
-            champs.putAll(Releve.champs(noms[grandeur] + (grandeur == Manches.REEL ? "" : "_rapport"), Releve.reel(rapport.valeur),
-                    noms[grandeur] + "_min", Releve.reel(rapport.min), noms[grandeur] + "_max", Releve.reel(rapport.max)));
-        }
+                temps.jetees, "reference_ms", Releve.reel(reference), "memoire_mo",
+                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
+                "rapport_min", Releve.reel(rapport.min), "rapport_max", Releve.reel(rapport.max)));
         String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        Intervalle rapport = temps.rapport(Manches.REEL);
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  processeurs × %-6.3g mémoire × %-6.3g"
-                + " %2d/%d", methode.nom, methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference,
-                temps.rapport(Manches.PROCESSEURS).valeur, temps.rapport(Manches.MEMOIRE).valeur, temps.manches - temps.jetees,
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms %2d/%d", methode.nom,
+                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.manches - temps.jetees,
                 temps.manches));
     }
 }

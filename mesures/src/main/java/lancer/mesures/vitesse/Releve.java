@@ -17,8 +17,7 @@ final class Releve {
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
             "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
-            "processeur_ms", "processeur_rapport", "processeur_min", "processeur_max", "memoire_mo", "memoire_rapport", "memoire_min",
-            "memoire_max");
+            "memoire_mo");
 
     final String famille;
     final String scene;
