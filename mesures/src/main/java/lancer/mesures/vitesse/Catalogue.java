@@ -50,13 +50,14 @@ final class Catalogue {
     private static final double[][] PARTAGES = {{3, 0.3}, {4, 0.2}, {8, 0.1}, {8, 0.06}, {16, 0.03}, {16, 0.02}, {16, 0.01}};
 
     /** Seuil au-dessous duquel « partage » n'est chronométré que sur la scène du cours : ailleurs, il y faudrait des minutes. */
-    private static final double SEUIL_LENT = 0.03;
+    private static final double SEUIL_LENT = 0.05;
 
     /** Produit des Ks au-dessous duquel un reflet n'est pas suivi, dans les réglages où leur nombre n'est pas limité. */
     private static final double SEUIL = 1 / 128.0;
 
-    /** Nombre de sphères jusqu'auquel les boucles du cours sont mesurées : au-delà, elles durent des minutes. */
+    /** Nombre de sphères jusqu'auquel les boucles du cours, puis POV-Ray, sont mesurés : au-delà, il y faudrait des minutes. */
     private static final int BOUCLES_MAX = 1000;
+    private static final int POVRAY_MAX = 100_000;
 
     private Catalogue() {
     }
@@ -95,7 +96,7 @@ final class Catalogue {
         groupes.add(new Groupe(DEMANDES, COURS, lampe, new Methode("brume", "").variante("brume", m -> m.setAtmosphere(new Brume())),
                 new Methode("Blinn", "").variante("blinn", m -> m.setSpecularite(new Blinn()))));
         for (int n = 1; n <= (court ? 100 : 1_000_000); n *= 10) {
-            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n <= BOUCLES_MAX)));
+            groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n)));
         }
         return groupes;
     }
@@ -131,7 +132,7 @@ final class Catalogue {
         for (int n : scene.equals(COURS) ? new int[] {2, 3, 4, 8} : new int[] {2, 3}) {
             m.add(tousLesReflets(GRILLE, n + " × " + n, n, 0));
         }
-        for (int n : scene.equals(COURS) ? new int[] {3, 4, 8} : new int[] {3, 4}) {
+        for (int n : scene.equals(COURS) ? new int[] {3, 4, 8} : scene.equals("miroirs") ? new int[] {3} : new int[] {3, 4}) {
             m.add(tousLesReflets(COINS, "n=" + n + " seuil=0.05", n, 0.05));
         }
         m.add(new Methode(BOUCLES, "").enBoucles());
@@ -144,13 +145,15 @@ final class Catalogue {
                 .limitee(Gabarit.PROFONDEUR, SEUIL);
     }
 
-    /** Le programme entier, les boucles du cours si elles sont mesurées, et d'autres programmes. */
-    private static Methode[] spheres(boolean boucles) {
+    /** Le programme entier, et d'autres tant qu'ils ne sont pas trop longs. */
+    private static Methode[] spheres(int n) {
         List<Methode> m = new ArrayList<>(Collections.singletonList(new Methode(PROGRAMME, "")));
-        if (boucles) {
+        if (n <= BOUCLES_MAX) {
             m.add(new Methode(BOUCLES, "").enBoucles());
         }
-        m.add(new Methode(POVRAY, "").parPovRay());
+        if (n <= POVRAY_MAX) {
+            m.add(new Methode(POVRAY, "").parPovRay());
+        }
         m.add(new Methode(EMBREE, ""));
         return m.toArray(new Methode[0]);
     }

@@ -109,6 +109,6 @@ final class Planches {
                     }).collect(Collectors.toList())));
         }
         return new Planche("De une à un million de sphères, le programme entier et d'autres", "Démarrage de Java, lecture, préparation, "
-                + "dessin, écriture, à froid. Au-delà de 1 000 sphères, les boucles ne sont plus mesurées. make mesures").volet(volet);
+                + "dessin, écriture, à froid. Les boucles sont mesurées jusqu'à 1 000 sphères, et POV-Ray jusqu'à 100 000. make mesures").volet(volet);
     }
 }

@@ -48,7 +48,8 @@ final class Rapport {
         }
         valeurs.put("lyapunov", Style.arrondi(bilan.exposantDeLyapunov()));
         Path auto = dossier.resolve("auto.csv");
-        valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) : "pas encore mesuré");
+        valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) + Tableaux.source(Releves.lignes(auto))
+                : "pas encore mesuré");
         if (Files.exists(dossier.resolve("corriger.csv"))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
             valeurs.put("corriger", Tableaux.table(Arrays.asList("rendus", "cœurs", "secondes", "Mo"),

@@ -54,10 +54,11 @@ final class Tableaux {
         return source(mesures.get());
     }
 
-    /** Ligne sous un tableau : le commit et le jour de ses mesures, ou de chacune si elles n'ont pas les mêmes. */
+    /** Ligne sous un tableau : le commit et le jour de ses mesures ; vide s'ils ne sont pas connus. */
     static String source(List<Releve> mesures) {
-        return mesures.stream().filter(r -> !r.texte("commit").isEmpty()).map(r -> r.texte("commit") + ", le "
-                + r.texte("date").replaceFirst("T.*", "")).distinct().collect(Collectors.joining(" ; ", "\nMesures du commit ", ".\n"));
+        String sources = mesures.stream().filter(r -> !r.texte("commit").isEmpty()).map(r -> r.texte("commit") + ", le "
+                + r.texte("date").replaceFirst("T.*", "")).distinct().collect(Collectors.joining(" ; "));
+        return sources.isEmpty() ? "" : "\nMesures du commit " + sources + ".\n";
     }
 
     /** Un tableau Markdown. */
