@@ -37,7 +37,7 @@ final class Tableaux {
         pages.put("comptes", comptes(methodes) + source(methodes));
         Releves demandes = new Releves(Stream.of(releves.de(Catalogue.DEMANDES), cours.methode(Catalogue.SANS_SECTION),
                 cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")), cours.methode(Catalogue.BOUCLES))
-                .flatMap(r -> r.get().stream()).collect(Collectors.toList()));
+                .flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
         pages.put("demandes", table(Arrays.asList("sur la scène du cours", "temps, à celui de la scène telle quelle"),
                 demandes.get().stream().map(r -> Arrays.asList(r.nom(), rapport(r.rapport()))).collect(Collectors.toList()))
                 + source(demandes));
