@@ -105,8 +105,8 @@ public final class Figures {
 
     /** E : de reflet en reflet. */
     private Planche reflets() {
-        Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").lineaire()
-                .repere(1, "la boule elle-même est perdue");
+        Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons ; à 1, la boule est perdue")
+                .lineaire().repere(1, "");
         Object[][] series = {{"float", "float", Style.ORANGE, FormeDePoint.TRIANGLE},
             {"double", "double", Style.VERMILLON, FormeDePoint.ROND},
             {"compensee", "chaque reflet sans erreur, puis rangé en double", Style.POURPRE, FormeDePoint.CROIX},

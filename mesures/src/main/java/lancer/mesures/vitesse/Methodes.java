@@ -55,7 +55,7 @@ final class Methodes {
                 Marque m = new Marque(ns(regime, methode), Intervalle.exact(Math.max(0.05, r.erreurEnUnites)));
                 m = r.faux > 0 ? m.nommee("faux : " + Style.arrondi(100 * r.part()) + " %") : m;
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
-                        Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
+                        Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())).nommeeAGauche());
             }
             volets.add(volet);
         }
