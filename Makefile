@@ -9,7 +9,7 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images references captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
+.PHONY: test lanceurs javadoc images references captures scene-geante noyaux mesures juge mesure-auto mutations squelette \
 	corrige corriger profil-bwrap noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
@@ -83,28 +83,21 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
 	-Djava.util.prefs.userRoot=target -cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
-# Une scène de N boules, pour voir : make run SCENE=target/geante.ini
+# Une scène de N boules, ou une scène difficile (N=poussiere, ombres-fines, poussiere-miroirs) : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
-	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
+	@echo "target/geante.ini : $(N), $$(wc -c < target/geante.ini) octets"
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
-MESURER = $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(JAR:%=--jar=%) $(MESURES)
-
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar $(BASE) antialias/target/antialias.jar | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURER)
-
-# Des programmes entiers, de la commande au PNG : temps, temps des processeurs, mémoire, du programme et des boucles du cours ; et d'autres
-# programmes : make mesure-processus JAR="un.jar autre.jar".
-mesure-processus: mesures/target/mesures.jar $(BASE)
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --processus $(MESURER)
+mesures: mesures/target/mesures.jar $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) | mesures/target/embree
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Un pair en C++, pour les mesures.
 mesures/target/embree: mesures/src/main/cpp/embree.cpp
@@ -146,7 +139,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 
