@@ -172,7 +172,6 @@ public final class Correction {
         resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier + ".html", grille, bareme,
                 ajustements.de(resultat.id))));
         eleves.sort(Comparator.comparing(e -> Depot.ordre(e.resultat.nom, e.resultat.id)));
-        Eleve.comparer(eleves);
         Collection<Eleve> sansNote = feuille == null ? List.of()
                 : feuille.ecrire(dossier, Files.createDirectories(dossier.resolve(".travail")), eleves);
         ajustements.ecrireARemplir(dossier, eleves);

@@ -9,7 +9,7 @@ import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.SourcesDuCours;
 
-/** Constats sur un rendu déjà jugé : les consignes, les données pour le comparer aux autres, ce que l'enseignant doit examiner. */
+/** Constats sur un rendu déjà jugé : les consignes, et ce que l'enseignant doit examiner. */
 final class Constats {
 
     /** Message d'une récursion sans fin, à distinguer d'une boucle sans fin. */
@@ -27,7 +27,6 @@ final class Constats {
 
     void dire() {
         consignes();
-        juge.changees(SourcesDuCours.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
         confronter();
         compiler();
     }

@@ -10,7 +10,6 @@ import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
-import lancer.correction.modele.SourcesDuCours;
 
 /**
  * Un rendu jugé et sa note. Chaque étape rapporte la part de ses critères réussis, ou les points que donne l'enseignant. Seul l'enseignant
@@ -138,17 +137,5 @@ public final class Eleve {
 
     public boolean illisible() {
         return !resultat.refus.isEmpty();
-    }
-
-    /** Signale les classes données que peu de rendus ont changées, ou changées ainsi. */
-    public static void comparer(List<Eleve> eleves) {
-        for (String classe : SourcesDuCours.DONNEES) {
-            Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
-                    && e.resultat.empreintes.containsKey(classe))
-                    .collect(Collectors.groupingBy(e -> e.resultat.empreintes.get(classe)));
-            // la version que presque tous ont rendue est celle qui leur a été donnée
-            textes.values().stream().filter(t -> t.size() < 3 || 2 * t.size() < eleves.size()).forEach(t -> t.forEach(e ->
-                    e.aRegarder.add("la classe donnée " + classe + " a été changée")));
-        }
     }
 }
