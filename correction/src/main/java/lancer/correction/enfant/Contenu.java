@@ -289,6 +289,7 @@ public final class Contenu {
             sources.clear();
         } else if (sources.isEmpty() && refus.isEmpty()) {
             autres.addAll(bibliotheques);
+            autres.addAll(outils);
             refus.add("aucun fichier .java dans ce rendu ; " + (autres.isEmpty() ? "il est vide" : "il contient : "
                     + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", "))));
         }

@@ -312,6 +312,8 @@ class DepotTest extends DepotEssai {
     void ceQuiEstRenduSansSourceEstNomme() throws IOException {
         assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : Отчёт.txt, проект.jar"),
                 deposer("tp.zip", zip(Map.of("a/Отчёт.txt", new byte[9], "проект.jar", new byte[9]))).refus);
+        assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : bin"),
+                deposer("tp.zip", zip(Map.of("a/bin/A.java", new byte[9]))).refus);
         assertEquals(List.of("aucun fichier .java dans ce rendu ; il est vide"), deposer("tp.zip", zip(Map.of("a/", new byte[0]))).refus);
     }
 
