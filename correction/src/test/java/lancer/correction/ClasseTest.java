@@ -243,14 +243,14 @@ class ClasseTest extends ClasseEssai {
     @Test
     void unResultatPerduOuAbimeEstNomme(@TempDir Path copie) throws IOException {
         copier(dossier, copie);
-        Path perdu = copie.resolve("resultats/002-102.csv");
+        Path perdu = copie.resolve("resultats/002-102.json");
         String texte = Files.readString(perdu);
         Files.delete(perdu);
         contient(executer("--noter", "--sortie", copie).erreur, "le rendu numéro 2 manque");
         Files.writeString(perdu, texte.substring(0, texte.length() / 2) + "\"");
         Essai essai = executer("--noter", "--sortie", copie);
         assertEquals(2, essai.code);
-        contient(essai.erreur, "002-102.csv manque, ou est abîmé");
+        contient(essai.erreur, "002-102.json manque, ou est abîmé");
     }
 
     @Test

@@ -25,6 +25,10 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class NotesTest extends ClasseEssai {
 
+    /** Un PNG d'un seul pixel. */
+    private static final String PIXEL =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC";
+
     private static final Charset CP1252 = Charset.forName("windows-1252");
     private static final String TITRES =
             "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
@@ -253,9 +257,9 @@ class NotesTest extends ClasseEssai {
     @Test
     void unePageQueLOnNePeutEcrireNeCouteQuElleEtLIndexDitLaquelleEtPourquoi() throws IOException {
         Files.writeString(dossier.resolve("etudiants/mon-bilan.html"), "à moi");
-        Path resultat = dossier.resolve("resultats/001-7002.csv");
-        resultat = Files.exists(resultat) ? resultat : dossier.resolve("resultats/002-7002.csv");
-        Files.writeString(resultat, Files.readString(resultat).replaceAll("(?m)^image,.*$", "image,scene1,1,1,AAAA"));
+        Path resultat = dossier.resolve("resultats/001-7002.json");
+        resultat = Files.exists(resultat) ? resultat : dossier.resolve("resultats/002-7002.json");
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"scene1\":\"iVBOR[^\"]*", "\"scene1\":\"" + PIXEL));
         Essai essai = renoter();
         assertEquals(0, essai.code, essai.erreur);
         assertEquals("17.00/20.00", note("7001"));
@@ -267,11 +271,12 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void lIdentifiantDUnDossierNEstPasUneFormuleEtSaLigneSeRelit() throws IOException {
-        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.csv")) ? "001-7001.csv"
-                : "002-7001.csv");
+        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.json")) ? "001-7001.json"
+                : "002-7001.json");
         String nom = "=SOMME(A1)+k;@b";
-        Files.writeString(resultat, Files.readString(resultat).replaceFirst("étudiant,7001,[^,]*,", "étudiant," + nom + "," + nom + ",")
-                + "verdict,brume.image,A_NOTER,\r\n");
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"id\":\"7001\",\"nom\":\"[^\"]*",
+                "\"id\":\"" + nom + "\",\"nom\":\"" + nom)
+                .replace("\"verdicts\":{", "\"verdicts\":{\"brume.image\":{\"etat\":\"A_NOTER\",\"message\":\"\"},"));
         renoter();
         String aRemplir = Files.readString(dossier.resolve("ajustements-a-remplir.csv"));
         contient(aRemplir, "'=SOMME(A1)+k;'@b,brume,,");
@@ -283,10 +288,10 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void unTexteDUnEtudiantNAgitNiSurSaPageNiSurLIndex() throws IOException {
-        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.csv")) ? "001-7001.csv"
-                : "002-7001.csv");
-        Files.writeString(resultat, Files.readString(resultat).replaceFirst("étudiant,7001,[^,]*,",
-                "étudiant,7001,\"<b>x</b> & '\"\"y\"\" \\${7*7} <#stop> \u202e\u0007\","));
+        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.json")) ? "001-7001.json"
+                : "002-7001.json");
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"nom\":\"[^\"]*",
+                "\"nom\":\"<b>x</b> & '\\\\\"y\\\\\" \\${7*7} <#stop> \u202e\\\\u0007"));
         assertEquals(0, renoter().code);
         for (String page : List.of(page(dossier, "7001"), Files.readString(dossier.resolve("index.html")))) {
             contient(page, "&lt;b&gt;x&lt;/b&gt; &amp; &#39;&quot;y&quot; ${7*7} &lt;#stop&gt; \uFFFD\uFFFD");

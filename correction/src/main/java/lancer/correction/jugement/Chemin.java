@@ -30,16 +30,12 @@ public final class Chemin {
 
     public final int x;
     public final int y;
-    /** Réponses de la sonde, avec le corrigé puis avec le rendu. */
-    final String reference;
-    final String etudiant;
     public final List<Pas> pas;
 
+    /** @param reference réponses de la sonde avec le corrigé ; @param etudiant avec le rendu */
     Chemin(int x, int y, String reference, String etudiant) {
         this.x = x;
         this.y = y;
-        this.reference = reference;
-        this.etudiant = etudiant;
         Map<String, String> attendus = decouper(reference);
         Map<String, String> siens = decouper(etudiant);
         pas = Stream.concat(attendus.keySet().stream(), siens.keySet().stream()).distinct()

@@ -1,12 +1,19 @@
 package lancer.correction.jugement;
 
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonDeserializer;
+import com.google.gson.JsonPrimitive;
+import com.google.gson.JsonSerializer;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -19,11 +26,16 @@ import org.apache.commons.io.FileUtils;
 /** Le dossier {@code resultats} : un fichier par rendu, numérotés à partir de 001, et la grille du corrigé. Il n'est remplacé qu'entier. */
 public final class DossierDeResultats {
 
-    private static final String GRILLE = "corrige.csv";
-    private static final Pattern RENDU = Pattern.compile("(\\d{3,9})-[A-Za-z0-9-]*\\.csv");
+    /** Une image s'écrit en PNG. */
+    static final Gson JSON = new GsonBuilder().disableHtmlEscaping()
+            .registerTypeAdapter(Image.class, (JsonSerializer<Image>) (image, type, json) -> new JsonPrimitive(image.png(1)))
+            .registerTypeAdapter(Image.class, (JsonDeserializer<Image>) (png, type, json) -> Image.lire(png.getAsString())).create();
+
+    private static final String GRILLE = "corrige.json";
+    private static final Pattern RENDU = Pattern.compile("(\\d{3,9})-[A-Za-z0-9-]*\\.json");
 
     public final GrilleDeNotation grille;
-    /** Les résultats par le nom de leur fichier, sans « .csv », dans l'ordre de leurs numéros. */
+    /** Les résultats par le nom de leur fichier, sans « .json », dans l'ordre de leurs numéros. */
     public final Map<String, Resultat> resultats = new LinkedHashMap<>();
 
     /** @throws Panne si un résultat manque ou est abîmé */
@@ -35,14 +47,16 @@ public final class DossierDeResultats {
                 // un remplacement interrompu
                 Files.move(anciens(classe), dossier);
             }
-            grille = GrilleDeNotation.lire(lu);
+            grille = JSON.fromJson(Files.readString(lu), GrilleDeNotation.class);
             Map<Integer, Path> fichiers = new TreeMap<>();
             try (Stream<Path> flux = Files.list(dossier)) {
                 flux.filter(f -> numero(f) > 0).forEach(f -> fichiers.merge(numero(f), f, (un, autre) -> dossier));
             }
             for (int k = 1; k <= fichiers.size(); k++) {
                 lu = fichiers.getOrDefault(k, dossier.resolve("le rendu numéro " + k));
-                resultats.put(lu.getFileName().toString().replace(".csv", ""), Resultat.lire(lu));
+                Resultat resultat = JSON.fromJson(Files.readString(lu), Resultat.class);
+                resultats.put(lu.getFileName().toString().replace(".json", ""), resultat);
+                Objects.requireNonNull(resultat.id);
             }
         } catch (IOException | RuntimeException e) {
             throw new Panne(2, "rien à noter : " + lu + " manque, ou est abîmé ; attendu : les résultats de make corriger, tous");
@@ -71,6 +85,11 @@ public final class DossierDeResultats {
         return m.matches() ? Integer.parseInt(m.group(1)) : 0;
     }
 
+    /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
+    private static void ecrire(Path fichier, Object resultat) throws IOException {
+        Files.write(fichier, JSON.toJson(resultat).getBytes(StandardCharsets.UTF_8));
+    }
+
     /**
      * Écrit ces résultats à part, puis les met à la place des anciens. Un résultat que l'on ne peut écrire devient un refus, qui dit
      * pourquoi. Les fichiers de l'enseignant restent.
@@ -85,21 +104,21 @@ public final class DossierDeResultats {
         if (Files.exists(dossier)) {
             FileUtils.copyDirectory(dossier.toFile(), neuf.toFile(), f -> gardes != null || numero(f.toPath()) == 0);
         }
-        grille.ecrire(Files.createDirectories(neuf).resolve(GRILLE));
+        ecrire(Files.createDirectories(neuf).resolve(GRILLE), grille);
         Map<String, String> noms = new HashMap<>();
         if (gardes != null) {
             gardes.resultats.forEach((nom, resultat) -> noms.put(resultat.id, nom));
         }
         for (int k = 0; k < juges.size(); k++) {
             Resultat juge = juges.get(k);
-            Path fichier = neuf.resolve(noms.getOrDefault(juge.id, rendus.get(k).fichier(noms.size())) + ".csv");
+            Path fichier = neuf.resolve(noms.getOrDefault(juge.id, rendus.get(k).fichier(noms.size())) + ".json");
             noms.putIfAbsent(juge.id, "");
             try {
-                juge.ecrire(fichier);
+                ecrire(fichier, juge);
             } catch (IOException | RuntimeException | Error e) {
                 Resultat refus = new Resultat(juge.id, juge.nom);
                 refus.refus.add("ses résultats n'ont pas pu être écrits (" + Echange.protege(e.toString()) + ")");
-                refus.ecrire(fichier);
+                ecrire(fichier, refus);
             }
         }
         Path anciens = anciens(classe);

@@ -1,11 +1,15 @@
 package lancer.correction.jugement;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
-import java.util.List;
 import java.util.stream.IntStream;
-import org.apache.commons.csv.CSVRecord;
+import javax.imageio.ImageIO;
 
 /** Une image, en couleurs non limitées. */
 public final class Image {
@@ -39,22 +43,32 @@ public final class Image {
         rvb = new float[largeur * hauteur * 3];
     }
 
-    /** L'image qu'a écrite {@link #ligne}. */
-    Image(CSVRecord ligne) {
-        this(Integer.parseInt(ligne.get(2)), Integer.parseInt(ligne.get(3)));
-        byte[] octets = Base64.getDecoder().decode(ligne.get(4));
-        for (int k = 0; k < rvb.length; k++) {
-            rvb[k] = (octets[k] & 255) / 255f;
+    /** L'image que {@link #png} a écrite en entier : ses couleurs y ont un octet par composante. */
+    static Image lire(String png) {
+        try {
+            BufferedImage lue = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(png)));
+            Image image = new Image(lue.getWidth(), lue.getHeight());
+            for (int k = 0; k < image.rvb.length; k++) {
+                image.rvb[k] = (lue.getRGB(k / 3 % image.largeur, k / 3 / image.largeur) >> 16 - 8 * (k % 3) & 255) / 255f;
+            }
+            return image;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
-    /** Ligne d'un fichier de résultats : les couleurs y ont un octet par composante. */
-    List<?> ligne(String nom) {
-        byte[] octets = new byte[rvb.length];
-        for (int k = 0; k < rvb.length; k++) {
-            octets[k] = (byte) Math.round(niveau(k));
+    /** Un PNG en base 64. @param reduction un pixel sur ce nombre est montré, dans chaque sens */
+    public String png(int reduction) {
+        BufferedImage image = new BufferedImage(largeur / reduction, hauteur / reduction, BufferedImage.TYPE_INT_RGB);
+        IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
+                image.setRGB(x, y, code(reduction * x, reduction * y))));
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        try {
+            ImageIO.write(image, "png", octets);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
-        return List.of("image", nom, largeur, hauteur, Base64.getEncoder().encodeToString(octets));
+        return Base64.getEncoder().encodeToString(octets.toByteArray());
     }
 
     /** Une composante limitée à [0, 1], en niveaux de 1/255 ; 0 si ce n'est pas un nombre. */
@@ -101,7 +115,7 @@ public final class Image {
     }
 
     /** Le code du pixel pour l'écran. */
-    public int code(int x, int y) {
+    int code(int x, int y) {
         int code = 0;
         for (int k = 0; k < 3; k++) {
             code = code << 8 | (int) Math.round(niveau(3 * (y * largeur + x) + k));

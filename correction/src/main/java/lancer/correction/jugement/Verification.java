@@ -18,7 +18,7 @@ public final class Verification {
     /** Faux si le projet à compléter réussit déjà ce critère, qui ne rapporte alors rien. */
     public boolean compte = true;
     /** La classe de {@code lancer.Tests} qui contient la vérification, {@code null} pour un autre critère. */
-    String classeJava;
+    transient String classeJava;
 
     Verification(String etape, String titreEtape, String methode, String classe, String titre) {
         this.etape = etape;

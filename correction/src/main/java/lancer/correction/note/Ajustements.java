@@ -1,6 +1,8 @@
 package lancer.correction.note;
 
 import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,7 +15,6 @@ import java.util.stream.Collectors;
 import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.GrilleDeNotation;
-import lancer.correction.jugement.Resultat;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
@@ -114,6 +115,13 @@ public final class Ajustements {
             (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
                     tableau.add(List.of(Echange.sansFormule(eleve.resultat.id), critere, "", "")));
         }
-        Resultat.ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
+        ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
+    }
+
+    /** Écrit un tableau dans ce fichier ; un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
+    public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
+        StringWriter ecrit = new StringWriter();
+        CSVFormat.DEFAULT.print(ecrit).printRecords(lignes);
+        Files.write(fichier, ecrit.toString().getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -5,30 +5,24 @@ import freemarker.template.Configuration;
 import freemarker.template.DefaultObjectWrapperBuilder;
 import freemarker.template.TemplateException;
 import freemarker.template.TemplateExceptionHandler;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.GrilleDeNotation;
-import lancer.correction.jugement.Image;
 import lancer.correction.jugement.Reference;
-import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
+import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 
@@ -123,7 +117,7 @@ public final class Pages {
             ligne.replaceAll(Echange::sansFormule);
             lignes.add(ligne);
         }
-        Resultat.ecrire(fichier, lignes);
+        Ajustements.ecrire(fichier, lignes);
     }
 
     /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
@@ -162,15 +156,5 @@ public final class Pages {
             }
         }
         return null;
-    }
-
-    /** Un PNG en base 64. @param reduction un pixel sur ce nombre est montré, dans chaque sens */
-    public String png(Image montree, int reduction) throws IOException {
-        BufferedImage image = new BufferedImage(montree.largeur / reduction, montree.hauteur / reduction, BufferedImage.TYPE_INT_RGB);
-        IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
-                image.setRGB(x, y, montree.code(reduction * x, reduction * y))));
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", octets);
-        return Base64.getEncoder().encodeToString(octets.toByteArray());
     }
 }

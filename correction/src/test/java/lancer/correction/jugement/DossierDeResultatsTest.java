@@ -34,12 +34,13 @@ class DossierDeResultatsTest {
             rendus.add(new Rendu("n" + k, "Élève " + k));
             resultats.add(new Resultat("n" + k, "Élève " + k));
         }
-        resultats.get(1).remarques.add(null);
+        resultats.get(1).images.put("scene1", new Image(0, 0, ""));
         resultats.get(2).methodes.put("vecteurs.a", "int x; // \ud83e");
         DossierDeResultats.ecrire(classe, grille("a"), rendus, resultats, null);
         List<Resultat> lus = new ArrayList<>(new DossierDeResultats(classe).resultats.values());
         assertEquals(1005, lus.size());
-        assertEquals(List.of("ses résultats n'ont pas pu être écrits (java.lang.NullPointerException)"), lus.get(1).refus);
+        assertTrue(lus.get(1).refus.get(0).startsWith("ses résultats n'ont pas pu être écrits (java.lang.IllegalArgumentException: "),
+                () -> lus.get(1).refus.toString());
         assertEquals("int x; // ?", lus.get(2).methodes.get("vecteurs.a"));
         assertEquals(List.of("n1003", List.of()), List.of(lus.get(1003).id, lus.get(1003).refus), "dans l'ordre, au-delà de 999");
     }
@@ -50,7 +51,7 @@ class DossierDeResultatsTest {
         grille.reprendre(grille("a"));
         assertTrue(assertThrows(Panne.class, () -> grille.reprendre(grille("b"))).getMessage().contains("autre version du programme"));
         grille.reprendre(new GrilleDeNotationSansConfinement().grille);
-        assertEquals("sans bwrap", grille.sansConfinement(), "un seul rendu exécuté sans confinement suffit à le dire");
+        assertEquals("sans bwrap", grille.sansConfinement, "un seul rendu exécuté sans confinement suffit à le dire");
     }
 
     private static final class GrilleDeNotationSansConfinement {
