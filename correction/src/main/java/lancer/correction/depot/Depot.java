@@ -1,8 +1,5 @@
 package lancer.correction.depot;
 
-import java.io.DataInputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,7 +32,7 @@ public final class Depot {
     public interface Acces {
 
         /** La réponse de {@link Contenu#repondre} à une demande, sans le nom de la classe. @throws Arret si la lecture est arrêtée */
-        DataInputStream demander(Map<String, byte[]> noms) throws Arret;
+        List<?> demander(Map<String, byte[]> noms) throws Arret;
     }
 
     /** Les rendus, et les premiers noms des chemins de chacun, avec ce qui les remplace dans le rendu. */
@@ -55,17 +52,14 @@ public final class Depot {
             if (autre) {
                 depot.seul(nom).refus.add(nom + " : à déplier à la main ; seuls les dossiers et les .zip le sont ici");
             } else {
-                DataInputStream contenu = acces.demander(Map.of());
-                String faute = Echange.lireTexte(contenu);
-                if (!faute.isEmpty()) {
-                    throw new Panne(2, "rendus illisibles : " + lieu + " (" + faute + ")");
+                List<?> contenu = acces.demander(Map.of());
+                if (!contenu.get(0).equals("")) {
+                    throw new Panne(2, "rendus illisibles : " + lieu + " (" + contenu.get(0) + ")");
                 }
-                depot.repartir(nom, Echange.lireTout(contenu));
+                depot.repartir(nom, Echange.fichiers(contenu.get(1)));
             }
         } catch (Arret e) {
             depot.seul(nom).refus.add(e.getMessage() + " (en lisant ses fichiers)");
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
         if (depot.rendus.isEmpty()) {
             throw new Panne(2, "aucun rendu dans " + lieu);

@@ -1,7 +1,5 @@
 package lancer.correction.depot;
 
-import java.io.DataInputStream;
-import java.io.IOException;
 import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -53,18 +51,17 @@ public final class Rendu {
     /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param noms voir {@link Contenu} */
     void lire(Depot.Acces acces, Map<String, byte[]> noms) {
         try {
-            DataInputStream contenu = noms.isEmpty() ? null : acces.demander(noms);
-            String faute = contenu == null ? "aucun fichier dans ce rendu" : Echange.lireTexte(contenu);
-            if (!faute.isEmpty()) {
-                refus.add(faute);
+            List<?> contenu = noms.isEmpty() ? List.of("aucun fichier dans ce rendu") : acces.demander(noms);
+            if (!contenu.get(0).equals("")) {
+                refus.add((String) contenu.get(0));
                 return;
             }
-            sources.putAll(Echange.lireTout(contenu));
-            Iterator<?> listes = ((List<?>) Echange.lireValeur(contenu, o -> null)).iterator();
+            sources.putAll(Echange.fichiers(contenu.get(1)));
+            Iterator<?> listes = ((List<?>) contenu.get(2)).iterator();
             for (Collection<String> liste : List.of(refus, remarques, outils, bibliotheques)) {
                 ((List<?>) listes.next()).forEach(texte -> liste.add((String) texte));
             }
-        } catch (Arret | IOException | RuntimeException | Error e) {
+        } catch (Arret | RuntimeException | Error e) {
             sources.clear();
             refus.add((e instanceof Arret ? e.getMessage() : Echange.protege("arrêté : " + e)) + " (en lisant ses fichiers)");
         }

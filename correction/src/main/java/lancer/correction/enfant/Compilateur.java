@@ -22,13 +22,13 @@ import javax.tools.StandardJavaFileManager;
 
 /**
  * Compile, dans une autre machine virtuelle, par le compilateur d'Eclipse, qui écrit même les classes fautives. La demande contient les
- * sources, par nom. La réponse contient les fautes, puis les classes. Les fichiers provisoires sont effacés. Une demande commence par sa
+ * sources, par nom. La réponse contient les fautes, puis les classes, ou rien si le compilateur échoue. Les fichiers provisoires sont effacés. Une demande commence par sa
  * sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
  */
 public final class Compilateur {
 
-    public static final char COMPILER = 'C';
-    public static final char LIRE = 'L';
+    public static final String COMPILER = "C";
+    public static final String LIRE = "L";
 
     /** Dernière version de Java que ce compilateur connaît. */
     private static final int NIVEAU_MAX = 25;
@@ -45,32 +45,29 @@ public final class Compilateur {
                 .filter(c -> c.getClass().getName().startsWith("org.eclipse.")).findFirst().get();
         // un seul gestionnaire de fichiers pour tous : il garde ouvertes les archives des classes
         StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
-        Echange.servir(demande -> {
-            char sorte = demande.readChar();
-            Map<String, byte[]> textes = Echange.lireTout(demande);
-            return sorte == COMPILER ? compiler(compilateur, gestion, textes)
-                    : m -> Echange.ecrireValeur(m, Lecteur.lire(textes.values().stream().map(t -> new String(t, StandardCharsets.UTF_8))
-                    .collect(Collectors.toList())), o -> null);
+        Echange.servir(System.in, System.out, message -> {
+            List<?> demande = (List<?>) Echange.lire(message, o -> null);
+            Map<String, byte[]> textes = Echange.fichiers(demande.get(1));
+            return Echange.message(demande.get(0).equals(COMPILER) ? compiler(compilateur, gestion, textes)
+                    : Lecteur.lire(textes.values().stream().map(t -> new String(t, StandardCharsets.UTF_8)).collect(Collectors.toList())),
+                    o -> null);
         });
     }
 
-    private static Echange.Redaction compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Map<String, byte[]> textes)
+    private static List<?> compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Map<String, byte[]> textes)
             throws IOException {
         Path dossier = Files.createTempDirectory("compilation").toRealPath();
         try {
             return compiler(compilateur, gestion, dossier, textes);
         } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
             // une source fait échouer le compilateur
-            return m -> {
-                Echange.ecrireValeur(m, null, o -> null);
-                Echange.ecrireTout(m, Map.of());
-            };
+            return List.of();
         } finally {
             effacer(dossier);
         }
     }
 
-    private static Echange.Redaction compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
+    private static List<?> compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Path dossier,
             Map<String, byte[]> textes) throws IOException {
         Path sources = dossier.resolve("sources");
         Path classes = Files.createDirectory(dossier.resolve("classes"));
@@ -103,13 +100,10 @@ public final class Compilateur {
         if (ecrites.size() > CLASSES_MAX) {
             throw new IOException("trop de classes");
         }
-        return reponse -> {
-            Echange.ecrireValeur(reponse, fautes, o -> null);
-            Echange.ecrireTout(reponse, ecrites);
-        };
+        return List.of(fautes, ecrites);
     }
 
-    public static void effacer(Path dossier) throws IOException {
+    private static void effacer(Path dossier) throws IOException {
         try (Stream<Path> flux = Files.walk(dossier)) {
             flux.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
         }

@@ -9,7 +9,6 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -72,13 +71,14 @@ public final class Contenu {
     }
 
     public static void main(String[] args) throws IOException {
-        Echange.servir(demande -> repondre(Echange.lireTout(demande)));
+        Echange.servir(System.in, System.out, demande -> Echange.message(repondre(Echange.fichiers(Echange.lire(demande, o -> null))),
+                o -> null));
     }
 
     /** La réponse est la faute de lecture, vide s'il n'y en a pas, puis ce qui est demandé. */
-    public static Echange.Redaction repondre(Map<String, byte[]> demande) {
+    public static List<?> repondre(Map<String, byte[]> demande) {
         if (demande.isEmpty()) {
-            return reponse -> Echange.ecrireTexte(reponse, "");
+            return List.of();
         }
         Map<String, byte[]> rendu = new LinkedHashMap<>(demande);
         Path lieu = Path.of(rendu.keySet().iterator().next());
@@ -102,16 +102,9 @@ public final class Contenu {
                         rendu.get(premier(nom(e)))), "", 0));
             }
         } catch (IOException | RuntimeException e) {
-            return reponse -> Echange.ecrireTexte(reponse, String.valueOf(e.getMessage()));
+            return List.of(String.valueOf(e.getMessage()));
         }
-        return reponse -> {
-            Echange.ecrireTexte(reponse, "");
-            if (rendu.isEmpty()) {
-                Echange.ecrireTout(reponse, noms);
-            } else {
-                contenu.ecrire(reponse);
-            }
-        };
+        return rendu.isEmpty() ? List.of("", noms) : contenu.reponse();
     }
 
     private static String premier(String nom) {
@@ -282,7 +275,8 @@ public final class Contenu {
         }
     }
 
-    private void ecrire(java.io.DataOutputStream reponse) throws IOException {
+    /** Ni faute, ni nom : les sources, puis les refus, les remarques, les outils et les bibliothèques. */
+    private List<?> reponse() {
         if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
             refus.add(octets > OCTETS_MAX ? "plus de " + (OCTETS_MAX >> 20) + " Mo une fois déplié"
                     : "plus de " + FICHIERS_MAX + " fichiers");
@@ -293,10 +287,9 @@ public final class Contenu {
             refus.add("aucun fichier .java dans ce rendu ; " + (autres.isEmpty() ? "il est vide" : "il contient : "
                     + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", "))));
         }
-        Echange.ecrireTout(reponse, sources);
         List<ArrayList<String>> listes = Stream.of(refus, remarques, outils, bibliotheques).map(ArrayList::new)
                 .collect(Collectors.toList());
         listes.forEach(Echange::abreger);
-        Echange.ecrireValeur(reponse, listes, o -> null);
+        return List.of("", sources, listes);
     }
 }

@@ -6,8 +6,9 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.PrintStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -36,56 +37,50 @@ public final class Echange {
     private Echange() {
     }
 
-    /** Écriture d'un message. */
-    public interface Redaction {
-        void ecrire(DataOutputStream message) throws IOException;
-    }
-
-    public static byte[] message(Redaction redaction) throws IOException {
+    /** Un message, qui est une valeur : voir {@link #ecrire}. */
+    public static byte[] message(Object valeur, Function<Object, Objet> nommer) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        redaction.ecrire(new DataOutputStream(octets));
+        ecrire(new DataOutputStream(octets), valeur, nommer);
         return octets.toByteArray();
     }
 
     /** Envoie un message en une seule écriture. */
     public static void envoyer(OutputStream flux, int numero, byte[] message) throws IOException {
-        flux.write(message(m -> {
-            m.writeInt(numero);
-            m.writeInt(message.length);
-            m.write(message);
-        }));
+        flux.write(ByteBuffer.allocate(2 * Integer.BYTES + message.length).putInt(numero).putInt(message.length).put(message).array());
         flux.flush();
     }
 
-    /** Traitement d'une demande, dont le résultat écrit la réponse. */
+    /** Traitement d'une demande, qui rend la réponse. */
     public interface Traitement {
-        Redaction traiter(DataInputStream demande) throws IOException;
+        byte[] traiter(DataInputStream demande) throws IOException;
     }
 
-    /** Répond sans fin aux demandes de l'entrée standard, sur la sortie standard, où rien d'autre n'est plus écrit. */
-    public static void servir(Traitement traitement) throws IOException {
-        PrintStream sortie = System.out;
+    /** Répond sans fin aux demandes de cette entrée. La sortie des réponses ne reçoit plus rien d'autre. */
+    public static void servir(InputStream entree, OutputStream reponses, Traitement traitement) throws IOException {
         System.setOut(System.err);
-        DataInputStream demandes = new DataInputStream(System.in);
+        DataInputStream demandes = new DataInputStream(entree);
         while (true) {
             int numero = demandes.readInt();
             byte[] demande = demandes.readNBytes(demandes.readInt());
-            envoyer(sortie, numero, message(traitement.traiter(new DataInputStream(new ByteArrayInputStream(demande)))));
+            envoyer(reponses, numero, traitement.traiter(new DataInputStream(new ByteArrayInputStream(demande))));
         }
     }
 
-    public static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
-        byte[] octets = texte.getBytes(StandardCharsets.UTF_8);
+    private static void ecrireOctets(DataOutputStream message, byte[] octets) throws IOException {
         message.writeInt(octets.length);
         message.write(octets);
     }
 
-    public static String lireTexte(DataInputStream message) throws IOException {
+    private static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
+        ecrireOctets(message, texte.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static String lireTexte(DataInputStream message) throws IOException {
         return new String(lireOctets(message), StandardCharsets.UTF_8);
     }
 
     /** @throws EOFException si le message est plus court que la longueur annoncée ; aucune mémoire n'est réservée avant */
-    public static byte[] lireOctets(DataInputStream message) throws IOException {
+    private static byte[] lireOctets(DataInputStream message) throws IOException {
         int longueur = message.readInt();
         if (longueur < 0 || longueur > message.available()) {
             throw new EOFException();
@@ -93,22 +88,10 @@ public final class Echange {
         return message.readNBytes(longueur);
     }
 
-    /** Écrit des fichiers, ou des classes, par leur nom. */
-    public static void ecrireTout(DataOutputStream message, Map<String, byte[]> tout) throws IOException {
-        message.writeInt(tout.size());
-        for (Map.Entry<String, byte[]> un : tout.entrySet()) {
-            ecrireTexte(message, un.getKey());
-            message.writeInt(un.getValue().length);
-            message.write(un.getValue());
-        }
-    }
-
-    public static Map<String, byte[]> lireTout(DataInputStream message) throws IOException {
+    /** Les fichiers ou les classes d'un message, par leur nom. */
+    public static Map<String, byte[]> fichiers(Object valeur) {
         Map<String, byte[]> tout = new LinkedHashMap<>();
-        for (int reste = message.readInt(); reste > 0; reste--) {
-            String nom = lireTexte(message);
-            tout.put(nom, lireOctets(message));
-        }
+        ((Map<?, ?>) valeur).forEach((nom, octets) -> tout.put((String) nom, (byte[]) octets));
         return tout;
     }
 
@@ -124,8 +107,12 @@ public final class Echange {
         }
     }
 
-    /** Écrit un argument, ou un résultat de méthode. @param nommer désigne un objet d'une autre classe */
-    public static void ecrireValeur(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
+    /**
+     * Écrit une valeur : un nombre, un texte d'une ligne, des octets, une liste de valeurs, des valeurs par leur nom, ou un objet.
+     *
+     * @param nommer désigne un objet d'une autre classe
+     */
+    private static void ecrire(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
         if (valeur == null) {
             message.writeChar('n');
         } else if (valeur instanceof Boolean) {
@@ -140,11 +127,21 @@ public final class Echange {
         } else if (valeur instanceof CharSequence) {
             message.writeChar('s');
             ecrireTexte(message, protege(valeur.toString()));
+        } else if (valeur instanceof byte[]) {
+            message.writeChar('t');
+            ecrireOctets(message, (byte[]) valeur);
         } else if (valeur instanceof List) {
             message.writeChar('l');
             message.writeInt(((List<?>) valeur).size());
             for (Object element : (List<?>) valeur) {
-                ecrireValeur(message, element, nommer);
+                ecrire(message, element, nommer);
+            }
+        } else if (valeur instanceof Map) {
+            message.writeChar('m');
+            message.writeInt(((Map<?, ?>) valeur).size());
+            for (Map.Entry<?, ?> une : ((Map<?, ?>) valeur).entrySet()) {
+                ecrireTexte(message, (String) une.getKey());
+                ecrire(message, une.getValue(), nommer);
             }
         } else {
             Objet objet = nommer.apply(valeur);
@@ -154,8 +151,8 @@ public final class Echange {
         }
     }
 
-    /** @param trouver rend l'objet désigné */
-    public static Object lireValeur(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
+    /** Lit une valeur. @param trouver rend l'objet désigné */
+    public static Object lire(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
         switch (message.readChar()) {
             case 'n':
                 return null;
@@ -167,12 +164,21 @@ public final class Echange {
                 return message.readDouble();
             case 's':
                 return protege(lireTexte(message));
+            case 't':
+                return lireOctets(message);
             case 'l':
                 List<Object> liste = new ArrayList<>();
                 for (int reste = message.readInt(); reste > 0; reste--) {
-                    liste.add(lireValeur(message, trouver));
+                    liste.add(lire(message, trouver));
                 }
                 return liste;
+            case 'm':
+                Map<String, Object> valeurs = new LinkedHashMap<>();
+                for (int reste = message.readInt(); reste > 0; reste--) {
+                    String nom = lireTexte(message);
+                    valeurs.put(nom, lire(message, trouver));
+                }
+                return valeurs;
             case 'o':
                 return trouver.apply(new Objet(message.readInt(), protege(lireTexte(message))));
             default:

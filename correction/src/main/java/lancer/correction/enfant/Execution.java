@@ -1,9 +1,6 @@
 package lancer.correction.enfant;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -14,6 +11,7 @@ import java.io.PrintStream;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.UndeclaredThrowableException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,17 +31,17 @@ import java.util.Map;
  */
 public final class Execution {
 
-    public static final char CLASSES = 'C';
-    public static final char APPEL = 'A';
-    public static final char SONDE = 'S';
-    public static final char OUBLI = 'N';
+    public static final String CLASSES = "C";
+    public static final String APPEL = "A";
+    public static final String SONDE = "S";
+    public static final String OUBLI = "N";
 
     /** Sorte d'une réponse : le résultat de la méthode. */
-    public static final char RENDU = 'R';
+    public static final String RENDU = "R";
     /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, avec un lieu et un message. */
-    public static final char EXCEPTION = 'E';
-    public static final char SANS_FIN = 'D';
-    public static final char FAUTE = 'C';
+    public static final String EXCEPTION = "E";
+    public static final String SANS_FIN = "D";
+    public static final String FAUTE = "C";
 
     private Classes classes;
     private final List<Object> objets = new ArrayList<>();
@@ -83,20 +81,15 @@ public final class Execution {
     }
 
     public static void main(String[] args) throws IOException, ReflectiveOperationException {
-        DataInputStream demandes = new DataInputStream(new FileInputStream(FileDescriptor.in));
+        InputStream demandes = new FileInputStream(FileDescriptor.in);
         OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
         // les affichages d'un rendu sont ignorés
         PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
         System.setOut(puits);
         System.setErr(puits);
-        Execution execution = new Execution();
         try {
-            while (true) {
-                int numero = demandes.readInt();
-                byte[] demande = demandes.readNBytes(demandes.readInt());
-                Echange.envoyer(reponses, numero, execution.repondre(new DataInputStream(new ByteArrayInputStream(demande))));
-            }
+            Echange.servir(demandes, reponses, new Execution()::repondre);
         } finally {
             // les fils que le rendu a laissés ne doivent pas empêcher l'arrêt
             Runtime.getRuntime().halt(0);
@@ -113,40 +106,30 @@ public final class Execution {
         return sortie;
     }
 
-    private byte[] repondre(DataInputStream demande) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        DataOutputStream reponse = new DataOutputStream(octets);
+    private byte[] repondre(DataInputStream message) throws IOException {
         try {
-            char sorte = demande.readChar();
-            reponse.writeChar(RENDU);
-            if (sorte == CLASSES) {
-                classes = new Classes(Echange.lireTout(demande), Execution.class.getClassLoader());
-                Thread.currentThread().setContextClassLoader(classes);
-            } else if (sorte == APPEL) {
-                appeler(demande, reponse);
-            } else if (sorte == SONDE) {
-                sonder(demande, reponse);
-            } else {
-                objets.clear();
-                numeros.clear();
-                reponse.writeInt(Thread.currentThread().getThreadGroup().activeCount() - 1);
-            }
+            List<?> demande = (List<?>) Echange.lire(message, o -> objets.get(o.numero));
+            return Echange.message(traiter(demande.get(0).toString(), demande), this::nommer);
         } catch (Throwable e) {
-            octets.reset();
-            cause(e instanceof UndeclaredThrowableException ? e.getCause() : e, reponse);
+            return Echange.message(cause(e instanceof UndeclaredThrowableException ? e.getCause() : e), this::nommer);
         }
-        return octets.toByteArray();
     }
 
-    private void appeler(DataInputStream demande, DataOutputStream reponse) throws IOException {
-        int methode = demande.readInt();
-        List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> objets.get(o.numero));
-        Object rendu = invoquer("lancer.Appels", "m" + methode, List.of(Object[].class), (Object) arguments.toArray());
-        Echange.ecrireValeur(reponse, rendu, this::nommer);
-        if (numeros.containsKey(rendu)) {
-            Object[] champs = (Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu);
-            Echange.ecrireValeur(reponse, Arrays.asList(champs), this::nommer);
+    private List<?> traiter(String sorte, List<?> demande) throws IOException {
+        if (sorte.equals(CLASSES)) {
+            classes = new Classes(Echange.fichiers(demande.get(1)), Execution.class.getClassLoader());
+            Thread.currentThread().setContextClassLoader(classes);
+            return List.of(RENDU);
+        } else if (sorte.equals(APPEL)) {
+            Object rendu = invoquer("lancer.Appels", "m" + demande.get(1), List.of(Object[].class),
+                    (Object) ((List<?>) demande.get(2)).toArray());
+            return Arrays.asList(RENDU, rendu, Arrays.asList((Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu)));
+        } else if (sorte.equals(SONDE)) {
+            return List.of(RENDU, sonder((byte[]) demande.get(1), (String) demande.get(2), (List<?>) demande.get(3)));
         }
+        objets.clear();
+        numeros.clear();
+        return List.of(RENDU, Thread.currentThread().getThreadGroup().activeCount() - 1);
     }
 
     private Echange.Objet nommer(Object objet) {
@@ -158,14 +141,12 @@ public final class Execution {
     }
 
     /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
-    private void sonder(DataInputStream demande, DataOutputStream reponse) throws IOException {
+    private byte[] sonder(byte[] texte, String methode, List<?> arguments) throws IOException {
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
-        Files.write(scene, Echange.lireOctets(demande));
-        String methode = Echange.lireTexte(demande);
-        List<?> arguments = (List<?>) Echange.lireValeur(demande, o -> null);
+        Files.write(scene, texte);
         try {
-            Echange.ecrireTexte(reponse, (String) invoquer("lancer.Sonde", methode, List.of(String.class, String[].class),
-                    scene.toString(), arguments.toArray(new String[0])));
+            return ((String) invoquer("lancer.Sonde", methode, List.of(String.class, String[].class), scene.toString(),
+                    arguments.toArray(new String[0]))).getBytes(StandardCharsets.UTF_8);
         } finally {
             Files.deleteIfExists(scene);
         }
@@ -182,16 +163,15 @@ public final class Execution {
     }
 
     /** Répond par une exception du rendu, avec la première ligne de son code, ou par une faute de compilation. */
-    private static void cause(Throwable e, DataOutputStream reponse) throws IOException {
+    private static List<?> cause(Throwable e) {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
         // une classe qui n'a pu être définie manque à toutes celles qui la nomment
-        char sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
-        reponse.writeChar(sorte);
-        Echange.ecrireTexte(reponse, Echange.protege((sorte == FAUTE ? "" : sorte == SANS_FIN ? "appels sans fin (StackOverflowError)"
-                : nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)) + ou(e)));
-        Echange.ecrireTexte(reponse, Echange.protege(compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : ""));
+        String sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
+        return List.of(sorte, (sorte.equals(FAUTE) ? "" : sorte.equals(SANS_FIN) ? "appels sans fin (StackOverflowError)"
+                : nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)) + ou(e),
+                compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
     }
 
     private static String ou(Throwable e) {

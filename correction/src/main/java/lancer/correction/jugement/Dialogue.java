@@ -1,7 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.DataInputStream;
-import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -76,7 +74,7 @@ public final class Dialogue {
 
         private List<?> champs = List.of();
 
-        private Recu(Echange.Objet objet) {
+        Recu(Echange.Objet objet) {
             super(objet.numero, objet.classe);
         }
 
@@ -117,11 +115,8 @@ public final class Dialogue {
             throw new Echec(ici.refus);
         }
         try {
-            return rendre(rend, ici.machine.demander(m -> {
-                m.writeChar(Execution.APPEL);
-                m.writeInt(methode);
-                Echange.ecrireValeur(m, Arrays.asList(arguments), o -> (Echange.Objet) o);
-            }, Echange.REPONSE_MAX, r -> reponse(r, Dialogue::lireObjet)));
+            return rendre(rend, ici.machine.demander(List.of(Execution.APPEL, methode, Arrays.asList(arguments)), Echange.REPONSE_MAX,
+                    r -> objet(reponse(r))));
         } catch (Arret e) {
             ici.refus = e.getMessage();
             throw new Echec(ici.refus);
@@ -129,13 +124,11 @@ public final class Dialogue {
     }
 
     /** Résultat d'une méthode ; si c'est un objet, ses champs le suivent. */
-    private static Object lireObjet(DataInputStream reponse) throws IOException {
-        Object valeur = Echange.lireValeur(reponse, Recu::new);
-        if (valeur instanceof Recu) {
-            Object champs = Echange.lireValeur(reponse, Recu::new);
-            ((Recu) valeur).champs = champs instanceof List ? (List<?>) champs : List.of();
+    private static Object objet(List<?> reponse) {
+        if (reponse.get(1) instanceof Recu) {
+            ((Recu) reponse.get(1)).champs = (List<?>) reponse.get(2);
         }
-        return valeur;
+        return reponse.get(1);
     }
 
     private static <T> T rendre(Class<T> rend, Object brut) {
@@ -175,19 +168,19 @@ public final class Dialogue {
         }
     }
 
-    /** Contenu d'une réponse de la machine virtuelle. @throws Echec si le rendu n'a pas répondu */
-    static <T> T reponse(DataInputStream reponse, Machines.LectureDeReponse<T> lecture) throws IOException {
-        char sorte = reponse.readChar();
-        if (sorte == Execution.RENDU) {
-            return lecture.lire(reponse);
+    /** La réponse de la machine virtuelle : le résultat y suit la sorte. @throws Echec si le rendu n'a pas répondu */
+    static List<?> reponse(Object valeur) {
+        List<?> reponse = (List<?>) valeur;
+        if (reponse.get(0).equals(Execution.RENDU)) {
+            return reponse;
         }
-        String ou = Echange.protege(Echange.lireTexte(reponse));
-        String quoi = Echange.protege(Echange.lireTexte(reponse));
-        if (sorte == Execution.SANS_FIN) {
+        String ou = (String) reponse.get(1);
+        String quoi = (String) reponse.get(2);
+        if (reponse.get(0).equals(Execution.SANS_FIN)) {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
         }
-        throw new Echec(sorte == Execution.FAUTE ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi))
-                : ou);
+        throw new Echec(reponse.get(0).equals(Execution.FAUTE)
+                ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi)) : ou);
     }
 }

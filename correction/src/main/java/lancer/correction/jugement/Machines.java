@@ -1,6 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
@@ -15,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -32,6 +32,7 @@ import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
 import org.apache.commons.compress.archivers.zip.ZipFile;
+import org.apache.commons.io.FileUtils;
 import org.apache.commons.io.function.IOSupplier;
 import org.apache.commons.lang3.ArrayFill;
 import org.ini4j.Ini;
@@ -57,9 +58,7 @@ final class Machines {
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
-        if (Files.exists(dossier)) {
-            Compilateur.effacer(dossier);
-        }
+        FileUtils.deleteDirectory(dossier.toFile());
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {
@@ -92,19 +91,6 @@ final class Machines {
         }
     }
 
-    /** Lecture d'une réponse. */
-    interface LectureDeReponse<T> {
-        T lire(DataInputStream reponse) throws IOException;
-    }
-
-    /** Une demande : sa sorte, puis des textes ou des classes. */
-    private static Echange.Redaction demande(char sorte, Map<String, byte[]> tout) {
-        return message -> {
-            message.writeChar(sorte);
-            Echange.ecrireTout(message, tout);
-        };
-    }
-
     /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
     private abstract class Machine implements AutoCloseable {
 
@@ -116,7 +102,7 @@ final class Machines {
          * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
-        boolean lancer(Class<?> principale, String chemin, Limites siennes, Echange.Redaction premiere, Path... aLire) {
+        boolean lancer(Class<?> principale, String chemin, Limites siennes, Object premiere, Path... aLire) {
             if (enfant != null) {
                 return false;
             }
@@ -124,7 +110,7 @@ final class Machines {
                     siennes);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
-                demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
+                demander(premiere, Echange.REPONSE_MAX, reponse -> reponse);
                 return true;
             } catch (Arret e) {
                 throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
@@ -132,15 +118,15 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(Echange.Redaction demande, int max, LectureDeReponse<T> lecture) throws Arret {
+        <T> T demander(Object demande, int max, Function<Object, T> lecture) throws Arret {
             try {
-                DataInputStream reponse = enfant.demander(Echange.message(demande), max);
+                DataInputStream reponse = enfant.demander(Echange.message(demande, o -> (Echange.Objet) o), max);
                 try {
-                    T lue = lecture.lire(reponse);
+                    T lue = lecture.apply(Echange.lire(reponse, Dialogue.Recu::new));
                     if (reponse.available() == 0) {
                         return lue;
                     }
-                } catch (IOException | ClassCastException e) {
+                } catch (IOException | ClassCastException | IndexOutOfBoundsException | NullPointerException e) {
                     // réponse trop courte, ou d'une autre forme
                 }
                 throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
@@ -171,15 +157,14 @@ final class Machines {
         }
 
         @Override
-        public DataInputStream demander(Map<String, byte[]> noms) throws Arret {
+        public List<?> demander(Map<String, byte[]> noms) throws Arret {
             lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
-                    Limites.DE_COMPILATION, m -> Echange.ecrireTout(m, Map.of()), rendus);
+                    Limites.DE_COMPILATION, Map.of(), rendus);
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             Map<String, byte[]> demande = new LinkedHashMap<>();
             demande.put(confinement.lu(rendus), new byte[0]);
             demande.putAll(noms);
-            return demander(m -> Echange.ecrireTout(m, demande), Echange.GROSSE_REPONSE_MAX,
-                    reponse -> new DataInputStream(new ByteArrayInputStream(reponse.readAllBytes())));
+            return demander(demande, Echange.GROSSE_REPONSE_MAX, reponse -> (List<?>) reponse);
         }
     }
 
@@ -208,22 +193,16 @@ final class Machines {
         List<?> lire(List<String> textes) throws Arret {
             Map<String, String> tous = new LinkedHashMap<>();
             textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
-            return demander(Compilateur.LIRE, tous, reponse -> {
-                List<?> lus = (List<?>) Echange.lireValeur(reponse, o -> null);
-                if (lus.size() != textes.size()) {
-                    throw new IOException();
-                }
-                return lus;
-            });
+            return demander(Compilateur.LIRE, tous, lus -> ((List<?>) lus).subList(0, textes.size()));
         }
 
-        private <T> T demander(char sorte, Map<String, String> textes, LectureDeReponse<T> lecture) throws Arret {
+        private <T> T demander(String sorte, Map<String, String> textes, Function<Object, T> lecture) throws Arret {
             Map<String, byte[]> octets = new LinkedHashMap<>();
             textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, demande(Compilateur.COMPILER, Map.of()));
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, List.of(Compilateur.COMPILER, Map.of()));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(demande(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
+                return demander(List.of(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -237,16 +216,13 @@ final class Machines {
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou s'il est tué
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
-            Assemblage assemblage = demander(Compilateur.COMPILER, sources, reponse -> {
-                List<?> fautes = (List<?>) Echange.lireValeur(reponse, o -> null);
-                return new Assemblage(Echange.lireTout(reponse), fautes == null ? null : fautes.stream()
-                        .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
-            });
-            if (assemblage.fautes == null) {
+            List<?> reponse = demander(Compilateur.COMPILER, sources, r -> (List<?>) r);
+            if (reponse.isEmpty()) {
                 close();
                 throw new Arret("arrêté : ces sources font échouer le compilateur", false);
             }
-            return assemblage;
+            return new Assemblage(Echange.fichiers(reponse.get(1)), ((List<?>) reponse.get(0)).stream()
+                    .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
         }
     }
 
@@ -262,8 +238,7 @@ final class Machines {
         /** Commence une demande qui n'utilise plus les objets de la précédente. */
         void oublier() throws Arret {
             commencer(1);
-            if (!demander(m -> m.writeChar(Execution.OUBLI), Echange.REPONSE_MAX,
-                    r -> r.readChar() == Execution.RENDU && r.readInt() == 0)) {
+            if (!demander(List.of(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> reponse.equals(List.of(Execution.RENDU, 0)))) {
                 // des fils s'exécutent encore : il faut une nouvelle machine virtuelle
                 close();
                 commencer(1);
@@ -275,20 +250,17 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
-            if (lancer(Execution.class, outillage.toString(), limites, demande(Execution.CLASSES, Map.of()))) {
-                demander(demande(Execution.CLASSES, classes), Echange.REPONSE_MAX, DataInputStream::readChar);
+            if (lancer(Execution.class, outillage.toString(), limites, List.of(Execution.CLASSES, Map.of()))) {
+                demander(List.of(Execution.CLASSES, classes), Echange.REPONSE_MAX, reponse -> reponse);
             }
             enfant.commencer(fois * limites.calcul);
         }
 
         /** Réponse de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
         String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
-            return demander(m -> {
-                m.writeChar(Execution.SONDE);
-                Echange.ecrireTexte(m, scene);
-                Echange.ecrireTexte(m, methode);
-                Echange.ecrireValeur(m, Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()), o -> null);
-            }, max, reponse -> Dialogue.reponse(reponse, Echange::lireTexte));
+            return demander(List.of(Execution.SONDE, scene.getBytes(StandardCharsets.UTF_8), methode,
+                    Stream.of(arguments).map(String::valueOf).collect(Collectors.toList())), max,
+                    reponse -> new String((byte[]) Dialogue.reponse(reponse).get(1), StandardCharsets.UTF_8));
         }
     }
 }

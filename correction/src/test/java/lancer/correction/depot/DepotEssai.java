@@ -2,10 +2,7 @@ package lancer.correction.depot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Contenu;
-import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import org.junit.jupiter.api.BeforeEach;
@@ -45,14 +41,10 @@ abstract class DepotEssai {
         return Depot.lire(lieu, noms -> repondre(lieu, noms));
     }
 
-    static DataInputStream repondre(Path lieu, Map<String, byte[]> noms) {
+    static List<?> repondre(Path lieu, Map<String, byte[]> noms) {
         Map<String, byte[]> demande = new LinkedHashMap<>(Map.of(lieu.toString(), new byte[0]));
         demande.putAll(noms);
-        try {
-            return new DataInputStream(new ByteArrayInputStream(Echange.message(Contenu.repondre(demande))));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return Contenu.repondre(demande);
     }
 
     Map<String, Rendu> lire(Path lieu) {
