@@ -4,29 +4,30 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
-import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Interroge les méthodes publiques des classes d'un étudiant : ce qu'elles dessinent, et ce qu'elles répondent en chemin. */
 public final class Sonde {
 
-    private final StringBuilder texte = new StringBuilder();
+    private final Map<String, String> reponses = new LinkedHashMap<>();
 
     private Sonde() {
     }
 
-    /** Les couleurs non limitées, en flottants, en base 64. */
-    private static String coder(Couleur[] couleurs) {
+    /** Les couleurs non limitées, en flottants. */
+    private static byte[] coder(Couleur[] couleurs) {
         ByteBuffer octets = ByteBuffer.allocate(couleurs.length * 12);
         for (Couleur c : couleurs) {
             octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
         }
-        return Base64.getEncoder().encodeToString(octets.array());
+        return octets.array();
     }
 
     /** @param a largeur, hauteur, profondeur */
-    public static String dessiner(String fichier, String... a) throws Exception {
+    public static byte[] dessiner(String fichier, String... a) throws Exception {
         Scene scene = new Scene(fichier);
         int largeur = Integer.parseInt(a[0]);
         int profondeur = Integer.parseInt(a[2]);
@@ -57,7 +58,7 @@ public final class Sonde {
     }
 
     /** @param a largeur, hauteur, profondeur ; ce que dessine TracerImage, où l'étudiant met l'anticrénelage */
-    public static String tracer(String fichier, String... a) throws Exception {
+    public static byte[] tracer(String fichier, String... a) throws Exception {
         int largeur = Integer.parseInt(a[0]);
         int hauteur = Integer.parseInt(a[1]);
         Couleur[] pixels = new Couleur[largeur * hauteur];
@@ -76,8 +77,8 @@ public final class Sonde {
         return coder(pixels);
     }
 
-    /** @param a largeur, hauteur, xe, ye, profondeur ; rend {@code nom=x y z} pour chaque réponse, séparés par des tabulations */
-    public static String decrire(String fichier, String... a) throws Exception {
+    /** @param a largeur, hauteur, xe, ye, profondeur ; rend chaque réponse, {@code x y z}, par son nom */
+    public static Map<String, String> decrire(String fichier, String... a) throws Exception {
         Sonde chemin = new Sonde();
         try {
             chemin.suivre(fichier, new Camera(Integer.parseInt(a[0]), Integer.parseInt(a[1])), Double.parseDouble(a[2]),
@@ -85,7 +86,7 @@ public final class Sonde {
         } catch (Exception | Error e) {
             chemin.dire("arrêt", e);
         }
-        return chemin.texte.toString();
+        return chemin.reponses;
     }
 
     private void suivre(String fichier, Camera camera, double xe, double ye, int profondeur) throws Exception {
@@ -127,7 +128,7 @@ public final class Sonde {
 
     /** Sept chiffres : de quoi comparer, à l'œil aussi. */
     private void dire(String nom, Object valeur) {
-        String nombres = String.valueOf(valeur).replaceAll("[\\p{Cntrl}=]", " ");
+        String nombres = String.valueOf(valeur);
         if (valeur instanceof Tuple) {
             Tuple t = (Tuple) valeur;
             nombres = (float) t.x + " " + (float) t.y + " " + (float) t.z;
@@ -135,6 +136,6 @@ public final class Sonde {
             Couleur c = (Couleur) valeur;
             nombres = (float) c.r + " " + (float) c.v + " " + (float) c.b;
         }
-        texte.append(texte.length() > 0 ? "\t" : "").append(nom).append('=').append(nombres);
+        reponses.put(nom, nombres);
     }
 }

@@ -11,7 +11,6 @@ import java.io.PrintStream;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.UndeclaredThrowableException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -141,12 +140,12 @@ public final class Execution {
     }
 
     /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
-    private byte[] sonder(byte[] texte, String methode, List<?> arguments) throws IOException {
+    private Object sonder(byte[] texte, String methode, List<?> arguments) throws IOException {
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
         Files.write(scene, texte);
         try {
-            return ((String) invoquer("lancer.Sonde", methode, List.of(String.class, String[].class), scene.toString(),
-                    arguments.toArray(new String[0]))).getBytes(StandardCharsets.UTF_8);
+            return invoquer("lancer.Sonde", methode, List.of(String.class, String[].class), scene.toString(),
+                    arguments.toArray(new String[0]));
         } finally {
             Files.deleteIfExists(scene);
         }

@@ -1,9 +1,8 @@
 package lancer.correction.jugement;
 
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -20,10 +19,10 @@ public final class Chemin {
         public final String obtenu;
         public final boolean pareil;
 
-        Pas(String nom, Map<String, String> attendus, Map<String, String> siens) {
-            this.nom = nom;
-            attendu = attendus.getOrDefault(nom, "(pas de réponse)");
-            obtenu = siens.getOrDefault(nom, "(pas de réponse)");
+        Pas(Object nom, Map<?, ?> attendus, Map<?, ?> siens) {
+            this.nom = nom.toString();
+            attendu = Objects.toString(attendus.get(nom), "(pas de réponse)");
+            obtenu = Objects.toString(siens.get(nom), "(pas de réponse)");
             pareil = pareil(attendu, obtenu);
         }
     }
@@ -32,12 +31,10 @@ public final class Chemin {
     public final int y;
     public final List<Pas> pas;
 
-    /** @param reference réponses de la sonde avec le corrigé ; @param etudiant avec le rendu */
-    Chemin(int x, int y, String reference, String etudiant) {
+    /** @param attendus réponses de la sonde avec le corrigé ; @param siens avec le rendu */
+    Chemin(int x, int y, Map<?, ?> attendus, Map<?, ?> siens) {
         this.x = x;
         this.y = y;
-        Map<String, String> attendus = decouper(reference);
-        Map<String, String> siens = decouper(etudiant);
         pas = Stream.concat(attendus.keySet().stream(), siens.keySet().stream()).distinct()
                 .map(nom -> new Pas(nom, attendus, siens)).collect(Collectors.toList());
     }
@@ -50,11 +47,6 @@ public final class Chemin {
     /** Nombre de réponses avant la première différente. */
     int rangDuPremierEcart() {
         return getPremierEcart() == null ? Integer.MAX_VALUE : pas.indexOf(getPremierEcart());
-    }
-
-    private static Map<String, String> decouper(String texte) {
-        return Arrays.stream(texte.split("\t")).map(reponse -> reponse.split("=", 2)).filter(deux -> deux.length == 2)
-                .collect(Collectors.toMap(deux -> deux[0], deux -> deux[1], (a, b) -> b, LinkedHashMap::new));
     }
 
     private static boolean pareil(String a, String b) {

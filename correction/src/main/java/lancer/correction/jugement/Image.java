@@ -25,14 +25,14 @@ public final class Image {
     private final float[] rvb;
 
     /**
-     * @param texte réponse de la sonde : les couleurs, en nombres de 32 bits, en base 64
+     * @param octets réponse de la sonde : les couleurs, en nombres de 32 bits
      * @throws Dialogue.Echec si la réponse n'est pas une image
      */
-    Image(int largeur, int hauteur, String texte) {
+    Image(int largeur, int hauteur, byte[] octets) {
         this(largeur, hauteur);
         try {
-            ByteBuffer.wrap(Base64.getDecoder().decode(texte)).asFloatBuffer().get(rvb);
-        } catch (IllegalArgumentException | BufferUnderflowException e) {
+            ByteBuffer.wrap(octets).asFloatBuffer().get(rvb);
+        } catch (BufferUnderflowException e) {
             throw new Dialogue.Echec("réponse incompréhensible au lieu d'une image");
         }
     }

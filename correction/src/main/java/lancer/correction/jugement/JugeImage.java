@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.util.Comparator;
+import java.util.Map;
 import java.util.stream.IntStream;
 import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
@@ -34,26 +35,28 @@ final class JugeImage {
     Image dessiner(Assemblage assemblage, String scene) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, "dessiner",
+        return new Image(taille[0], taille[1], sonder(byte[].class, assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, "dessiner",
                 reference.scene(scene), taille[0], taille[1], taille[2]));
     }
 
     /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */
     Image tracer(Assemblage assemblage, String scene, int largeur, int hauteur, int profondeur) throws Arret {
-        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
+        return new Image(largeur, hauteur, sonder(byte[].class, assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
     }
 
     /** Réponses intermédiaires des méthodes de ces classes. */
-    String decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
+    Map<?, ?> decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonder(assemblage, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye, Math.min(5, taille[2]));
+        return sonder(Map.class, assemblage, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
+                Math.min(5, taille[2]));
     }
 
-    private String sonder(Assemblage assemblage, double temps, String methode, String scene, Object... arguments) throws Arret {
+    private <T> T sonder(Class<T> type, Assemblage assemblage, double temps, String methode, String scene, Object... arguments)
+            throws Arret {
         Machines.Rendue ici = juge.machine(assemblage);
         ici.commencer(temps);
         try {
-            return ici.sonder(methode.equals("decrire") ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX, methode, scene, arguments);
+            return ici.sonder(type, type == Map.class ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX, methode, scene, arguments);
         } catch (StackOverflowError e) {
             throw new Dialogue.Echec(e.getMessage());
         }

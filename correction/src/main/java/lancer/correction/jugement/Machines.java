@@ -256,11 +256,11 @@ final class Machines {
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Réponse de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
-        String sonder(int max, String methode, String scene, Object... arguments) throws Arret {
+        /** Réponse, de ce type, de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
+        <T> T sonder(Class<T> type, int max, String methode, String scene, Object... arguments) throws Arret {
             return demander(List.of(Execution.SONDE, scene.getBytes(StandardCharsets.UTF_8), methode,
                     Stream.of(arguments).map(String::valueOf).collect(Collectors.toList())), max,
-                    reponse -> new String((byte[]) Dialogue.reponse(reponse).get(1), StandardCharsets.UTF_8));
+                    reponse -> type.cast(Dialogue.reponse(reponse).get(1)));
         }
     }
 }

@@ -99,7 +99,7 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Réponses intermédiaires des méthodes du corrigé. */
-    synchronized String chemin(String scene, double x, double y) throws Arret {
+    synchronized Map<?, ?> chemin(String scene, double x, double y) throws Arret {
         return juge.images.decrire(assemblage, scene, x, y);
     }
 

@@ -34,7 +34,7 @@ class DossierDeResultatsTest {
             rendus.add(new Rendu("n" + k, "Élève " + k));
             resultats.add(new Resultat("n" + k, "Élève " + k));
         }
-        resultats.get(1).images.put("scene1", new Image(0, 0, ""));
+        resultats.get(1).images.put("scene1", new Image(0, 0, new byte[0]));
         resultats.get(2).methodes.put("vecteurs.a", "int x; // \ud83e");
         DossierDeResultats.ecrire(classe, grille("a"), rendus, resultats, null);
         List<Resultat> lus = new ArrayList<>(new DossierDeResultats(classe).resultats.values());
