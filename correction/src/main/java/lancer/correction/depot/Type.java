@@ -14,7 +14,7 @@ public final class Type {
     final int fin;
     /** Empreinte de l'arbre syntaxique, qui ignore les commentaires, la présentation et les noms des variables locales. */
     public final String empreinte;
-    /** Noms utilisés, {@code float} et {@code System.in} compris. */
+    /** Noms utilisés, {@code float} compris. */
     public final Set<String> noms = new TreeSet<>();
     public final List<Signature> methodes;
     Source source;

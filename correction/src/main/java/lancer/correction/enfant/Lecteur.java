@@ -123,8 +123,7 @@ public final class Lecteur {
                 } else if (arbre instanceof VariableTree) {
                     noms.add(((VariableTree) arbre).getName().toString());
                 } else if (arbre instanceof MemberSelectTree) {
-                    String nom = ((MemberSelectTree) arbre).getIdentifier().toString();
-                    noms.add(nom.equals("in") && arbre.toString().equals("System.in") ? "System.in" : nom);
+                    noms.add(((MemberSelectTree) arbre).getIdentifier().toString());
                 }
                 return super.scan(arbre, rien);
             }

@@ -66,10 +66,6 @@ final class Constats {
                 .map(e -> e.getKey().matches("(reflets|" + GrilleDeNotation.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
             resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
         }
-        String lisent = emploient("System.in");
-        if (!lisent.isEmpty()) {
-            resultat.regarder("lit l'entrée standard (" + lisent + ") : elle est vide ici, ce qu'il y attend n'a pas été essayé");
-        }
     }
 
     /** Ajoute les fautes de compilation, d'abord celles qui coûtent des points. */
