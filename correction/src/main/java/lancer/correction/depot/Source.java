@@ -103,9 +103,10 @@ public final class Source {
         return types.stream().anyMatch(t -> DU_COURS.contains(t.nom));
     }
 
-    /** De plusieurs fichiers qui déclarent cette classe, le sien a le plus petit rang. */
+    /** De plusieurs fichiers de cette classe, le sien a le plus petit rang. Un fichier vide, ou tout en commentaire, a le plus grand. */
     int rang(String classe) {
-        return (nu.equals(classe) ? 0 : 2) + (aSaPlace ? 0 : 1);
+        boolean vide = types.isEmpty() && ((List<?>) lu.get(4)).isEmpty();
+        return (vide ? 4 : nu.equals(classe) ? 0 : 2) + (aSaPlace ? 0 : 1);
     }
 
     /** L'en-tête, aux mêmes lignes, où ces paquets sont remplacés par {@code lancer}. */

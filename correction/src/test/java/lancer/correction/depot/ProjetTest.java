@@ -159,6 +159,12 @@ class ProjetTest extends DepotEssai {
         projet("lancer", "AncienVecteur", "Point (1)");
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals("[lancer/Point, lancer/Vecteur]", lu.base.keySet().toString());
+        // celui qui a le nom de la classe ne la déclare plus
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), "package lancer; // class Vecteur { }");
+        lu = projet(lire(rendus).get("11"));
+        assertTrue(lu.texte("Vecteur").contains("class Vecteur {"), lu.texte("Vecteur"));
+        assertTrue(lu.aRegarder.contains("lancer/Vecteur.java : laissé de côté, Vecteur est dans lancer/AncienVecteur.java"),
+                lu.aRegarder.toString());
     }
 
     /** À gauche, les dossiers d'un rendu ; à droite, celui de la base, puis de chaque extension. */
