@@ -8,12 +8,14 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -251,8 +253,8 @@ public final class Contenu {
             String trop = lus.length > SOURCE_MAX ? chemin + DE_COTE + "plus d'un mégaoctet"
                     : "des sources" + DE_COTE + "il y en a plus de " + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20) + " Mo en tout";
             remarques.add(trop);
-        } else {
-            sources.put(chemin, lus);
+        } else if (!Arrays.equals(lus, Objects.requireNonNullElse(sources.putIfAbsent(chemin, lus), lus))) {
+            remarques.add(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
     }
 
