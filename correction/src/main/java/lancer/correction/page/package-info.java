@@ -1,6 +1,6 @@
 /**
  * Pages HTML et tableau de la classe, pour l'enseignant et les étudiants.
  *
- * <p>Ce paquet ne juge ni ne note. Tout texte d'un étudiant passe par {@code Html}.
+ * <p>Ce paquet ne juge ni ne note. Les gabarits échappent tout texte d'un étudiant.
  */
 package lancer.correction.page;
