@@ -3,7 +3,6 @@ package lancer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
@@ -12,25 +11,20 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Fautes;
-import lancer.fils.Retenu;
+import lancer.fils.Fil;
 
 /**
  * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
  * plusieurs fils se partagent ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
  */
-public final class Lancer implements Calcul {
+public final class Lancer {
 
     private final Scene scene;
     private final Camera camera;
     private final Equipe equipe;
     private final Fautes fautes;
-    /** Point de l'écran du calcul en cours ou, à défaut, du dernier calcul. */
-    private double xe;
-    private double ye;
-    private Consumer<PixelFautif> siLent;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -47,7 +41,6 @@ public final class Lancer implements Calcul {
         camera = autre.camera;
         equipe = autre.equipe;
         fautes = autre.fautes;
-        siLent = autre.siLent;
     }
 
     /**
@@ -71,6 +64,7 @@ public final class Lancer implements Calcul {
 
     /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
+        Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
         partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
     }
@@ -107,8 +101,7 @@ public final class Lancer implements Calcul {
      * @throws CancellationException si {@link #arreter()} a été appelé
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
-        this.xe = xe;
-        this.ye = ye;
+        Fil.commencer(xe, ye);
         scene.getCompteurs().primaires++;
         try {
             Rayon initial = camera.getRayon(xe, ye);
@@ -125,32 +118,27 @@ public final class Lancer implements Calcul {
         long construit = recherche == null ? 0 : recherche.getConstructionNs();
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-        List<Fil> ouvriers = new ArrayList<>();
-        List<Lancer> siens = new ArrayList<>();
+        List<Ouvrier> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            siens.add(new Lancer(this));
-            ouvriers.add(new Fil(siens.get(k), brouillon, choisi, toile, profondeur));
+            ouvriers.add(new Lancer(this).new Ouvrier(brouillon, choisi, toile, profondeur));
         }
-        equipe.faire(nombre, ouvriers, siens);
+        equipe.faire(nombre, ouvriers);
+        Fil.commencer("");
         Compteurs total = new Compteurs();
-        for (Lancer sien : siens) {
-            total.ajouter(sien.scene.getCompteurs());
-        }
+        ouvriers.forEach(sien -> total.ajouter(sien.comptes()));
         compteurs = total;
         dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
     }
 
-    /** Le travail d'un fil : il dessine des pavés, avec sa propre scène. */
-    private final class Fil implements IntConsumer, Vue {
+    /** Le travail d'un fil, dont ce lancer est à lui seul : il dessine des pavés. */
+    private final class Ouvrier implements IntConsumer, Vue {
 
-        private final Lancer sien;
         private final boolean brouillon;
         private final Echantillonnage choisi;
         private final Toile toile;
         private final int profondeur;
 
-        Fil(Lancer sien, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-            this.sien = sien;
+        Ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
             this.brouillon = brouillon;
             this.choisi = choisi;
             this.toile = toile;
@@ -161,65 +149,35 @@ public final class Lancer implements Calcul {
         public void accept(int rang) {
             Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
             // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-            sien.xe = pave.i0;
-            sien.ye = pave.j0;
+            Fil.commencer(pave.i0, pave.j0);
             if (brouillon) {
-                sien.TracerBrouillon(pave, toile, profondeur);
+                TracerBrouillon(pave, toile, profondeur);
             } else if (choisi == null) {
-                sien.TracerPixels(pave, toile, profondeur);
+                TracerPixels(pave, toile, profondeur);
             } else {
-                sien.scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                comptes().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
             }
             fautes.peindre(pave, toile);
         }
 
         @Override
         public Couleur couleur(double xe, double ye) {
-            return sien.getCouleurPixel(xe, ye, profondeur);
+            return getCouleurPixel(xe, ye, profondeur);
         }
 
         @Override
         public void noter(Compteurs autres) {
-            sien.scene.getCompteurs().ajouter(autres);
+            comptes().ajouter(autres);
         }
 
         @Override
         public long rayons() {
-            return sien.rayons();
+            return comptes().rayons();
         }
-    }
 
-    /** {@inheritDoc} Ici, c'est le rang du pixel. */
-    @Override
-    public long getLieu() {
-        return (long) ye * camera.getLargeur() + (long) xe;
-    }
-
-    /** {@inheritDoc} Ici, c'est le nombre de rayons de toutes sortes. */
-    @Override
-    public long getProgres(Thread fil) {
-        return rayons();
-    }
-
-    private long rayons() {
-        return scene.getCompteurs().rayons();
-    }
-
-    @Override
-    public PixelFautif nommer(Retenu cause) {
-        return new PixelFautif(xe, ye, cause);
-    }
-
-    @Override
-    public void ralentir(Retenu cause) {
-        if (siLent != null) {
-            siLent.accept(nommer(cause));
+        Compteurs comptes() {
+            return scene.getCompteurs();
         }
-    }
-
-    /** Appelle {@code siLent} pour le premier pixel qui dure dix secondes, pendant que d'autres fils avancent. */
-    public void setSiLent(Consumer<PixelFautif> siLent) {
-        this.siLent = siLent;
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */

@@ -7,7 +7,6 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.contrat.PixelFautif;
 import lancer.texte.Texte;
 
 /** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */
@@ -63,12 +62,10 @@ public final class Pannes {
         }
     }
 
-    /** Message d'un pixel qui échoue : le pixel, la {@link Texte#cause} dans ces classes, la commande qui le montre. */
-    public static String duPixel(PixelFautif panne, String[] classes, String options, String scene, int largeur,
-            int hauteur) {
-        return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
-                + Texte.cause(panne, classes) + " ; pour le revoir : "
-                + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
+    /** Message sur un pixel : ce qui lui arrive, puis la commande qui l'explique. */
+    public static String duPixel(int x, int y, String cause, String options, String scene, int largeur, int hauteur) {
+        return "pixel " + x + ", " + y + " de " + Texte.echappe(scene) + " : " + cause + " ; pour le revoir : "
+                + commande(" --pixel " + x + "," + y, options, scene, largeur, hauteur);
     }
 
     /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */

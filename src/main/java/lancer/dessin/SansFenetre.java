@@ -3,7 +3,6 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,6 +19,7 @@ import lancer.commande.Options;
 import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -63,21 +63,27 @@ public final class SansFenetre {
      */
     public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
+        int[] statut = new int[1];
         try {
-            if (options.comparer != null) {
-                return travail.comparer();
-            }
-            if (options.pixel) {
-                travail.dessinerUnPixel();
-            } else if (options.vue != null) {
-                travail.dessinerUneVue();
-            } else {
-                travail.versFichiers();
-            }
-            return 0;
+            dessin.observer(() -> statut[0] = travail.faire());
+            return statut[0];
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }
+    }
+
+    private int faire() {
+        if (options.comparer != null) {
+            return comparer();
+        }
+        if (options.pixel) {
+            dessinerUnPixel();
+        } else if (options.vue != null) {
+            dessinerUneVue();
+        } else {
+            versFichiers();
+        }
+        return 0;
     }
 
     private void versFichiers() {
@@ -193,15 +199,12 @@ public final class SansFenetre {
 
     private void dessinerUnPixel() {
         dessin.lire();
-        Inspection[] prete = new Inspection[1];
-        dessin.preparer(() -> prete[0] = new Inspection(dessin.getScene(), dessin.getLue().origines,
+        Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
                 new Camera(options.largeur, options.hauteur), dessin.getReglages().getProfondeur(),
-                options.pixelX, options.pixelY));
-        Inspection pixel = prete[0];
+                options.pixelX, options.pixelY);
         pixel.faire();
-        List<String> lignes = new ArrayList<>();
-        dessin.preparer(() -> lignes.addAll(new Recit(pixel, Double::toString).lignes()));
-        Pannes.repondreEnUtf8(lignes, sortie);
+        Fil.commencer("récit");
+        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
         Pannes.avertir(dessin.getLue().avertissements, erreur);
     }
 

@@ -17,7 +17,7 @@ import lancer.scene.FichierScene;
 /** Travail d'un dessin de la fenêtre, dans un autre fil : lire la scène si besoin, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
-    /** Attente maximale de l'affichage du brouillon, et attente d'un dessin avant de dire pourquoi il attend. */
+    /** Attente maximale de l'affichage du brouillon. */
     private static final long PATIENCE_MS = 2000;
 
     /** Temps laissé à un geste pour continuer. */
@@ -33,7 +33,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     private final long debut = System.nanoTime();
     /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
-    /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
+    /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un calcul dure. */
     boolean lueDite;
     boolean lenteurDite;
     private volatile long fin;
@@ -88,24 +88,28 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
     }
 
+    private void travailler() {
+        if (aLire) {
+            version = FichierScene.version(dessin.fichier);
+            dessin.lire();
+            lue.countDown();
+        }
+        if (!isCancelled()) {
+            if (voulus != null) {
+                dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
+            }
+            // si l'image est bien plus grande que sa place, son brouillon est long
+            if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
+                dessin.apercevoir(place.width, place.height, fils);
+            }
+            programme.accept(dessin);
+        }
+    }
+
     @Override
     protected Void doInBackground() {
         try {
-            if (aLire) {
-                version = FichierScene.version(dessin.fichier);
-                dessin.lire();
-                lue.countDown();
-            }
-            if (!isCancelled()) {
-                if (voulus != null) {
-                    dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
-                }
-                // si l'image est bien plus grande que sa place, son brouillon est long
-                if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
-                    dessin.apercevoir(place.width, place.height, fils);
-                }
-                programme.accept(dessin);
-            }
+            dessin.observer(this::travailler);
         } catch (RuntimeException | Error e) {
             panne = isCancelled() ? null : e;
         } finally {
@@ -148,9 +152,6 @@ final class Tracage extends SwingWorker<Void, Void> {
     }
 
     private String getEtape() {
-        if (getState() == StateValue.PENDING && TimeUnit.NANOSECONDS.toMillis(getDureeNs()) > PATIENCE_MS) {
-            return "attend que le dessin d'avant s'arrête";
-        }
         int part = (int) (100 * dessin.getAvancement());
         if (dessin.getLancer() == null) {
             return (dessin.getLue() == null ? "lecture" : "préparation")

@@ -73,7 +73,7 @@ public final class Inspection implements Vue, Toile {
 
     private void faire(int rang) {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
-        equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)), Collections.singletonList(lancer));
+        equipe.faire(() -> expliquer(rang));
     }
 
     /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les segments qui la précèdent. */

@@ -15,6 +15,10 @@ public final class Texte {
     /** Les noms des classes qui ne font pas partie de Java, pour {@link #cause}. */
     public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
+    /** Parmi eux, les noms des classes du cours, des variantes et des formes : le reste de la base est le moteur. */
+    public static final String HORS_DU_MOTEUR = "(?!lancer\\.(auto|commande|contrat|dessin|fenetre|fils|image|inspection"
+            + "|precision|rapide|scene|texte)\\.|org\\.ini4j\\.)" + HORS_DE_JAVA;
+
     /** Traduction des messages du système et de Java. */
     private static final String[][] PANNES = {{"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
@@ -87,23 +91,27 @@ public final class Texte {
         return abrege(raison);
     }
 
-    /** Cause d'un échec, et première ligne de sa pile dont la classe suit une de ces expressions, par préférence. */
+    /** Cause d'un échec, et {@link #ligne} de sa pile. */
     public static String cause(Throwable echec, String... classes) {
         Throwable cause = echec;
         while (cause.getCause() != null) {
             cause = cause.getCause();
         }
-        String dit = echappe(cause.toString());
-        StackTraceElement[] pile = cause.getStackTrace().length > 0 ? cause.getStackTrace() : echec.getStackTrace();
+        return echappe(cause.toString())
+                + ligne(cause.getStackTrace().length > 0 ? cause.getStackTrace() : echec.getStackTrace(), classes);
+    }
+
+    /** Première ligne de cette pile dont la classe suit une de ces expressions, par préférence ; vide s'il n'y en a pas. */
+    public static String ligne(StackTraceElement[] pile, String... classes) {
         for (String noms : classes) {
             for (StackTraceElement pas : pile) {
                 if (pas.getClassName().matches(noms)) {
-                    return dit + " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
+                    return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
                             + pas.getLineNumber() + ")";
                 }
             }
         }
-        return dit;
+        return "";
     }
 
     private static void echapper(int c, StringBuilder s) {

@@ -61,7 +61,7 @@ class PannesPixelTest {
     void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande() {
         PixelFautif panne = panne(null, 1);
         assertTrue(panne.x >= 20, panne.getMessage());
-        String message = Pannes.duPixel(panne, new String[] {Texte.HORS_DE_JAVA}, " --reflets 2", "ma scène.ini", 40, 30);
+        String message = Pannes.duPixel(panne.x, panne.y, Texte.cause(panne, Texte.HORS_DE_JAVA), " --reflets 2", "ma scène.ini", 40, 30);
         String pixel = panne.x + "," + panne.y;
         assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : "
                 + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PannesPixelTest$Mur.getNormale, "

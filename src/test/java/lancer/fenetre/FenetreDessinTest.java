@@ -327,13 +327,12 @@ class FenetreDessinTest extends EssaiFenetre {
     }
 
     @Test
-    void unDessinQuiAttendQueCeluiDAvantSArreteLeDit() throws Exception {
+    void unDessinNAttendPasQueCeluiDAvantSArrete() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        banc.frapper(KeyEvent.VK_F5);
-        attendre("le suivant attend", () -> banc.resume.getText().startsWith("attend que le dessin d'avant s'arrête — "));
         programme.retenue = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("le suivant se fait", attendue("--reflets=10"));
         programme.suite.countDown();
-        banc.attendreImage("puis se fait", attendue("--reflets=10"));
     }
 
     @Test
