@@ -2,8 +2,8 @@ package lancer;
 
 import java.io.PrintStream;
 import java.util.function.DoubleConsumer;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.dessin.Dessin;
@@ -46,13 +46,13 @@ public class Main implements Toile, Lecture {
         try {
             return new Main(Options.lire(args), sortie, erreur).executer();
         } catch (RuntimeException | Error e) {
-            return Pannes.dire(e, erreur);
+            return Messages.dire(e, erreur);
         }
     }
 
     private int executer() {
         if (options.aide || options.version) {
-            Pannes.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
+            Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
         } else if (options.sansFenetre()) {
             return SansFenetre.faire(options, dessin, this, sortie, erreur);
         } else {

@@ -16,8 +16,8 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
@@ -28,6 +28,7 @@ import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Sondage;
 import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /**
@@ -194,10 +195,10 @@ public final class Dessin implements DoubleConsumer {
 
     private void nommer(Fil lent) {
         if (lenteur == null) {
-            String cause = "ce calcul dure depuis dix secondes" + Texte.ligne(lent.getStackTrace(), Texte.HORS_DU_MOTEUR);
+            String cause = "ce calcul dure depuis dix secondes" + Pile.ligne(lent.getStackTrace(), Pile.HORS_DU_MOTEUR);
             lenteur = lent.getEtape() == null ? dire(lent.getX(), lent.getY(), cause)
                     : lent.getEtape() + " de " + Texte.echappe(fichier) + " : " + cause;
-            Pannes.avertir(Collections.singletonList(lenteur), erreur);
+            Messages.avertir(Collections.singletonList(lenteur), erreur);
         }
     }
 
@@ -274,7 +275,7 @@ public final class Dessin implements DoubleConsumer {
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
         if (ecart != null) {
-            Pannes.avertir(Collections.singletonList(ecart), erreur);
+            Messages.avertir(Collections.singletonList(ecart), erreur);
         }
     }
 
@@ -307,12 +308,12 @@ public final class Dessin implements DoubleConsumer {
     }
 
     /** L'échec qui nomme un pixel de la scène lue dont le calcul a échoué. */
-    public Echec nommer(PixelFautif panne) {
-        return Echec.panne(dire(panne.x, panne.y, Texte.cause(panne, classes(scene))));
+    public Echec nommer(PixelFautif faute) {
+        return Echec.machine(dire(faute.x, faute.y, Pile.cause(faute, classes(scene))));
     }
 
     private String dire(int x, int y, String cause) {
-        return Pannes.duPixel(x, y, cause, reglages.getOptions(), fichier,
+        return Messages.duPixel(x, y, cause, reglages.getOptions(), fichier,
                 image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur);
     }
 
@@ -327,6 +328,6 @@ public final class Dessin implements DoubleConsumer {
                 scene.getObjets().stream()).map(Modele::nom).distinct()
                 .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
         return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
-                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
+                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Pile.HORS_DE_JAVA};
     }
 }

@@ -15,8 +15,8 @@ import lancer.auto.Candidat;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Etape;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.fils.Fil;
@@ -104,15 +104,15 @@ public final class SansFenetre {
         Ecriture.ecrire(dessin.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessin.statistiques(lancer, traces);
-            Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
+            Messages.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
                     + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
                     auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         if (auto != null) {
-            Pannes.avertir(rapport(auto, essais), erreur);
+            Messages.avertir(rapport(auto, essais), erreur);
         }
         // les avertissements n'ont de sens que si le reste a réussi
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
     }
 
@@ -191,9 +191,9 @@ public final class SansFenetre {
                 .dessiner(options.vue, image, null);
         Ecriture.ecrire(image, fichiers);
         if (options.statistiques) {
-            Pannes.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
+            Messages.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
         }
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
     }
 
@@ -204,8 +204,8 @@ public final class SansFenetre {
                 options.pixelX, options.pixelY);
         pixel.faire();
         Fil.commencer("récit");
-        Pannes.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Messages.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
     }
 
     /** Compare deux images, et écrit celle des différences si elle est demandée. @return le statut de sortie */
@@ -224,7 +224,7 @@ public final class SansFenetre {
                     new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
                     fichiers);
         }
-        Pannes.repondre(comparaison.toString(), sortie);
+        Messages.repondre(comparaison.toString(), sortie);
         return comparaison.sontPareilles() ? 0 : 1;
     }
 }

@@ -37,7 +37,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     boolean lueDite;
     boolean lenteurDite;
     private volatile long fin;
-    private volatile Throwable panne;
+    private volatile Throwable echec;
     private final CountDownLatch lue = new CountDownLatch(1);
     /** Ouvert quand le brouillon est affiché : l'image peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
@@ -60,13 +60,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         try {
             lue.await(ms, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
+            throw Echec.machine("interrompu");
         }
-        if (dessin.getLue() == null && panne instanceof Error) {
-            throw (Error) panne;
+        if (dessin.getLue() == null && echec instanceof Error) {
+            throw (Error) echec;
         }
-        if (dessin.getLue() == null && panne != null) {
-            throw (RuntimeException) panne;
+        if (dessin.getLue() == null && echec != null) {
+            throw (RuntimeException) echec;
         }
     }
 
@@ -111,7 +111,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         try {
             dessin.observer(this::travailler);
         } catch (RuntimeException | Error e) {
-            panne = isCancelled() ? null : e;
+            echec = isCancelled() ? null : e;
         } finally {
             fin = System.nanoTime();
             lue.countDown();
@@ -124,13 +124,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         fin = System.nanoTime();
     }
 
-    /** Panne qui a arrêté ce dessin ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
-    Throwable getPanne() {
-        return isDone() && !isCancelled() ? panne : null;
+    /** Échec qui a arrêté ce dessin ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
+    Throwable getEchec() {
+        return isDone() && !isCancelled() ? echec : null;
     }
 
     boolean isAcheve() {
-        return isDone() && !isCancelled() && panne == null;
+        return isDone() && !isCancelled() && echec == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -146,8 +146,8 @@ final class Tracage extends SwingWorker<Void, Void> {
     String getEtat() {
         // le résumé donne le temps du dessin seul ; ce temps compte aussi l'attente et la lecture
         return isAcheve() ? "terminé"
-                : getPanne() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
-                : (getPanne() != null ? "échec" : getEtape())
+                : getEchec() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
+                : (getEchec() != null ? "échec" : getEtape())
                 + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
     }
 

@@ -15,8 +15,8 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -116,7 +116,7 @@ public final class Inspection implements Vue, Toile {
         }
     }
 
-    private static PointContact obstacle(Eclairage cachee, PointContact contact, Scene scene) {
+    private static PointContact obstacle(Terme cachee, PointContact contact, Scene scene) {
         boolean lointaine = Scene.estLointaine(cachee.lampe, contact);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());

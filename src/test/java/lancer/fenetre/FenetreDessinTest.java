@@ -36,7 +36,7 @@ import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
-/** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */
+/** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, échec ; elle ne l'attend jamais. */
 class FenetreDessinTest extends EssaiFenetre {
 
     @Test
