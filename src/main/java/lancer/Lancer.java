@@ -6,9 +6,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -114,70 +114,59 @@ public final class Lancer {
     }
 
     private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        Recherche recherche = scene.getModele().getRecherche();
-        long construit = recherche == null ? 0 : recherche.getConstructionNs();
-        long debut = System.nanoTime();
+        Modele modele = scene.getModele();
+        long debut = System.nanoTime() - modele.getConstructionNs();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-        List<Ouvrier> ouvriers = new ArrayList<>();
+        List<Lancer> siens = new ArrayList<>();
+        List<IntConsumer> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            ouvriers.add(new Lancer(this).new Ouvrier(brouillon, choisi, toile, profondeur));
+            siens.add(new Lancer(this));
+            ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
         }
         equipe.faire(nombre, ouvriers);
         Fil.commencer("");
         Compteurs total = new Compteurs();
-        ouvriers.forEach(sien -> total.ajouter(sien.comptes()));
+        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
         compteurs = total;
-        dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
+        dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
     }
 
-    /** Le travail d'un fil, dont ce lancer est à lui seul : il dessine des pavés. */
-    private final class Ouvrier implements IntConsumer, Vue {
+    private interface Ouvrier extends IntConsumer, Vue {
+    }
 
-        private final boolean brouillon;
-        private final Echantillonnage choisi;
-        private final Toile toile;
-        private final int profondeur;
-
-        Ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-            this.brouillon = brouillon;
-            this.choisi = choisi;
-            this.toile = toile;
-            this.profondeur = profondeur;
-        }
-
-        @Override
-        public void accept(int rang) {
-            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-            // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-            Fil.commencer(pave.i0, pave.j0);
-            if (brouillon) {
-                TracerBrouillon(pave, toile, profondeur);
-            } else if (choisi == null) {
-                TracerPixels(pave, toile, profondeur);
-            } else {
-                comptes().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
+    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        return new Ouvrier() {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
+                Fil.commencer(pave.i0, pave.j0);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
             }
-            fautes.peindre(pave, toile);
-        }
 
-        @Override
-        public Couleur couleur(double xe, double ye) {
-            return getCouleurPixel(xe, ye, profondeur);
-        }
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return getCouleurPixel(xe, ye, profondeur);
+            }
 
-        @Override
-        public void noter(Compteurs autres) {
-            comptes().ajouter(autres);
-        }
+            @Override
+            public void noter(Compteurs autres) {
+                scene.getCompteurs().ajouter(autres);
+            }
 
-        @Override
-        public long rayons() {
-            return comptes().rayons();
-        }
-
-        Compteurs comptes() {
-            return scene.getCompteurs();
-        }
+            @Override
+            public long rayons() {
+                return scene.getCompteurs().rayons();
+            }
+        };
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */
@@ -187,7 +176,7 @@ public final class Lancer {
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
     public double getAvancement() {
-        return (double) equipe.getFaites() / Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+        return equipe.getAvancement();
     }
 
     /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */

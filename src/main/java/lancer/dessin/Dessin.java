@@ -63,7 +63,6 @@ public final class Dessin implements DoubleConsumer {
     private Runnable entracte;
     private long lectureNs;
     private long preparationNs;
-    private long construitNs;
 
     /** Un dessin de cette scène, qui n'est pas encore lue. @param erreur sortie des avertissements */
     public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
@@ -151,8 +150,7 @@ public final class Dessin implements DoubleConsumer {
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
         ecart = Sondage.choisir(scene, camera, options.simple, this);
-        construitNs = construitNs();
-        preparationNs = System.nanoTime() - debut;
+        preparationNs = System.nanoTime() - debut - scene.getModele().getConstructionNs();
         image = vierge;
         lancer = new Lancer(scene, camera);
         return lancer;
@@ -216,10 +214,6 @@ public final class Dessin implements DoubleConsumer {
         Camera camera = new Camera(largeur, hauteur);
         Sondage.choisir(scene, camera, simple, part -> { });
         return new Lancer(scene, camera);
-    }
-
-    private long construitNs() {
-        return scene.getModele().getRecherche() == null ? 0 : scene.getModele().getRecherche().getConstructionNs();
     }
 
     public void finirBrouillon() {
@@ -303,7 +297,7 @@ public final class Dessin implements DoubleConsumer {
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, lectureNs / NS_PAR_MS, (preparationNs + construitNs() - construitNs) / NS_PAR_MS,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS, (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 

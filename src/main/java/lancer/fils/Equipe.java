@@ -24,6 +24,7 @@ public final class Equipe {
     private final AtomicInteger suivante = new AtomicInteger();
     private final AtomicInteger faites = new AtomicInteger();
     private final List<Fil> fils = new CopyOnWriteArrayList<>();
+    private volatile int nombre = 1;
     private volatile boolean arretee;
     private volatile Throwable echec;
 
@@ -44,12 +45,13 @@ public final class Equipe {
     }
 
     /**
-     * Exécute les tâches de 0 à {@code nombre} − 1, et attend la fin des fils.
+     * Exécute les tâches de 0 à {@code taches} − 1, et attend la fin des fils.
      *
      * @param ouvriers le travail de chaque fil sur une tâche
      * @throws CancellationException après {@link #arreter()}, ou si le fil appelant est interrompu (il le reste)
      */
-    public void faire(int nombre, List<? extends IntConsumer> ouvriers) {
+    public void faire(int taches, List<? extends IntConsumer> ouvriers) {
+        nombre = taches;
         suivante.set(0);
         faites.set(0);
         echec = null;
@@ -57,7 +59,7 @@ public final class Equipe {
         List<Fil> observes = siLong == null ? null : new CopyOnWriteArrayList<>();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Fil fil = new Fil(nom + "-" + (fils.size() + 1), observes, () -> travailler(nombre, ouvrier));
+                Fil fil = new Fil(nom + "-" + (fils.size() + 1), observes, () -> travailler(ouvrier));
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -69,13 +71,15 @@ public final class Equipe {
             echouer(e);
         }
         boolean interrompu = false;
-        boolean abandon = false;
-        for (Fil fil = vivant(); fil != null && !abandon; fil = vivant()) {
+        for (int k = 0; k < fils.size();) {
             boolean demande = arretee;
             try {
-                fil.join(PERIODE_MS);
-                if (fil.isAlive()) {
-                    abandon = demande;
+                fils.get(k).join(PERIODE_MS);
+                if (!fils.get(k).isAlive()) {
+                    k++;
+                } else if (demande) {
+                    k = fils.size();
+                } else {
                     // le fil courant n'est pas retenu, il attend
                     Fil.signaler();
                     if (observes != null) {
@@ -100,16 +104,7 @@ public final class Equipe {
         verifier();
     }
 
-    private Fil vivant() {
-        for (Fil fil : fils) {
-            if (fil.isAlive()) {
-                return fil;
-            }
-        }
-        return null;
-    }
-
-    private void travailler(int nombre, IntConsumer ouvrier) {
+    private void travailler(IntConsumer ouvrier) {
         try {
             for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
                 ouvrier.accept(k);
@@ -141,9 +136,9 @@ public final class Equipe {
         }
     }
 
-    /** Le nombre de tâches faites du travail en cours ou, à défaut, du dernier. */
-    public int getFaites() {
-        return faites.get();
+    /** La part des tâches faites du travail en cours ou, à défaut, du dernier, de 0 à 1. */
+    public double getAvancement() {
+        return (double) faites.get() / nombre;
     }
 
     private void echouer(Throwable e) {

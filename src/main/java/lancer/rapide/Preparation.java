@@ -165,7 +165,7 @@ public final class Preparation implements IntConsumer {
         } else {
             structures.premiers = deLOeil();
         }
-        suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
+        suivi.accept(PART_COPIE + (1 - PART_COPIE) * equipe.getAvancement());
     }
 
     private Occultations deLaLampe(Lampe lampe) {
