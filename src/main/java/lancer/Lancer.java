@@ -1,6 +1,7 @@
 package lancer;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
@@ -69,10 +70,37 @@ public final class Lancer implements Calcul {
         partager(fils, true, null, toile, profondeur);
     }
 
-    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
+    /**
+     * Dessine tous les pixels, selon l'échantillonnage de la scène. Si une réponse de la recherche diffère ensuite de
+     * celle des boucles du cours, les boucles les dessinent de nouveau.
+     */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
+        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        if (sonder(partager(fils, false, sien, toile, profondeur))) {
+            fautes.oublier();
+            partager(fils, false, sien, toile, profondeur);
+        }
+    }
+
+    /** Compare la recherche aux boucles du cours, comme après un dessin. */
+    public void sonder() {
+        sonder(new Lancer(this).scene);
+    }
+
+    /**
+     * Compare la recherche aux boucles de cette scène, qu'elle a dessinée. Si une réponse diffère, les dessins suivants
+     * sont faits par les boucles.
+     */
+    private boolean sonder(Scene dessinee) {
+        Recherche recherche = dessinee.getModele().getRecherche();
+        if (recherche == null) {
+            return false;
+        }
+        // une classe qui ne finit pas ne bloque que son fil
+        new Equipe("lancer").faire(1, Collections.singletonList(k -> recherche.sonder(dessinee, camera)),
+                Collections.singletonList(this));
+        return recherche.getEcart() != null;
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -120,8 +148,12 @@ public final class Lancer implements Calcul {
         }
     }
 
-    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
+    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         Recherche recherche = scene.getModele().getRecherche();
+        if (recherche != null) {
+            recherche.verifier();
+        }
         long construit = recherche == null ? 0 : recherche.getConstructionNs();
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
@@ -138,6 +170,7 @@ public final class Lancer implements Calcul {
         }
         compteurs = total;
         dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
+        return siens.get(0).scene;
     }
 
     /** Le travail d'un fil : il dessine des pavés, avec sa propre scène. */

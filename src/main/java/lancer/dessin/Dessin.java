@@ -23,12 +23,13 @@ import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Retenu;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
-import lancer.rapide.Sondage;
+import lancer.rapide.Preparation;
 import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 import lancer.texte.Texte;
@@ -58,7 +59,6 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     private String vue;
     private ImageMemoire reference;
     private volatile Lancer lancer;
-    private volatile String ecart;
     private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
@@ -157,7 +157,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
             @Override
             public void accept(int tache) {
                 Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-                ecart = Sondage.choisir(scene, camera, options.simple, Dessin.this);
+                Preparation.choisir(scene, camera, options.simple, Dessin.this);
                 pret[0] = new Lancer(scene, camera);
             }
         }.faire("préparation");
@@ -245,7 +245,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
      */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
-        Sondage.choisir(scene, camera, simple, part -> { });
+        Preparation.choisir(scene, camera, simple, part -> { });
         return new Lancer(scene, camera);
     }
 
@@ -295,7 +295,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        return ecart;
+        Recherche recherche = scene.getModele().getRecherche();
+        return recherche == null ? null : recherche.getEcart();
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
@@ -305,8 +306,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
-        if (ecart != null) {
-            Pannes.avertir(Collections.singletonList(ecart), erreur);
+        if (getEcart() != null) {
+            Pannes.avertir(Collections.singletonList(getEcart()), erreur);
         }
     }
 

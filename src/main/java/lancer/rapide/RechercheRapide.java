@@ -1,10 +1,12 @@
 package lancer.rapide;
 
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -63,6 +65,9 @@ public final class RechercheRapide implements Recherche {
             derniere = suivants.plusProche(etat, P.x, P.y, P.z, V.x, V.y, V.z, numero(saufLui));
         }
         rencontree = derniere < 0 ? null : spheres.objets[derniere];
+        if (derniere >= 0 && !spheres.estEnPlace(derniere)) {
+            structures.ecart = Sondage.DEPLACEE;
+        }
         if (spheres.autres.length > 0) {
             avecLesAutres(incident, saufLui);
         } else {
@@ -141,7 +146,22 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, compteurs);
+        return structures.ecart == null ? new RechercheRapide(structures, compteurs) : null;
+    }
+
+    @Override
+    public void verifier() {
+        structures.verifier();
+    }
+
+    @Override
+    public void sonder(Scene dessinee, Camera camera) {
+        structures.sonder(dessinee, camera);
+    }
+
+    @Override
+    public String getEcart() {
+        return structures.ecart;
     }
 
     /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */

@@ -38,7 +38,7 @@ class RetenuTest {
         {"Sphere", "double k = 1 / rayon;", "rayon > 0", "--fils=2", "pixel \\d+, \\d+ de"},
         {"Sphere", "double k = 1 / rayon;", "rayon > 0", "--pixel=200,150", "pixel 200, 150 de"},
         {"Camera", "Point ecran", "xe > 0", "--simple", "pixel \\d+, \\d+ de"},
-        {"Sphere", "Point P = incident.getP();", "rayon > 0", "--fils=1", "préparation de"},
+        {"Sphere", "Point P = incident.getP();", "rayon > 0", "--fils=1", "pixel \\d+, \\d+ de"},
         {"Sphere", "this.centre = centre;", "rayon > 0", "--fils=1", "lecture de"},
         {"Objet3D", "Vecteur V = incident.getV();", "profondeur > 0", "--auto=erreur=2", "pixel \\d+, \\d+ de"}};
 
