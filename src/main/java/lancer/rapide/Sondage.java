@@ -20,7 +20,8 @@ import lancer.precision.Intersection;
 
 /**
  * Comparaison, après un dessin, des réponses de la recherche rapide avec celles des boucles de la scène dessinée, au
- * bit près. Les rayons sont tirés au hasard : de l'écran, d'une lampe à travers une sphère, d'une sphère vers une autre.
+ * bit près. Les rayons sont tirés au hasard : de l'écran, d'une lampe à travers une sphère, d'une sphère vers une
+ * autre.
  *
  * <p>Cette comparaison est un sondage : {@value #RAYONS} rayons au plus, et moins si la scène a beaucoup d'objets. Une
  * faute qui ne change la réponse d'aucun de ces rayons n'est pas vue. Les rayons dépendent de la scène et de la taille.
