@@ -9,6 +9,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -62,11 +63,38 @@ public final class Lancer {
         partager(fils, true, null, toile, profondeur);
     }
 
-    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
+    /**
+     * Dessine tous les pixels, selon l'échantillonnage de la scène. Si une réponse de la recherche diffère ensuite de
+     * celle des boucles du cours, les boucles les dessinent de nouveau.
+     */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
+        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        if (sonder(partager(fils, false, sien, toile, profondeur))) {
+            fautes.oublier();
+            partager(fils, false, sien, toile, profondeur);
+        }
+    }
+
+    /** Compare la recherche aux boucles du cours, comme après un dessin. */
+    public void sonder() {
+        sonder(new Lancer(this).scene);
+    }
+
+    /**
+     * Compare la recherche aux boucles de cette scène, qu'elle a dessinée. Si une réponse diffère, les dessins suivants
+     * sont faits par les boucles.
+     */
+    private boolean sonder(Scene dessinee) {
+        Recherche recherche = dessinee.getModele().getRecherche();
+        if (recherche == null) {
+            return false;
+        }
+        Fil.commencer("vérification");
+        recherche.sonder(dessinee, camera);
+        Fil.commencer("");
+        return recherche.getEcart() != null;
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -113,8 +141,12 @@ public final class Lancer {
         }
     }
 
-    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
+    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         Modele modele = scene.getModele();
+        if (modele.getRecherche() != null) {
+            modele.getRecherche().verifier();
+        }
         long debut = System.nanoTime() - modele.getConstructionNs();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
         List<Lancer> siens = new ArrayList<>();
@@ -129,6 +161,7 @@ public final class Lancer {
         siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
         compteurs = total;
         dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
+        return siens.get(0).scene;
     }
 
     private interface Ouvrier extends IntConsumer, Vue {

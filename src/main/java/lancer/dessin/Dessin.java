@@ -21,11 +21,12 @@ import lancer.commande.Options;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Recherche;
 import lancer.fils.Equipe;
 import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
-import lancer.rapide.Sondage;
+import lancer.rapide.Preparation;
 import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 import lancer.texte.Pile;
@@ -56,7 +57,6 @@ public final class Dessin implements DoubleConsumer {
     private String vue;
     private ImageMemoire reference;
     private volatile Lancer lancer;
-    private volatile String ecart;
     private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
@@ -149,7 +149,7 @@ public final class Dessin implements DoubleConsumer {
         avancement = 0;
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-        ecart = Sondage.choisir(scene, camera, options.simple, this);
+        Preparation.choisir(scene, camera, options.simple, this);
         preparationNs = System.nanoTime() - debut - scene.getModele().getConstructionNs();
         image = vierge;
         lancer = new Lancer(scene, camera);
@@ -212,7 +212,7 @@ public final class Dessin implements DoubleConsumer {
      */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
-        Sondage.choisir(scene, camera, simple, part -> { });
+        Preparation.choisir(scene, camera, simple, part -> { });
         return new Lancer(scene, camera);
     }
 
@@ -258,7 +258,8 @@ public final class Dessin implements DoubleConsumer {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        return ecart;
+        Recherche recherche = scene.getModele().getRecherche();
+        return recherche == null ? null : recherche.getEcart();
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
@@ -268,8 +269,8 @@ public final class Dessin implements DoubleConsumer {
 
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
-        if (ecart != null) {
-            Messages.avertir(Collections.singletonList(ecart), erreur);
+        if (getEcart() != null) {
+            Messages.avertir(Collections.singletonList(getEcart()), erreur);
         }
     }
 

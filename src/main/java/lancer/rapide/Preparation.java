@@ -91,8 +91,13 @@ public final class Preparation implements IntConsumer {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
+    /** Choisit la recherche de cette scène pour une image. @param simple vrai pour les boucles du cours */
+    public static void choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : pour(scene, camera, suivi));
+    }
+
     /** Dit si les structures, construction comprise, répondent plus vite à cette image que les boucles du cours. */
-    public static boolean estUtile(Scene scene, Camera camera) {
+    static boolean estUtile(Scene scene, Camera camera) {
         int objets = scene.getObjets().size();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;

@@ -1,10 +1,12 @@
 package lancer.rapide;
 
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -141,7 +143,22 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, compteurs);
+        return structures.ecart == null ? new RechercheRapide(structures, compteurs) : null;
+    }
+
+    @Override
+    public void verifier() {
+        structures.verifier();
+    }
+
+    @Override
+    public void sonder(Scene dessinee, Camera camera) {
+        structures.sonder(dessinee, camera);
+    }
+
+    @Override
+    public String getEcart() {
+        return structures.ecart;
     }
 
     /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */

@@ -4,9 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.Camera;
 import lancer.Lampe;
+import lancer.Scene;
 
-/** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent : elles n'ont pas d'état. */
+/** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent. */
 final class Structures {
 
     final Spheres spheres;
@@ -21,6 +23,10 @@ final class Structures {
     /** Structures des rayons d'ombre de chaque lampe. */
     final Occultations[] ombres;
 
+    /** Première réponse qui diffère de celle des boucles du cours, {@code null} tant qu'il n'y en a pas. */
+    volatile String ecart;
+    private boolean sondees;
+
     Structures(Spheres spheres, List<Lampe> lampes) {
         this.spheres = spheres;
         this.lampes = lampes.toArray(new Lampe[0]);
@@ -29,6 +35,21 @@ final class Structures {
         suivants = arbre;
         ombres = new Occultations[this.lampes.length];
         Arrays.fill(ombres, arbre);
+    }
+
+    void verifier() {
+        if (!spheres.sontEnPlace()) {
+            ecart = Sondage.DEPLACEE;
+        }
+    }
+
+    /** Compare ces structures à la scène qu'elles viennent de dessiner. Les réponses ne sont comparées qu'une fois. */
+    synchronized void sonder(Scene dessinee, Camera camera) {
+        verifier();
+        if (ecart == null && !sondees) {
+            sondees = true;
+            ecart = Sondage.ecart(dessinee, camera);
+        }
     }
 
     /** Noms des structures : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */

@@ -187,9 +187,9 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                assertThrows(CancellationException.class, () ->
-                        Sondage.ecart(scene, CAMERA, new RechercheRapide(
-                        new Structures(new Spheres(scene.getObjets()), scene.getLampes()), new Compteurs())));
+                scene.getModele().setRecherche(new RechercheRapide(
+                        new Structures(new Spheres(scene.getObjets()), scene.getLampes()), new Compteurs()));
+                assertThrows(CancellationException.class, () -> Sondage.ecart(scene, CAMERA));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }
