@@ -91,7 +91,7 @@ public final class Ecoute {
             this.devant = devant;
         }
 
-        /** Parmi {@link #ajouts}, celui de la lampe ou du rayon réfléchi ; {@code null} s'il n'éclaire pas le contact. */
+        /** L'ajout de la lampe ou du rayon réfléchi ; {@code null} s'il n'éclaire pas le contact. */
         public Couleur apport() {
             boolean attendu = cache == null && produit != null && !produit.estNoire() && !ajouts.isEmpty();
             int rang = ajouts.indexOf(produit);

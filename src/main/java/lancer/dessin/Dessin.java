@@ -298,7 +298,8 @@ public final class Dessin implements DoubleConsumer {
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, lectureNs / NS_PAR_MS, (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS,
+                (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 

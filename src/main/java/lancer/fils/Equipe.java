@@ -12,7 +12,7 @@ import java.util.function.IntConsumer;
  * Des fils qui se partagent des tâches numérotées : chaque fil prend la première tâche libre. Le premier échec les
  * arrête tous. Une équipe fait un travail à la fois.
  *
- * <p>Un fil qui ne s'arrête pas est abandonné une seconde après la demande d'arrêt. Il n'empêche pas la fin du programme.
+ * <p>Un fil qui ne s'arrête pas est abandonné une seconde après la demande. Il n'empêche pas la fin du programme.
  */
 public final class Equipe {
 

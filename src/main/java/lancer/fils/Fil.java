@@ -18,7 +18,7 @@ public final class Fil extends Thread {
     /** Nombre d'observations du même repère après lequel il est dit. */
     private static final int PATIENCE = 10;
 
-    /** Repère d'un point (xe, ye) : xe dans les 26 bits de poids faible, puis ye, en 4096es de pixel ; puis un nombre. */
+    /** Repère d'un point (xe, ye) : xe dans les 26 bits de poids faible, puis ye, en 4096es de pixel. */
     private static final int FINESSE = 1 << 12;
     private static final int BITS = 26;
     private static final long LIGNE = (1L << BITS) - 1;
@@ -33,11 +33,12 @@ public final class Fil extends Thread {
     private long vu;
     private int regards;
 
-    /** Un fil observé par {@code observes} ou, si elle est nulle, avec le fil qui le crée. Il commence la même étape. */
+    /** @param observes où le noter ; {@code null} : avec le fil qui le crée, dont il continue l'étape */
     Fil(String nom, List<Fil> observes, Runnable travail) {
         super(null, null, nom, PILE);
         Fil createur = courant();
-        this.observes = observes != null ? observes : createur != null ? createur.observes : new CopyOnWriteArrayList<>();
+        this.observes = observes != null ? observes
+                : createur != null ? createur.observes : new CopyOnWriteArrayList<>();
         this.travail = travail;
         etape = createur == null ? "" : createur.etape;
         setDaemon(true);
@@ -67,7 +68,7 @@ public final class Fil extends Thread {
         }
     }
 
-    /** Note que l'étape du fil courant avance. À appeler comme {@link Recherche#obeir()}, qui est appelée d'abord. */
+    /** Note que l'étape du fil courant avance, après {@link Recherche#obeir()}. */
     public static void avancer() {
         Recherche.obeir();
         signaler();
@@ -80,7 +81,7 @@ public final class Fil extends Thread {
         }
     }
 
-    /** Dit si le repère a dix secondes ; à appeler une fois par seconde. La réponse n'est vraie qu'une fois par repère. */
+    /** Dit, une fois par repère, s'il a dix secondes ; à appeler une fois par seconde. */
     boolean dure() {
         long ici = repere.get();
         regards = ici == vu ? regards + 1 : 0;

@@ -7,8 +7,8 @@ public final class Pile {
     public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
     /** Parmi eux, les noms des classes du cours, des variantes et des formes : le reste de la base est le moteur. */
-    public static final String HORS_DU_MOTEUR = "(?!lancer\\.(auto|commande|contrat|dessin|fenetre|fils|image|inspection"
-            + "|precision|rapide|scene|texte)\\.|org\\.ini4j\\.)" + HORS_DE_JAVA;
+    public static final String HORS_DU_MOTEUR = "(?!lancer\\.(auto|commande|contrat|dessin|fenetre|fils|image"
+            + "|inspection|precision|rapide|scene|texte)\\.|org\\.ini4j\\.)" + HORS_DE_JAVA;
 
     private Pile() {
     }
@@ -23,7 +23,7 @@ public final class Pile {
                 + ligne(cause.getStackTrace().length > 0 ? cause.getStackTrace() : echec.getStackTrace(), classes);
     }
 
-    /** Première ligne de cette pile dont la classe suit une de ces expressions, par préférence ; vide s'il n'y en a pas. */
+    /** Première ligne dont la classe suit une de ces expressions, par préférence ; vide s'il n'y en a pas. */
     public static String ligne(StackTraceElement[] pile, String... classes) {
         for (String noms : classes) {
             for (StackTraceElement pas : pile) {

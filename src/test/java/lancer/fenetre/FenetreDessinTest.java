@@ -28,7 +28,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
-import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -70,11 +69,11 @@ class FenetreDessinTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public void drawPixel(Couleur coul, int xe, int ye) {
+            void peindre(int ye, Runnable peindre) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(dessin);
                 }
-                super.drawPixel(coul, xe, ye);
+                super.peindre(ye, peindre);
             }
 
             @Override
@@ -114,11 +113,11 @@ class FenetreDessinTest extends EssaiFenetre {
         CountDownLatch repare = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void doTracerImage(int largeur, int hauteur) {
+            void tracer(Runnable dessiner) {
                 if (repare.getCount() > 0) {
                     throw new IllegalStateException("objet\nmal fait");
                 }
-                super.doTracerImage(largeur, hauteur);
+                super.tracer(dessiner);
             }
         });
         banc.attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
@@ -286,12 +285,11 @@ class FenetreDessinTest extends EssaiFenetre {
         }
 
         @Override
-        public void doTracerImage(int largeur, int hauteur) {
+        void tracer(Runnable dessiner) {
             if (retenue) {
                 attendreSansEtreInterrompu(suite);
-                return;
             }
-            super.doTracerImage(largeur, hauteur);
+            super.tracer(dessiner);
         }
     }
 
