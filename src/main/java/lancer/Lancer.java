@@ -10,6 +10,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
+import lancer.contrat.Sondable;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -88,13 +89,10 @@ public final class Lancer {
      */
     private boolean sonder(Scene dessinee) {
         Recherche recherche = dessinee.getModele().getRecherche();
-        if (recherche == null) {
-            return false;
-        }
         Fil.commencer("vérification");
-        recherche.sonder(dessinee, camera);
+        boolean differe = recherche instanceof Sondable && ((Sondable) recherche).differe(dessinee, camera);
         Fil.commencer("");
-        return recherche.getEcart() != null;
+        return differe;
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -164,12 +162,9 @@ public final class Lancer {
         return siens.get(0).scene;
     }
 
-    private interface Ouvrier extends IntConsumer, Vue {
-    }
-
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        return new Ouvrier() {
+        final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {
                 Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
@@ -199,7 +194,8 @@ public final class Lancer {
             public long rayons() {
                 return scene.getCompteurs().rayons();
             }
-        };
+        }
+        return new Ouvrier();
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */

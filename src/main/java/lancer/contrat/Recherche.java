@@ -1,12 +1,10 @@
 package lancer.contrat;
 
 import java.util.concurrent.CancellationException;
-import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
-import lancer.Scene;
 import lancer.Vecteur;
 
 /**
@@ -32,10 +30,6 @@ public interface Recherche {
 
     /** Vérifie que les objets sont ceux qu'elle a copiés. */
     default void verifier() {
-    }
-
-    /** Compare ses réponses à celles des boucles de cette scène, qu'elle vient de dessiner. */
-    default void sonder(Scene dessinee, Camera camera) {
     }
 
     /** Phrase sur la première réponse qui diffère de celle des boucles ; {@code null} s'il n'y en a pas. */

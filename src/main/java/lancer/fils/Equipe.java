@@ -59,7 +59,7 @@ public final class Equipe {
         List<Fil> observes = siLong == null ? null : new CopyOnWriteArrayList<>();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Fil fil = new Fil(nom + "-" + (fils.size() + 1), observes, () -> travailler(ouvrier));
+                Fil fil = new Ouvrier(nom + "-" + (fils.size() + 1), observes, ouvrier);
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -104,20 +104,6 @@ public final class Equipe {
         verifier();
     }
 
-    private void travailler(IntConsumer ouvrier) {
-        try {
-            for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
-                ouvrier.accept(k);
-                faites.incrementAndGet();
-            }
-        } catch (RuntimeException | Error e) {
-            // un arrêt demandé n'est pas un échec
-            if (!arretee || !(e instanceof CancellationException)) {
-                echouer(e);
-            }
-        }
-    }
-
     /**
      * Abandonne le travail en cours et tous les suivants. Chaque fil est interrompu, et s'arrête quand il lit
      * l'interruption ({@link lancer.contrat.Recherche#obeir()}, {@link #verifier()}).
@@ -144,5 +130,33 @@ public final class Equipe {
     private void echouer(Throwable e) {
         echec = e;
         arreter();
+    }
+
+    private final class Ouvrier extends Fil {
+
+        private final IntConsumer travail;
+
+        Ouvrier(String nom, List<Fil> observes, IntConsumer travail) {
+            super(nom, observes);
+            this.travail = travail;
+        }
+
+        @Override
+        public void run() {
+            observes.add(this);
+            try {
+                for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
+                    travail.accept(k);
+                    faites.incrementAndGet();
+                }
+            } catch (RuntimeException | Error e) {
+                // un arrêt demandé n'est pas un échec
+                if (!arretee || !(e instanceof CancellationException)) {
+                    echouer(e);
+                }
+            } finally {
+                observes.remove(this);
+            }
+        }
     }
 }

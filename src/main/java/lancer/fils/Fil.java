@@ -10,7 +10,7 @@ import lancer.contrat.Recherche;
  * préparation. Les méthodes statiques changent le repère du fil courant ; ailleurs que dans un tel fil, elles n'ont pas
  * d'effet.
  */
-public final class Fil extends Thread {
+public class Fil extends Thread {
 
     /** Taille de la pile, en octets : mille réflexions sont permises, et chacune demande deux appels. */
     private static final long PILE = 16 << 20;
@@ -24,7 +24,6 @@ public final class Fil extends Thread {
     private static final long LIGNE = (1L << BITS) - 1;
     private static final long AVANCEE = 1L << 2 * BITS;
 
-    private final Runnable travail;
     /** Les fils vivants qu'une équipe observe, dont celui-ci. */
     final List<Fil> observes;
     private final AtomicLong repere = new AtomicLong();
@@ -34,12 +33,11 @@ public final class Fil extends Thread {
     private int regards;
 
     /** @param observes où le noter ; {@code null} : avec le fil qui le crée, dont il continue l'étape */
-    Fil(String nom, List<Fil> observes, Runnable travail) {
+    Fil(String nom, List<Fil> observes) {
         super(null, null, nom, PILE);
         Fil createur = courant();
         this.observes = observes != null ? observes
                 : createur != null ? createur.observes : new CopyOnWriteArrayList<>();
-        this.travail = travail;
         etape = createur == null ? "" : createur.etape;
         setDaemon(true);
     }
@@ -102,15 +100,5 @@ public final class Fil extends Thread {
     /** La ligne du pixel commencé en dernier. */
     public int getY() {
         return (int) (repere.get() >> BITS & LIGNE) / FINESSE;
-    }
-
-    @Override
-    public void run() {
-        observes.add(this);
-        try {
-            travail.run();
-        } finally {
-            observes.remove(this);
-        }
     }
 }

@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -13,9 +12,9 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
+import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
@@ -28,23 +27,15 @@ import lancer.precision.Intersection;
  */
 final class Sondage {
 
-    private static final String SUITE = " : ce sont les boucles du cours qui dessinent ; si l'image change d'un essai "
-            + "à l'autre, essayez --fils 1";
-    static final String DEPLACEE = "une sphère a changé de place ou de rayon après la préparation" + SUITE;
-
     static final int RAYONS = 600;
 
     /** Nombre d'intersections que les boucles calculent, à peu près ; nombre minimal de rayons. */
     private static final int EXAMENS = 1 << 18;
     private static final int RAYONS_MIN = 6;
 
-    /** Nombre d'objets au-delà duquel il y en a beaucoup ; nombre de ceux qui répondent à leur place. */
-    private static final int BEAUCOUP = 1000;
-    private static final int QUELQUES = 64;
-
     private final Scene scene;
     private final Modele modele;
-    private final RechercheRapide recherche;
+    private final Recherche recherche;
     private final Camera camera;
     private final Spheres spheres;
     private final Random hasard;
@@ -52,43 +43,31 @@ final class Sondage {
     /** Première différence, {@code null} tant qu'il n'y en a pas. */
     private String ecart;
 
-    private Sondage(Scene scene, Camera camera) {
+    private Sondage(Scene scene, Spheres spheres, Camera camera) {
         this.scene = scene;
         this.camera = camera;
         modele = scene.getModele();
-        recherche = (RechercheRapide) modele.getRecherche();
-        spheres = recherche.structures.spheres;
+        recherche = modele.getRecherche();
+        this.spheres = spheres;
         hasard = new Random(31L * (31 * Arrays.hashCode(spheres.geometrie) + camera.getLargeur())
                 + camera.getHauteur());
     }
 
     /**
-     * Sonde cette scène et sa recherche rapide. Les boucles de beaucoup d'objets sont lentes : elles répondent à peu de
-     * rayons, et une scène de quelques-uns de ces objets répond aux autres.
+     * Sonde cette scène et sa recherche rapide.
      *
+     * @param spheres celles que la recherche a copiées
      * @return la première différence, en une phrase ; {@code null} s'il n'y en a pas
      * @throws CancellationException si le fil appelant est interrompu
      */
-    static String ecart(Scene dessinee, Camera camera) {
-        List<Objet3D> objets = dessinee.getObjets();
+    static String ecart(Scene dessinee, Spheres spheres, Camera camera) {
         try {
-            String ecart = new Sondage(dessinee, camera).sonder();
-            if (ecart == null && objets.size() > BEAUCOUP) {
-                List<Objet3D> quelques = new ArrayList<>();
-                for (long k = 0; k < QUELQUES; k++) {
-                    quelques.add(objets.get((int) ((2 * k + 1) * objets.size() / (2 * QUELQUES))));
-                }
-                Scene petite = new Scene(quelques, dessinee.getLampes());
-                petite.getModele().setRecherche(new RechercheRapide(
-                        new Structures(new Spheres(quelques), dessinee.getLampes()), new Compteurs()));
-                ecart = new Sondage(petite, camera).sonder();
-            }
-            return ecart == null ? null : ecart + SUITE;
+            return new Sondage(dessinee, spheres, camera).sonder();
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
             // le dessin nommera le pixel qui échoue
-            return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
+            return "une classe du cours échoue sur un rayon tiré au hasard";
         }
     }
 
@@ -96,7 +75,7 @@ final class Sondage {
         int rayons = Math.max(RAYONS_MIN, Math.min(RAYONS, EXAMENS / Math.max(1, scene.getObjets().size())));
         try {
             for (int k = 0; k < rayons && spheres.nombre > 0 && ecart == null; k++) {
-                Recherche.obeir();
+                Fil.avancer();
                 tirer(k);
             }
             return ecart;

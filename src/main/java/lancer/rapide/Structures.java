@@ -4,9 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.Camera;
 import lancer.Lampe;
-import lancer.Scene;
 
 /** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent. */
 final class Structures {
@@ -25,7 +23,7 @@ final class Structures {
 
     /** Première réponse qui diffère de celle des boucles du cours, {@code null} tant qu'il n'y en a pas. */
     volatile String ecart;
-    private boolean sondees;
+    boolean sondees;
 
     Structures(Spheres spheres, List<Lampe> lampes) {
         this.spheres = spheres;
@@ -35,21 +33,6 @@ final class Structures {
         suivants = arbre;
         ombres = new Occultations[this.lampes.length];
         Arrays.fill(ombres, arbre);
-    }
-
-    void verifier() {
-        if (!spheres.sontEnPlace()) {
-            ecart = Sondage.DEPLACEE;
-        }
-    }
-
-    /** Compare ces structures à la scène qu'elles viennent de dessiner. Les réponses ne sont comparées qu'une fois. */
-    synchronized void sonder(Scene dessinee, Camera camera) {
-        verifier();
-        if (ecart == null && !sondees) {
-            sondees = true;
-            ecart = Sondage.ecart(dessinee, camera);
-        }
     }
 
     /** Noms des structures : celle des premiers rayons, celle des réfléchis, celle de chaque lampe. */
