@@ -79,8 +79,8 @@ public final class Services {
         } catch (ServiceConfigurationError e) {
             if (e.getCause() instanceof IOException) {
                 // JDK-4523159
-                throw new SceneFautive("META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a un "
-                        + "nom qui finit par « ! » ; attendu : le même jar dans un autre dossier", e);
+                throw new SceneFautive("META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a "
+                        + "un nom qui finit par « ! » ; attendu : le même jar dans un autre dossier", e);
             }
             if (e.getCause() != null && !(e.getCause() instanceof ReflectiveOperationException)) {
                 // la classe convient : c'est son constructeur qui échoue
