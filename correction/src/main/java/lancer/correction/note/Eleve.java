@@ -9,7 +9,6 @@ import java.util.stream.Collectors;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
-import lancer.correction.jugement.Verification;
 
 /**
  * Un rendu jugé et sa note. Chaque étape rapporte la part de ses critères réussis, ou les points que donne l'enseignant. Seul l'enseignant
