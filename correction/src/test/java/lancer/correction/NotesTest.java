@@ -71,6 +71,11 @@ class NotesTest extends ClasseEssai {
         return Files.readString(dossier.resolve("notes-a-deposer.csv"));
     }
 
+    private Path resultat(String id) {
+        Path premier = dossier.resolve("resultats/001-" + id + ".json");
+        return Files.exists(premier) ? premier : dossier.resolve("resultats/002-" + id + ".json");
+    }
+
     private void baremer(String lignes) throws IOException {
         Files.writeString(dossier.resolve("bareme.ini"), Files.readString(dossier.resolve("bareme.ini")) + lignes);
     }
@@ -257,8 +262,7 @@ class NotesTest extends ClasseEssai {
     @Test
     void unePageQueLOnNePeutEcrireNeCouteQuElleEtLIndexDitLaquelleEtPourquoi() throws IOException {
         Files.writeString(dossier.resolve("etudiants/mon-bilan.html"), "à moi");
-        Path resultat = dossier.resolve("resultats/001-7002.json");
-        resultat = Files.exists(resultat) ? resultat : dossier.resolve("resultats/002-7002.json");
+        Path resultat = resultat("7002");
         Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"scene1\":\"iVBOR[^\"]*", "\"scene1\":\"" + PIXEL));
         Essai essai = renoter();
         assertEquals(0, essai.code, essai.erreur);
@@ -271,8 +275,7 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void lIdentifiantDUnDossierNEstPasUneFormuleEtSaLigneSeRelit() throws IOException {
-        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.json")) ? "001-7001.json"
-                : "002-7001.json");
+        Path resultat = resultat("7001");
         String nom = "=SOMME(A1)+k;@b";
         Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"id\":\"7001\",\"nom\":\"[^\"]*",
                 "\"id\":\"" + nom + "\",\"nom\":\"" + nom)
@@ -288,8 +291,7 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void unTexteDUnEtudiantNAgitNiSurSaPageNiSurLIndex() throws IOException {
-        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.json")) ? "001-7001.json"
-                : "002-7001.json");
+        Path resultat = resultat("7001");
         Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"nom\":\"[^\"]*",
                 "\"nom\":\"<b>x</b> & '\\\\\"y\\\\\" \\${7*7} <#stop> \u202e\\\\u0007"));
         assertEquals(0, renoter().code);

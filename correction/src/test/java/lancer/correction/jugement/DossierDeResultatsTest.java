@@ -50,17 +50,10 @@ class DossierDeResultatsTest {
         GrilleDeNotation grille = grille("a");
         grille.reprendre(grille("a"));
         assertTrue(assertThrows(Panne.class, () -> grille.reprendre(grille("b"))).getMessage().contains("autre version du programme"));
-        grille.reprendre(new GrilleDeNotationSansConfinement().grille);
+        GrilleDeNotation libre = grille("a");
+        libre.sansConfinement = "sans bwrap";
+        grille.reprendre(libre);
         assertEquals("sans bwrap", grille.sansConfinement, "un seul rendu exécuté sans confinement suffit à le dire");
-    }
-
-    private static final class GrilleDeNotationSansConfinement {
-
-        private final GrilleDeNotation grille = new GrilleDeNotation("sans bwrap");
-
-        GrilleDeNotationSansConfinement() {
-            grille.ajouter(new Verification("vecteurs", "Vecteurs", "a", "Vecteur", "un titre"));
-        }
     }
 
     @Test
