@@ -3,6 +3,7 @@ package lancer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.function.BiConsumer;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
@@ -61,7 +62,7 @@ public final class Lancer {
 
     /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        partager(fils, true, null, toile, profondeur);
+        partager(fils, toile, (sien, pave) -> sien.TracerBrouillon(pave, toile, profondeur));
     }
 
     /**
@@ -71,10 +72,11 @@ public final class Lancer {
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        if (sonder(partager(fils, false, sien, toile, profondeur))) {
+        Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        BiConsumer<Lancer, Pave> travail = (sien, pave) -> sien.TracerPixels(pave, prepare, toile, profondeur);
+        if (sonder(partager(fils, toile, travail))) {
             fautes.oublier();
-            partager(fils, false, sien, toile, profondeur);
+            partager(fils, toile, travail);
         }
     }
 
@@ -83,10 +85,7 @@ public final class Lancer {
         sonder(new Lancer(this).scene);
     }
 
-    /**
-     * Compare la recherche aux boucles de cette scène, qu'elle a dessinée. Si une réponse diffère, les dessins suivants
-     * sont faits par les boucles.
-     */
+    /** Compare la recherche aux boucles de cette scène, qu'elle a dessinée. @return vrai si une réponse diffère */
     private boolean sonder(Scene dessinee) {
         Recherche recherche = dessinee.getModele().getRecherche();
         Fil.commencer("vérification");
@@ -95,7 +94,7 @@ public final class Lancer {
         return differe;
     }
 
-    void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
+    private void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
         for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
             int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
             for (int i = pave.i0; i < pave.i1; i += Constantes.PAS_BROUILLON) {
@@ -110,7 +109,12 @@ public final class Lancer {
         }
     }
 
-    void TracerPixels(Pave pave, Toile toile, int profondeur) {
+    /** Dessine un pavé. @param choisi son échantillonnage ; {@code null} : un rayon au centre de chaque pixel */
+    private void TracerPixels(Pave pave, Echantillonnage choisi, Toile toile, int profondeur) {
+        if (choisi != null) {
+            scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, getVue(profondeur), toile);
+            return;
+        }
         for (int j = pave.j0; j < pave.j1; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
                 toile.drawPixel(getCouleurPixel(i + 0.5, j + 0.5, profondeur), i, j);
@@ -139,8 +143,22 @@ public final class Lancer {
         }
     }
 
-    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
-    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+    private Vue getVue(int profondeur) {
+        return new Vue() {
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return getCouleurPixel(xe, ye, profondeur);
+            }
+
+            @Override
+            public Compteurs compteurs() {
+                return scene.getCompteurs();
+            }
+        };
+    }
+
+    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. @return la scène d'un de ces fils */
+    private Scene partager(int fils, Toile toile, BiConsumer<Lancer, Pave> travail) {
         Modele modele = scene.getModele();
         if (modele.getRecherche() != null) {
             modele.getRecherche().verifier();
@@ -150,8 +168,15 @@ public final class Lancer {
         List<Lancer> siens = new ArrayList<>();
         List<IntConsumer> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            siens.add(new Lancer(this));
-            ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
+            Lancer sien = new Lancer(this);
+            siens.add(sien);
+            ouvriers.add(rang -> {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
+                Fil.commencer(pave.i0, pave.j0);
+                travail.accept(sien, pave);
+                fautes.peindre(pave, toile);
+            });
         }
         equipe.faire(nombre, ouvriers);
         Fil.commencer("");
@@ -160,42 +185,6 @@ public final class Lancer {
         compteurs = total;
         dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
         return siens.get(0).scene;
-    }
-
-    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
-    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        final class Ouvrier implements IntConsumer, Vue {
-            @Override
-            public void accept(int rang) {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-                Fil.commencer(pave.i0, pave.j0);
-                if (brouillon) {
-                    TracerBrouillon(pave, toile, profondeur);
-                } else if (choisi == null) {
-                    TracerPixels(pave, toile, profondeur);
-                } else {
-                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
-                }
-                fautes.peindre(pave, toile);
-            }
-
-            @Override
-            public Couleur couleur(double xe, double ye) {
-                return getCouleurPixel(xe, ye, profondeur);
-            }
-
-            @Override
-            public void noter(Compteurs autres) {
-                scene.getCompteurs().ajouter(autres);
-            }
-
-            @Override
-            public long rayons() {
-                return scene.getCompteurs().rayons();
-            }
-        }
-        return new Ouvrier();
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */

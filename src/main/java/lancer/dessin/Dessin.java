@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.function.BiFunction;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -27,7 +28,6 @@ import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
-import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -44,7 +44,7 @@ public final class Dessin implements DoubleConsumer {
     private static final double NS_PAR_MS = 1e6;
 
     private final Options options;
-    private final Lecture lecture;
+    private final BiFunction<String, DoubleConsumer, SceneLue> lecture;
     private final PrintStream erreur;
     public final String fichier;
     public final int largeur;
@@ -65,7 +65,8 @@ public final class Dessin implements DoubleConsumer {
     private long preparationNs;
 
     /** Un dessin de cette scène, qui n'est pas encore lue. @param erreur sortie des avertissements */
-    public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
+    public Dessin(Options options, BiFunction<String, DoubleConsumer, SceneLue> lecture, PrintStream erreur,
+            String fichier, int largeur, int hauteur) {
         this.options = options;
         this.lecture = lecture;
         this.erreur = erreur;
@@ -116,7 +117,7 @@ public final class Dessin implements DoubleConsumer {
     public void lire() {
         Fil.commencer("lecture");
         long debut = System.nanoTime();
-        SceneLue nouvelle = lecture.lireScene(fichier, this);
+        SceneLue nouvelle = lecture.apply(fichier, this);
         scene = new Scene(nouvelle.objets, nouvelle.lampes);
         ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
         regler(initiaux);
@@ -267,6 +268,12 @@ public final class Dessin implements DoubleConsumer {
         return lancer == null ? avancement : lancer.getAvancement();
     }
 
+    /** Écrit les avertissements de la lecture, puis {@link #direEcart}. */
+    void avertir() {
+        Messages.avertir(lue.avertissements, erreur);
+        direEcart();
+    }
+
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
         if (getEcart() != null) {
@@ -315,7 +322,8 @@ public final class Dessin implements DoubleConsumer {
 
     /**
      * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
+     * puis celles du cours, puis l'échantillonnage et {@link Lancer}, présents dans toutes les piles, puis toute classe
+     * hors de Java.
      */
     static String[] classes(Scene scene) {
         Modele modele = scene.getModele();
@@ -323,7 +331,7 @@ public final class Dessin implements DoubleConsumer {
         String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
                 scene.getObjets().stream()).map(Modele::nom).distinct()
                 .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
-        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
+        return new String[] {siennes, "lancer\\.(?!Main|Lancer)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
                 : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Pile.HORS_DE_JAVA};
     }
 }

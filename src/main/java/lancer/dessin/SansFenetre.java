@@ -112,8 +112,7 @@ public final class SansFenetre {
             Messages.avertir(rapport(auto, essais), erreur);
         }
         // les avertissements n'ont de sens que si le reste a réussi
-        Messages.avertir(dessin.getLue().avertissements, erreur);
-        dessin.direEcart();
+        dessin.avertir();
     }
 
     /**
@@ -193,8 +192,7 @@ public final class SansFenetre {
         if (options.statistiques) {
             Messages.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
         }
-        Messages.avertir(dessin.getLue().avertissements, erreur);
-        dessin.direEcart();
+        dessin.avertir();
     }
 
     private void dessinerUnPixel() {
@@ -217,6 +215,7 @@ public final class SansFenetre {
             dessin.lire();
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
             dessin.preparer(autre).TracerPixels(toile, dessin.getReglages().getProfondeur(), options.fils);
+            dessin.direEcart();
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {

@@ -59,7 +59,7 @@ public final class Equipe {
         List<Fil> observes = siLong == null ? null : new CopyOnWriteArrayList<>();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Fil fil = new Ouvrier(nom + "-" + (fils.size() + 1), observes, ouvrier);
+                Fil fil = new Fil(nom + "-" + (fils.size() + 1), observes, () -> travailler(ouvrier));
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -70,6 +70,38 @@ public final class Equipe {
             // si un fil ne peut être créé, ceux qui sont partis doivent s'arrêter
             echouer(e);
         }
+        attendre(observes);
+        if (echec instanceof Error) {
+            throw (Error) echec;
+        }
+        if (echec != null) {
+            throw (RuntimeException) echec;
+        }
+        verifier();
+    }
+
+    /** Le travail d'un fil : prendre les tâches libres, jusqu'à la dernière. */
+    private void travailler(IntConsumer ouvrier) {
+        try {
+            for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
+                ouvrier.accept(k);
+                faites.incrementAndGet();
+            }
+        } catch (RuntimeException | Error e) {
+            // un arrêt demandé n'est pas un échec
+            if (!arretee || !(e instanceof CancellationException)) {
+                echouer(e);
+            }
+        }
+    }
+
+    private void echouer(Throwable e) {
+        echec = e;
+        arreter();
+    }
+
+    /** Attend la fin des fils, et observe leurs repères. L'interruption du fil appelant les arrête d'abord tous. */
+    private void attendre(List<Fil> observes) {
         boolean interrompu = false;
         for (int k = 0; k < fils.size();) {
             boolean demande = arretee;
@@ -87,7 +119,6 @@ public final class Equipe {
                     }
                 }
             } catch (InterruptedException e) {
-                // l'interruption du fil appelant arrête d'abord tous les autres
                 interrompu = true;
                 arreter();
             }
@@ -95,13 +126,6 @@ public final class Equipe {
         if (interrompu) {
             Thread.currentThread().interrupt();
         }
-        if (echec instanceof Error) {
-            throw (Error) echec;
-        }
-        if (echec != null) {
-            throw (RuntimeException) echec;
-        }
-        verifier();
     }
 
     /**
@@ -125,38 +149,5 @@ public final class Equipe {
     /** La part des tâches faites du travail en cours ou, à défaut, du dernier, de 0 à 1. */
     public double getAvancement() {
         return (double) faites.get() / nombre;
-    }
-
-    private void echouer(Throwable e) {
-        echec = e;
-        arreter();
-    }
-
-    private final class Ouvrier extends Fil {
-
-        private final IntConsumer travail;
-
-        Ouvrier(String nom, List<Fil> observes, IntConsumer travail) {
-            super(nom, observes);
-            this.travail = travail;
-        }
-
-        @Override
-        public void run() {
-            observes.add(this);
-            try {
-                for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
-                    travail.accept(k);
-                    faites.incrementAndGet();
-                }
-            } catch (RuntimeException | Error e) {
-                // un arrêt demandé n'est pas un échec
-                if (!arretee || !(e instanceof CancellationException)) {
-                    echouer(e);
-                }
-            } finally {
-                observes.remove(this);
-            }
-        }
     }
 }

@@ -119,7 +119,7 @@ public final class FaussesCouleurs {
                 }
             }
         }
-        vue.noter(scene.getCompteurs());
+        vue.compteurs().ajouter(scene.getCompteurs());
         return 0;
     }
 
