@@ -1,6 +1,7 @@
 package lancer;
 
 import java.io.PrintStream;
+import java.util.function.BiFunction;
 import java.util.function.DoubleConsumer;
 import lancer.commande.Messages;
 import lancer.commande.Options;
@@ -24,7 +25,13 @@ public class Main implements Toile {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        dessin = new Dessin(options, this::lireScene, erreur, options.scene, options.largeur, options.hauteur);
+        // une lambda retarderait la première image : voir docs/performance.md
+        dessin = new Dessin(options, new BiFunction<String, DoubleConsumer, SceneLue>() {
+            @Override
+            public SceneLue apply(String nomFichier, DoubleConsumer suivi) {
+                return lireScene(nomFichier, suivi);
+            }
+        }, erreur, options.scene, options.largeur, options.hauteur);
     }
 
     /** Le même programme pour cet autre dessin : un dessin abandonné ne touche pas au suivant. */

@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -36,7 +37,7 @@ import lancer.texte.Texte;
  * Un dessin : une scène, ses réglages, une taille, puis l'image et le lancer qui la dessine. Un fil lit, prépare et
  * dessine, dans cet ordre ; les autres fils lisent l'avancement. Chaque dessin a sa propre image.
  */
-public final class Dessin implements DoubleConsumer {
+public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -159,7 +160,7 @@ public final class Dessin implements DoubleConsumer {
 
     /** Exécute ce travail dans un autre fil. Ce qui y dure dix secondes est nommé une fois, et continue. */
     public void observer(Runnable travail) {
-        new Equipe("dessin", this::nommer).faire(travail);
+        new Equipe("dessin", this).faire(travail);
     }
 
     /** Dessine une petite image, un rayon par pixel, que la fenêtre montre pendant le brouillon. */
@@ -192,7 +193,8 @@ public final class Dessin implements DoubleConsumer {
         }
     }
 
-    private void nommer(Fil lent) {
+    @Override
+    public void accept(Fil lent) {
         if (lenteur == null) {
             String cause = "ce calcul dure depuis dix secondes" + Pile.ligne(lent.getStackTrace(), Pile.HORS_DU_MOTEUR);
             lenteur = lent.getEtape() == null ? dire(lent.getX(), lent.getY(), cause)

@@ -36,7 +36,7 @@ import lancer.texte.Texte;
  * Les travaux sans fenêtre : écrire une image dans des fichiers, expliquer un pixel, comparer deux images. Les fichiers
  * de sortie sont vérifiés avant le dessin.
  */
-public final class SansFenetre {
+public final class SansFenetre implements Runnable {
 
     private static final double NS_PAR_S = 1e9;
 
@@ -45,6 +45,7 @@ public final class SansFenetre {
     private final Toile toile;
     private final PrintStream sortie;
     private final PrintStream erreur;
+    private int statut;
 
     private SansFenetre(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         this.options = options;
@@ -63,13 +64,17 @@ public final class SansFenetre {
      */
     public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
-        int[] statut = new int[1];
         try {
-            dessin.observer(() -> statut[0] = travail.faire());
-            return statut[0];
+            dessin.observer(travail);
+            return travail.statut;
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }
+    }
+
+    @Override
+    public void run() {
+        statut = faire();
     }
 
     private int faire() {
