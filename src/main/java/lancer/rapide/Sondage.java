@@ -27,7 +27,7 @@ import lancer.precision.Intersection;
  */
 final class Sondage {
 
-    static final int RAYONS = 600;
+    static final int RAYONS = 300;
 
     /** Nombre d'intersections que les boucles calculent, à peu près ; nombre minimal de rayons. */
     private static final int EXAMENS = 1 << 18;
