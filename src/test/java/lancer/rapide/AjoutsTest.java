@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -139,6 +140,15 @@ class AjoutsTest {
             essayer(changements, change, avant, scene);
         }
         assertEquals(0, pasVues.size(), pasVues.toString());
+    }
+
+    /** Aucun rayon du sondage ne rencontre la dernière boule, mais les boucles l'interrogent. */
+    @Test
+    void uneListeSansLaDerniereDeMilleBoulesSeVoit() throws IOException {
+        try (Essai.Isole change = Modification.de(dossier, "Scene", "return objets;", "return objets.subList(0, objets.size() - 1);")) {
+            Path scene = Paths.get("scenes/tournesol.ini");
+            assertArrayEquals(dessiner(change, dossier, scene, "--simple"), dessiner(change, dossier, scene));
+        }
     }
 
     /** Elle ne change que la normale, ou que le point de surface : les structures en répondent, sans un examen de plus. */
