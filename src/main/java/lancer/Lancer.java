@@ -3,7 +3,6 @@ package lancer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.BiConsumer;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
@@ -62,7 +61,7 @@ public final class Lancer {
 
     /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        partager(fils, toile, (sien, pave) -> sien.TracerBrouillon(pave, toile, profondeur));
+        partager(fils, true, null, toile, profondeur);
     }
 
     /**
@@ -72,11 +71,10 @@ public final class Lancer {
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        BiConsumer<Lancer, Pave> travail = (sien, pave) -> sien.TracerPixels(pave, prepare, toile, profondeur);
-        if (sonder(partager(fils, toile, travail))) {
+        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        if (sonder(partager(fils, false, sien, toile, profondeur))) {
             fautes.oublier();
-            partager(fils, toile, travail);
+            partager(fils, false, sien, toile, profondeur);
         }
     }
 
@@ -94,7 +92,7 @@ public final class Lancer {
         return differe;
     }
 
-    private void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
+    void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
         for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
             int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
             for (int i = pave.i0; i < pave.i1; i += Constantes.PAS_BROUILLON) {
@@ -109,12 +107,7 @@ public final class Lancer {
         }
     }
 
-    /** Dessine un pavé. @param choisi son échantillonnage ; {@code null} : un rayon au centre de chaque pixel */
-    private void TracerPixels(Pave pave, Echantillonnage choisi, Toile toile, int profondeur) {
-        if (choisi != null) {
-            scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, getVue(profondeur), toile);
-            return;
-        }
+    void TracerPixels(Pave pave, Toile toile, int profondeur) {
         for (int j = pave.j0; j < pave.j1; j++) {
             for (int i = pave.i0; i < pave.i1; i++) {
                 toile.drawPixel(getCouleurPixel(i + 0.5, j + 0.5, profondeur), i, j);
@@ -143,22 +136,8 @@ public final class Lancer {
         }
     }
 
-    private Vue getVue(int profondeur) {
-        return new Vue() {
-            @Override
-            public Couleur couleur(double xe, double ye) {
-                return getCouleurPixel(xe, ye, profondeur);
-            }
-
-            @Override
-            public Compteurs compteurs() {
-                return scene.getCompteurs();
-            }
-        };
-    }
-
-    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. @return la scène d'un de ces fils */
-    private Scene partager(int fils, Toile toile, BiConsumer<Lancer, Pave> travail) {
+    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
+    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         Modele modele = scene.getModele();
         if (modele.getRecherche() != null) {
             modele.getRecherche().verifier();
@@ -168,15 +147,8 @@ public final class Lancer {
         List<Lancer> siens = new ArrayList<>();
         List<IntConsumer> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
-            Lancer sien = new Lancer(this);
-            siens.add(sien);
-            ouvriers.add(rang -> {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-                Fil.commencer(pave.i0, pave.j0);
-                travail.accept(sien, pave);
-                fautes.peindre(pave, toile);
-            });
+            siens.add(new Lancer(this));
+            ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
         }
         equipe.faire(nombre, ouvriers);
         Fil.commencer("");
@@ -185,6 +157,37 @@ public final class Lancer {
         compteurs = total;
         dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
         return siens.get(0).scene;
+    }
+
+    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
+    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        final class Ouvrier implements IntConsumer, Vue {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
+                Fil.commencer(pave.i0, pave.j0);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
+            }
+
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return getCouleurPixel(xe, ye, profondeur);
+            }
+
+            @Override
+            public Compteurs compteurs() {
+                return scene.getCompteurs();
+            }
+        }
+        return new Ouvrier();
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */

@@ -59,7 +59,7 @@ public final class Equipe {
         List<Fil> observes = siLong == null ? null : new CopyOnWriteArrayList<>();
         try {
             for (IntConsumer ouvrier : ouvriers) {
-                Fil fil = new Fil(nom + "-" + (fils.size() + 1), observes, () -> travailler(ouvrier));
+                Fil fil = new Ouvrier(nom + "-" + (fils.size() + 1), observes, ouvrier);
                 fil.start();
                 fils.add(fil);
                 if (arretee) {
@@ -78,21 +78,6 @@ public final class Equipe {
             throw (RuntimeException) echec;
         }
         verifier();
-    }
-
-    /** Le travail d'un fil : prendre les tâches libres, jusqu'à la dernière. */
-    private void travailler(IntConsumer ouvrier) {
-        try {
-            for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
-                ouvrier.accept(k);
-                faites.incrementAndGet();
-            }
-        } catch (RuntimeException | Error e) {
-            // un arrêt demandé n'est pas un échec
-            if (!arretee || !(e instanceof CancellationException)) {
-                echouer(e);
-            }
-        }
     }
 
     private void echouer(Throwable e) {
@@ -149,5 +134,34 @@ public final class Equipe {
     /** La part des tâches faites du travail en cours ou, à défaut, du dernier, de 0 à 1. */
     public double getAvancement() {
         return (double) faites.get() / nombre;
+    }
+
+    private final class Ouvrier extends Fil {
+
+        private final IntConsumer travail;
+
+        Ouvrier(String nom, List<Fil> observes, IntConsumer travail) {
+            super(nom, observes);
+            this.travail = travail;
+        }
+
+        /** Prend les tâches libres, jusqu'à la dernière. */
+        @Override
+        public void run() {
+            observes.add(this);
+            try {
+                for (int k = suivante.getAndIncrement(); k < nombre && !arretee; k = suivante.getAndIncrement()) {
+                    travail.accept(k);
+                    faites.incrementAndGet();
+                }
+            } catch (RuntimeException | Error e) {
+                // un arrêt demandé n'est pas un échec
+                if (!arretee || !(e instanceof CancellationException)) {
+                    echouer(e);
+                }
+            } finally {
+                observes.remove(this);
+            }
+        }
     }
 }

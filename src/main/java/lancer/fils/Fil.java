@@ -10,7 +10,7 @@ import lancer.contrat.Recherche;
  * préparation. Les méthodes statiques changent le repère du fil courant ; ailleurs que dans un tel fil, elles n'ont pas
  * d'effet.
  */
-public final class Fil extends Thread {
+public class Fil extends Thread {
 
     /** Taille de la pile, en octets : mille réflexions sont permises, et chacune demande deux appels. */
     private static final long PILE = 16 << 20;
@@ -25,7 +25,7 @@ public final class Fil extends Thread {
     private static final long AVANCEE = 1L << 2 * BITS;
 
     /** Les fils vivants qu'une équipe observe, dont celui-ci. */
-    private final List<Fil> observes;
+    final List<Fil> observes;
     private final AtomicLong repere = new AtomicLong();
     /** L'étape commencée en dernier ; {@code null} si c'est un pixel, vide si ce n'est rien. */
     private volatile String etape;
@@ -33,23 +33,13 @@ public final class Fil extends Thread {
     private int regards;
 
     /** @param observes où le noter ; {@code null} : avec le fil qui le crée, dont il continue l'étape */
-    Fil(String nom, List<Fil> observes, Runnable travail) {
-        super(null, travail, nom, PILE);
+    Fil(String nom, List<Fil> observes) {
+        super(null, null, nom, PILE);
         Fil createur = courant();
         this.observes = observes != null ? observes
                 : createur != null ? createur.observes : new CopyOnWriteArrayList<>();
         etape = createur == null ? "" : createur.etape;
         setDaemon(true);
-    }
-
-    @Override
-    public void run() {
-        observes.add(this);
-        try {
-            super.run();
-        } finally {
-            observes.remove(this);
-        }
     }
 
     private static Fil courant() {

@@ -151,6 +151,18 @@ class AjoutsTest {
         }
     }
 
+    @Test
+    void comparerDitAussiQueLesBouclesDessinent() throws IOException {
+        String boucle = "for (Objet3D autre : objets";
+        try (Essai.Isole change = Modification.de(dossier, "Scene", boucle + ")", boucle + ".subList(3, objets.size()))")) {
+            String image = dossier.resolve("i.png").toString();
+            assertEquals(0, change.executer("--simple", "--taille=200x150", "--image", image, "scenes/scene1.ini").code);
+            Essai essai = change.executer("--comparer", image, "scenes/scene1.ini");
+            assertEquals(0, essai.code, essai.toString());
+            assertTrue(essai.erreur.contains("ce sont les boucles du cours qui dessinent"), essai.toString());
+        }
+    }
+
     /** Elle ne change que la normale, ou que le point de surface : les structures en répondent, sans un examen de plus. */
     @Test
     void uneClasseDeriveeEntreDansLesStructuresSiSaGeometrieEstCelleDeSphere() {
