@@ -193,6 +193,37 @@ public final class Lancer {
         return siens.get(0).scene;
     }
 
+    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
+    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        final class Ouvrier implements IntConsumer, Vue {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
+                Fil.commencer(pave.i0, pave.j0);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
+            }
+
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return getCouleurPixel(xe, ye, profondeur);
+            }
+
+            @Override
+            public Compteurs compteurs() {
+                return scene.getCompteurs();
+            }
+        }
+        return new Ouvrier();
+    }
+
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */
     public void arreter() {
         equipe.arreter();

@@ -324,8 +324,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /**
      * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours, puis l'échantillonnage et {@link Lancer}, présents dans toutes les piles, puis toute classe
-     * hors de Java.
+     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
      */
     static String[] classes(Scene scene) {
         Modele modele = scene.getModele();
@@ -333,7 +332,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
                 scene.getObjets().stream()).map(Modele::nom).distinct()
                 .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
-        return new String[] {siennes, "lancer\\.(?!Main|Lancer)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
+        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
                 : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Pile.HORS_DE_JAVA};
     }
 }
