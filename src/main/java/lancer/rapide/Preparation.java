@@ -30,7 +30,7 @@ public final class Preparation implements IntConsumer, Calcul {
 
     /**
      * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène. Les boucles du cours y
-     * finissent avant la construction d'une structure et son sondage ({@code make mesure-processus}).
+     * finissent avant la construction d'une structure et son sondage.
      */
     private static final long VITE_FAIT = 1 << 20;
 

@@ -47,7 +47,7 @@ import lancer.scene.SectionLue;
 public final class MesureAuto {
 
     static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,mesuree,incertitude,verdict,rayons,rayons_des_essais,"
-            + "moins_cher,rayons_moins_cher,secondes,secondes_moins_cher";
+            + "moins_cher,rayons_moins_cher,secondes,secondes_moins_cher,commit,date";
 
     private static final Taille TAILLE = new Taille(200, 150);
 
@@ -137,6 +137,7 @@ public final class MesureAuto {
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
         List<Echelon> echelle = echelle(prepare);
         double[][] dessines = echelle.stream().map(e -> dessiner(e, prepare, gabarit, taille)).toArray(double[][]::new);
+        Circonstances c = new Circonstances();
         List<String> lignes = new ArrayList<>();
         for (double voulue : voulues) {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
@@ -150,7 +151,8 @@ public final class MesureAuto {
                     auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
                     nombre((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
                     nombre((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : echelle.get(mieux),
-                    mieux < 0 ? "" : nombre(dessines[mieux][1]), nombre(secondes), mieux < 0 ? "" : nombre(dessines[mieux][2])));
+                    mieux < 0 ? "" : nombre(dessines[mieux][1]), nombre(secondes), mieux < 0 ? "" : nombre(dessines[mieux][2]),
+                    c.commit, c.date));
         }
         return lignes;
     }

@@ -45,10 +45,10 @@ class MesureAutoTest {
     void ceQuiEstTenuEtSonPrixSontComptes() throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(MesureAuto.COLONNES);
-        lignes.add("a,10x10,2,r,1,1.2,0.3,tenue,10,5,m,10,3,2");
-        lignes.add("b,10x10,2,r,2.5,2,0.4,tenue,30,7000,m,20,3,1");
-        lignes.add("c,10x10,2,r,4,5,1,dépassée,30,5,m,20,4,1");
-        lignes.add("d,10x10,2,r,4,3,2,tenue,30,5,,,1,");
+        lignes.add("a,10x10,2,r,1,1.2,0.3,tenue,10,5,m,10,3,2,c,d");
+        lignes.add("b,10x10,2,r,2.5,2,0.4,tenue,30,7000,m,20,3,1,c,d");
+        lignes.add("c,10x10,2,r,4,5,1,dépassée,30,5,m,20,4,1,c,d");
+        lignes.add("d,10x10,2,r,4,3,2,tenue,30,5,,,1,,c,d");
         Map<String, String> bilan = MesureAuto.bilan(FichierCsv.lire(Files.write(dossier.resolve("a.csv"), lignes,
                 StandardCharsets.UTF_8)));
         assertEquals("{a_tort=2 fois sur 4, dites_depassees=1 fois sur 4, dites_incertaines=0 fois sur 4, dites_tenues=3 fois sur 4, "
