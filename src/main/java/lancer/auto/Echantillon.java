@@ -50,6 +50,8 @@ public final class Echantillon implements Toile {
     public Echantillon(Lancer prepare, int fils, int essais, int cote, SplittableRandom hasard, BitSet tires) {
         this.prepare = prepare;
         this.fils = fils;
+        // une erreur se mesure sur des couleurs justes
+        prepare.sonder();
         largeur = prepare.getCamera().getLargeur();
         int image = largeur * prepare.getCamera().getHauteur();
         int nombre = essais * Math.max(MOINS, Math.min(PLUS, image / PART));

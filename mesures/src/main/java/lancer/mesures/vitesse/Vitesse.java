@@ -20,12 +20,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
-import lancer.texte.Texte;
+import lancer.texte.ErreurSysteme;
 
 /**
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
@@ -81,10 +81,10 @@ public final class Vitesse {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + Texte.panne(e) : ""));
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + ErreurSysteme.raison(e) : ""));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
-            erreurs.println("Vitesse : " + Pannes.message(e));
+            erreurs.println("Vitesse : " + Messages.message(e));
             return 1;
         }
     }
