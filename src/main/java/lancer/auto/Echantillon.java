@@ -40,7 +40,7 @@ public final class Echantillon implements Toile {
     long rayons;
 
     /**
-     * Tire de nouveaux pixels. Une petite image les donne tous, chacun assez de fois.
+     * Tire de nouveaux pixels, dont les couleurs sont d'abord vérifiées. Une petite image les donne tous, plusieurs fois.
      *
      * @param prepare la scène, prête à être dessinée
      * @param essais le nombre voulu de pixels, 1 pour un essai, 2 pour un contrôle
@@ -50,7 +50,6 @@ public final class Echantillon implements Toile {
     public Echantillon(Lancer prepare, int fils, int essais, int cote, SplittableRandom hasard, BitSet tires) {
         this.prepare = prepare;
         this.fils = fils;
-        // une erreur se mesure sur des couleurs justes
         prepare.sonder();
         largeur = prepare.getCamera().getLargeur();
         int image = largeur * prepare.getCamera().getHauteur();
