@@ -98,6 +98,17 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return autre;
     }
 
+    /** Un dessin achevé de la scène préparée ici : l'image que ce lancer a dessinée avec ces réglages. */
+    public Dessin dessine(ReglagesDessin siens, ImageMemoire sienne, Lancer sien) {
+        Dessin autre = avec(largeur, hauteur);
+        autre.reglages = siens;
+        autre.scene = sien.getScene();
+        autre.image = sienne;
+        autre.lancer = sien;
+        autre.brouillonFait = true;
+        return autre;
+    }
+
     /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
