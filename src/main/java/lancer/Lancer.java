@@ -136,38 +136,6 @@ public final class Lancer {
         }
     }
 
-    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
-    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        // une lambda retarderait la première image : voir docs/performance.md
-        final class Ouvrier implements IntConsumer, Vue {
-            @Override
-            public void accept(int rang) {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-                Fil.commencer(pave.i0, pave.j0);
-                if (brouillon) {
-                    TracerBrouillon(pave, toile, profondeur);
-                } else if (choisi == null) {
-                    TracerPixels(pave, toile, profondeur);
-                } else {
-                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
-                }
-                fautes.peindre(pave, toile);
-            }
-
-            @Override
-            public Couleur couleur(double xe, double ye) {
-                return getCouleurPixel(xe, ye, profondeur);
-            }
-
-            @Override
-            public Compteurs compteurs() {
-                return scene.getCompteurs();
-            }
-        }
-        return new Ouvrier();
-    }
-
     /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. @return la scène d'un de ces fils */
     private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         Modele modele = scene.getModele();
@@ -195,6 +163,7 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        // une lambda retarderait la première image : voir docs/performance.md
         final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {
