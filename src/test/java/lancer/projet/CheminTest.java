@@ -110,7 +110,7 @@ class CheminTest {
 
     /** Les étapes numérotées de « Suivre un rayon ». */
     private static List<String> etapes() throws IOException {
-        String readme = new String(Files.readAllBytes(Paths.get("README.md")), StandardCharsets.UTF_8);
+        String readme = Essai.texte("README.md");
         String section = readme.split("\n## Suivre un rayon\n")[1].split("\n## ")[0];
         List<String> etapes = new ArrayList<>();
         Matcher m = Pattern.compile("(?m)^" + "\\d+\\. \\[`([\\w.]+)`\\]").matcher(section);

