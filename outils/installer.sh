@@ -7,7 +7,7 @@ demander() {
     paquets="$paquets $1"
 }
 # un JDK sans partie graphique a javac, mais n'ouvre pas de fenêtre
-javac=$(readlink -f "$(command -v javac || echo /aucun/aucun)")
+javac=$(readlink -f "$(command -v javac)" || true)
 [ -e "${javac%/*/*}/lib/libawt_xawt.so" ] || demander default-jdk
 command -v mvn >/dev/null || demander maven
 command -v make >/dev/null || demander make
@@ -27,4 +27,4 @@ fi
 echo "Installation de$paquets"
 $root apt-get update -qq
 # shellcheck disable=SC2086
-$root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $paquets >/dev/null
+$root env DEBIAN_FRONTEND=noninteractive DEBCONF_NOWARNINGS=yes apt-get install -y -qq --no-install-recommends $paquets >/dev/null
