@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test application lanceurs javadoc images references captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
-	corrige corriger noter comparer reponses mesure-corriger image-classe aide propre
+.PHONY: test application lanceurs javadoc images references captures scene-geante noyaux mesures juge mesure-auto mutations squelette \
+	corrige corriger profil-bwrap noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils $(LISTES)
@@ -96,28 +96,21 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA_FENETRE) \
 	-Djava.util.prefs.userRoot=target -cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
-# Une scène de N boules, pour voir : make run SCENE=target/geante.ini
+# Une scène de N boules, ou une scène difficile (N=poussiere, ombres-fines, poussiere-miroirs) : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
-	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
+	@echo "target/geante.ini : $(N), $$(wc -c < target/geante.ini) octets"
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
-MESURER = $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(JAR:%=--jar=%) $(MESURES)
-
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar $(BASE) antialias/target/antialias.jar | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURER)
-
-# Des programmes entiers, de la commande au PNG : temps, temps des processeurs, mémoire, du programme et des boucles du cours ; et d'autres
-# programmes : make mesure-processus JAR="un.jar autre.jar".
-mesure-processus: mesures/target/mesures.jar $(BASE)
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --processus $(MESURER)
+mesures: mesures/target/mesures.jar $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) | mesures/target/embree
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Un pair en C++, pour les mesures.
 mesures/target/embree: mesures/src/main/cpp/embree.cpp
@@ -159,7 +152,7 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 
@@ -184,10 +177,15 @@ corrige: $(CORRECTION)
 	@$(JAVA) -jar $(CORRECTION) --corrige "$(DOSSIER)" $(if $(VARIANTE),--variante "$(VARIANTE)")
 
 # Juger et noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
+# AJOUTER=1 : les rendus donnés s'ajoutent à ceux qui ont été jugés, ou les remplacent ; les autres restent.
 corriger: $(CORRECTION)
-	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
+	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv] [AJOUTER=1]" >&2; exit 2; }
 	@$(CORRIGER) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
-	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+	    $(if $(filter-out 0 non,$(AJOUTER)),--ajouter) $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
+# Le profil AppArmor dont bwrap a besoin sous Ubuntu 23.10 et suivants.
+profil-bwrap:
+	@cat correction/src/main/resources/bwrap.apparmor
 
 # Refaire les notes et les pages de ce qui a été jugé : après un changement de bareme.ini ou d'ajustements.csv.
 noter: $(CORRECTION)
@@ -212,6 +210,7 @@ aide:
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corrige DOSSIER=…     écrit le programme fini du cours ; VARIANTE=brume, antialias ou blinn pour une extension"
 	@echo "make corriger RENDUS=…     juge et note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
+	@echo "    … AJOUTER=1            ajoute ou remplace ces rendus, sans juger les autres"
 	@echo "make noter                 refait les notes : bareme.ini ou ajustements.csv a changé ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
 	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"

@@ -11,8 +11,8 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
 import lancer.scene.Services;
 
@@ -43,7 +43,7 @@ public final class Ouverture {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.machine("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
@@ -63,9 +63,9 @@ public final class Ouverture {
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw Echec.panne(Pannes.message(e.getCause()));
+            throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
+            throw Echec.machine("interrompu");
         }
         if (premier != null) {
             try {
@@ -75,7 +75,7 @@ public final class Ouverture {
                 throw e;
             }
             if (dessin.getLue() != null) {
-                Pannes.avertir(dessin.getLue().avertissements, erreur);
+                Messages.avertir(dessin.getLue().avertissements, erreur);
             }
         }
         return ouverte[0];
