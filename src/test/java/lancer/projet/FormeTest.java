@@ -192,9 +192,9 @@ class FormeTest {
     @Test
     void leReadmeTientEnDeuxPages() throws IOException {
         List<String> lignes = Files.readAllLines(RACINE.resolve("README.md"));
-        assertTrue(lignes.size() <= 160, lignes.size() + " lignes");
+        assertTrue(lignes.size() <= 110, lignes.size() + " lignes");
         int mots = String.join(" ", lignes).trim().split("\\s+").length;
-        assertTrue(mots <= 1800, mots + " mots");
+        assertTrue(mots <= 1300, mots + " mots");
     }
 
     /** Fichiers et titres : le nom d'un titre dans une adresse est celui que lui donne GitHub. */
