@@ -55,7 +55,7 @@ actualiser = for nom in $$(cd $(1) && ls *.png); do \
 	    $(JAVA_IMAGE) -jar $(BASE) --comparer $(1)/$$nom $(2)/$$nom >/dev/null 2>&1 || { cp $(1)/$$nom $(2) && echo "changée : $$nom"; } || exit 1; \
 	done
 
-# Les images du README, et l'icône de la fenêtre.
+# Les images des pages, et l'icône de la fenêtre.
 SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
@@ -73,6 +73,8 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	@{ cat scenes/scene1.ini; printf '\n[Antialias]\nmethode=partage\nn=8\nseuil=0.06\n'; } > target/partage.ini
 	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue rayons --image $(NEUVES)/vue-rayons.png target/partage.ini
 	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue difference --image $(NEUVES)/vue-difference.png scenes/scene1.ini
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@$(JAVA_IMAGE) -cp $(BASE):target/test-classes lancer.essai.Defauts $(NEUVES)
 	@$(call actualiser,$(NEUVES),images)
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
