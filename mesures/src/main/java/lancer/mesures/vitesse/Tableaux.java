@@ -105,9 +105,9 @@ final class Tableaux {
     /** Deux réglages dont l'erreur est voisine, et leurs rayons ; vide s'ils ne sont pas mesurés. */
     private static String resultat(Releves cours) {
         List<Releve> deux = cours.tels(r -> (r.methode + " " + r.parametres).matches("partage n=8 seuil=0.1|grille 4 × 4")).get();
-        return deux.size() < 2 ? "" : "de " + Style.niveaux(deux.get(0).erreur().valeur) + ", pour "
-                + Style.arrondi(deux.get(1).rayons() / deux.get(0).rayons()) + " fois moins de rayons que la grille de 4 × 4 rayons "
-                + "par pixel, dont l'erreur est de " + Style.niveaux(deux.get(1).erreur().valeur);
+        return deux.size() < 2 ? "" : Style.niveaux(deux.get(0).erreur().valeur) + ". La grille de 4 × 4 rayons par pixel lance "
+                + Style.arrondi(deux.get(1).rayons() / deux.get(0).rayons()) + " fois plus de rayons, pour une erreur de "
+                + Style.niveaux(deux.get(1).erreur().valeur);
     }
 
     private static String secondes(Releves siens, Releve r) {
