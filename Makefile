@@ -86,7 +86,7 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 references: outils
 	@$(MVN) -q -f ensemble.xml -pl :lancer,:brume,:blinn,:antialias -Dgroups=reference -Dreferences.refaites=true test
 
-# Les captures d'écran du README, sur un écran à elles.
+# Les captures d'écran des pages, sur un écran à elles.
 captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
@@ -197,7 +197,7 @@ noter: $(CORRECTION)
 mesure-corriger: $(CORRECTION)
 	@JAVA="$(JAVA)" CORRIGER="$(CORRIGER)" outils/mesure-corriger.sh
 
-# La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
+# La page de la classe que donnent les rendus d'essai, telle que sa page la montre : Chromium la photographie.
 image-classe: $(CORRECTION)
 	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
 	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe
