@@ -158,6 +158,14 @@ final class Controleur {
         }
     }
 
+    /** Montre cette image, déjà dessinée. */
+    void montrer(Dessin dessine) {
+        reglages = dessine.getReglages();
+        vue = null;
+        retenir();
+        lancer(dessine, false);
+    }
+
     /** Montre cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
     void voir(String voulue) {
         vue = voulue;

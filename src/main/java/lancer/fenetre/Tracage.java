@@ -94,7 +94,8 @@ final class Tracage extends SwingWorker<Void, Void> {
             dessin.lire();
             lue.countDown();
         }
-        if (!isCancelled()) {
+        // une image de l'échelle est déjà dessinée
+        if (!isCancelled() && !dessin.isBrouillonFait()) {
             if (voulus != null) {
                 dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
             }

@@ -101,26 +101,24 @@ public final class FaussesCouleurs {
 
     /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou trois zéros. */
     private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
-        return (pave, voulus, vue, toile) -> dire(voulus, vue, toile, nombres);
-    }
-
-    private int dire(Pave voulus, Vue vue, Toile toile, BiFunction<Scene, PointContact, Couleur> nombres) {
-        Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                try {
-                    Fil.commencer(i, j);
-                    scene.getCompteurs().primaires++;
-                    Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
-                    PointContact contact = scene.getClosestIntersection(rayon);
-                    toile.drawPixel(contact == null ? NOIR : nombres.apply(scene, contact), i, j);
-                } catch (RuntimeException e) {
-                    throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
+        return (pave, voulus, vue, toile) -> {
+            Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
+            for (int j = voulus.j0; j < voulus.j1; j++) {
+                for (int i = voulus.i0; i < voulus.i1; i++) {
+                    try {
+                        Fil.commencer(i, j);
+                        scene.getCompteurs().primaires++;
+                        Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
+                        PointContact contact = scene.getClosestIntersection(rayon);
+                        toile.drawPixel(contact == null ? NOIR : nombres.apply(scene, contact), i, j);
+                    } catch (RuntimeException e) {
+                        throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
+                    }
                 }
             }
-        }
-        vue.noter(scene.getCompteurs());
-        return 0;
+            vue.compteurs().ajouter(scene.getCompteurs());
+            return 0;
+        };
     }
 
     private static Couleur normale(Scene scene, PointContact contact) {

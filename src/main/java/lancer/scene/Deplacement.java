@@ -8,6 +8,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
+import lancer.texte.Nombre;
 
 /** Déplacement d'une sphère ou d'une lampe dans une scène lue. */
 public final class Deplacement {
@@ -50,10 +51,6 @@ public final class Deplacement {
         boolean objet = chose instanceof Objet3D;
         Point p = objet ? ((Sphere) chose).getCentre() : ((Lampe) chose).getPosition();
         return scene.origines.de(chose).replaceFirst(" ligne \\d+$", "") + (objet ? "\ncentre=" : "\nposition=")
-                + ecrire(p.x) + " " + ecrire(p.y) + " " + ecrire(p.z) + "\n\n";
-    }
-
-    private static String ecrire(double x) {
-        return x == 0 ? "0" : new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString();
+                + Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z) + "\n\n";
     }
 }
