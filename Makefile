@@ -55,7 +55,7 @@ actualiser = for nom in $$(cd $(1) && ls *.png); do \
 	    $(JAVA_IMAGE) -jar $(BASE) --comparer $(1)/$$nom $(2)/$$nom >/dev/null 2>&1 || { cp $(1)/$$nom $(2) && echo "changée : $$nom"; } || exit 1; \
 	done
 
-# Les images du README, et l'icône de la fenêtre.
+# Les images des pages, et l'icône de la fenêtre.
 SCENES := scene1 diffus ombres miroirs bowling tournesol
 NEUVES := target/images
 
@@ -73,6 +73,8 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	@{ cat scenes/scene1.ini; printf '\n[Antialias]\nmethode=partage\nn=8\nseuil=0.06\n'; } > target/partage.ini
 	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue rayons --image $(NEUVES)/vue-rayons.png target/partage.ini
 	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue difference --image $(NEUVES)/vue-difference.png scenes/scene1.ini
+	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
+	@$(JAVA_IMAGE) -cp $(BASE):target/test-classes lancer.essai.Defauts $(NEUVES)
 	@$(call actualiser,$(NEUVES),images)
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
@@ -84,7 +86,7 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 references: outils
 	@$(MVN) -q -f ensemble.xml -pl :lancer,:brume,:blinn,:antialias -Dgroups=reference -Dreferences.refaites=true test
 
-# Les captures d'écran du README, sur un écran à elles.
+# Les captures d'écran des pages, sur un écran à elles.
 captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
@@ -195,7 +197,7 @@ noter: $(CORRECTION)
 mesure-corriger: $(CORRECTION)
 	@JAVA="$(JAVA)" CORRIGER="$(CORRIGER)" outils/mesure-corriger.sh
 
-# La page de la classe que donnent les rendus d'essai, telle que le README la montre : Chromium la photographie.
+# La page de la classe que donnent les rendus d'essai, telle que sa page la montre : Chromium la photographie.
 image-classe: $(CORRECTION)
 	@command -v chromium >/dev/null || { echo "Il faut Chromium : sudo apt-get install chromium" >&2; exit 1; }
 	@$(JAVA) -jar $(CORRECTION) --sortie target/classe-image correction/src/test/resources/classe

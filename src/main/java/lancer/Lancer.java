@@ -163,7 +163,7 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        // une lambda retarderait la première image : voir docs/performance.md
+        // une lambda retarderait la première image : voir docs/etendre.md
         final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {

@@ -25,7 +25,7 @@ public class Main implements Toile {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        // une lambda retarderait la première image : voir docs/performance.md
+        // une lambda retarderait la première image : voir docs/etendre.md
         dessin = new Dessin(options, new BiFunction<String, DoubleConsumer, SceneLue>() {
             @Override
             public SceneLue apply(String nomFichier, DoubleConsumer suivi) {

@@ -65,8 +65,9 @@ public class Sphere extends Objet3D {
     Point getPointDeSurface(Point contact, double distance) {
         Point corrige = getPointDeSurface(contact);
         boolean proche = distance < rayon;
-        // choisir entre deux objets les allouerait tous deux : voir docs/performance.md
-        return new Point(proche ? contact.x : corrige.x, proche ? contact.y : corrige.y, proche ? contact.z : corrige.z);
+        // choisir entre deux objets les allouerait tous deux : voir docs/etendre.md
+        return new Point(proche ? contact.x : corrige.x, proche ? contact.y : corrige.y,
+                proche ? contact.z : corrige.z);
     }
 
     /** {@inheritDoc} Un arrondi peut placer le contact au centre : la normale y est, par convention, (0, 0, −1). */

@@ -317,7 +317,7 @@ public final class Options {
 
     /** L'entier écrit, quelle que soit sa taille ; -1 si le texte n'en est pas un. */
     private static double chiffres(String texte) {
-        // pas d'expression régulière : voir docs/performance.md
+        // pas d'expression régulière : voir docs/etendre.md
         for (char c : texte.toCharArray()) {
             if (c < '0' || c > '9') {
                 return -1;

@@ -19,7 +19,7 @@ public interface Atmosphere {
         return Double.NaN;
     }
 
-    /** L'air transparent, celui de la base (pas de lambda : voir docs/performance.md). */
+    /** L'air transparent, celui de la base (pas de lambda : voir docs/etendre.md). */
     final class Claire implements Atmosphere {
         @Override
         public Couleur traverser(Couleur vue, double distance) {

@@ -9,7 +9,7 @@ public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
-    /** Pile de la première cause de chaque classe : voir docs/performance.md, « Exceptions sans pile ». */
+    /** Pile de la première cause de chaque classe (voir docs/etendre.md). */
     private static final Map<Class<?>, StackTraceElement[]> PILES = new ConcurrentHashMap<>();
 
     /** Colonne et ligne du pixel, puis point de l'écran, en pixels depuis la gauche et depuis le haut. */

@@ -311,7 +311,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
      */
     public String statistiques(Lancer acheve, long... tracesNs) {
         Compteurs c = acheve.getCompteurs();
-        // la première moitié des dessins s'exécute avant la fin de la compilation : voir docs/performance.md
+        // la première moitié des dessins s'exécute avant la fin de la compilation : voir docs/etendre.md
         double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"

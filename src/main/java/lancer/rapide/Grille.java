@@ -214,7 +214,7 @@ final class Grille implements Intersections {
 
     /**
      * Traverse les cases, et retient dans {@code etat} la sphère la plus proche. S'arrête après la dernière case utile,
-     * sur une sphère en doute (tranchée ailleurs : voir docs/performance.md), ou quand le crédit est épuisé.
+     * sur une sphère en doute (tranchée ailleurs : voir docs/etendre.md), ou quand le crédit est épuisé.
      *
      * @return la sphère en doute, à trancher et à noter dans la pile, {@link #TERMINEE} ou {@link #COMPTE_VIDE}
      */

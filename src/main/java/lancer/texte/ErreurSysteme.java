@@ -15,6 +15,7 @@ public final class ErreurSysteme {
         {"Disk quota exceeded", "quota de disque dépassé"}, {"File too large", "fichier trop grand"},
         {"File name too long", "nom de fichier trop long"}, {"Not a directory", "le dossier n'existe pas"},
         {"Read-only file system", "système de fichiers en lecture seule"}, {"Is a directory", "c'est un dossier"},
+        {"Device or resource busy", "c'est un point de montage, que rien ne remplace"},
         {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
         {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
 

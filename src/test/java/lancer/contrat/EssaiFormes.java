@@ -40,7 +40,7 @@ abstract class EssaiFormes {
 
     @BeforeAll
     static void copierLaPage() throws IOException {
-        String section = lireTexte(Paths.get("docs/etendre.md")).split("\n## Une forme à soi\n")[1].split("\n## ")[0];
+        String section = Essai.texte("docs/etendre.md").split("\n## Une forme à soi\n")[1].split("\n## ")[0];
         blocs = new ArrayList<>();
         for (String paragraphe : section.split("\n(?=[^ \n])")) {
             int bloc = paragraphe.indexOf("\n    ");

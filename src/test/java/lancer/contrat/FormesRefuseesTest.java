@@ -92,7 +92,7 @@ class FormesRefuseesTest extends EssaiFormes {
         assertTrue(refusees > 100, refusees + " seulement");
     }
 
-    /** Le plan du README, sous un autre nom de classe ou de section. */
+    /** Le plan de docs/etendre.md, sous un autre nom de classe ou de section. */
     private static String panneau(String classe, String section) {
         return panneau.replace("class Panneau", "class " + classe)
                 .replace("Panneau panneau = new Panneau()", classe + " panneau = new " + classe + "()")

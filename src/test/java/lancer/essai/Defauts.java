@@ -1,9 +1,13 @@
 package lancer.essai;
 
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Couleur;
@@ -19,6 +23,9 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.Vue;
 import lancer.essai.RechercheNaive.Ombre;
+import lancer.image.Ecriture;
+import lancer.image.FichierPng;
+import lancer.image.ImageMemoire;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
@@ -52,6 +59,18 @@ public final class Defauts {
             this.programme = programme;
         }
 
+        private ImageMemoire image() {
+            int large = LOUPE * cote;
+            ImageMemoire image = new ImageMemoire(2 * large + MARGE, large, false);
+            Arrays.fill(image.codes, new Couleur(1).getCode());
+            for (int k = 0; k < large * large; k++) {
+                int pixel = cote * (k / large / LOUPE) + k % large / LOUPE;
+                image.drawPixel(naive[pixel], k % large, k / large);
+                image.drawPixel(programme[pixel], k % large + large + MARGE, k / large);
+            }
+            return image;
+        }
+
         public int faux(Couleur[] obtenue) {
             return (int) IntStream.range(0, attendue.length).filter(k -> estFaux(k, obtenue)).count();
         }
@@ -67,13 +86,43 @@ public final class Defauts {
         Couleur en(Vecteur V, Vecteur N);
     }
 
+    /** La moyenne de neuf points par pixel, à un tiers de pixel l'un de l'autre. */
+    private static final Echantillonnage NEUF_POINTS = (pave, voulus, vue, toile) -> {
+        for (int j = pave.j0; j < pave.j1; j++) {
+            for (int i = pave.i0; i < pave.i1; i++) {
+                toile.drawPixel(moyenne(vue, i + 0.5, j + 0.5, Double.MAX_VALUE), i, j);
+            }
+        }
+        return 0;
+    };
+
+    /** Les défauts que la page montre, par le nom de leur image ; côté d'un pixel agrandi, et blanc entre les deux images. */
+    private static final Map<String, String> IMAGES = images();
+    private static final int LOUPE = 2;
+    private static final int MARGE = 4;
+
     private final List<Defaut> defauts = new ArrayList<>();
-    private final Echantillonnage neufPoints;
     private Camera camera = new Camera(COTE, COTE);
 
-    /** @param neufPoints ce qui donne à chaque pixel la moyenne de neuf, à un tiers de pixel l'un de l'autre */
-    public Defauts(Echantillonnage neufPoints) {
-        this.neufPoints = neufPoints;
+    private static Map<String, String> images() {
+        Map<String, String> images = new LinkedHashMap<>();
+        images.put("defaut-surface.png", "une surface s'ombre elle-même");
+        images.put("defaut-lampe.png", "b² − 4ac, lampe à 10⁹");
+        images.put("defaut-jumelle.png", "sphère jumelle gardée");
+        return images;
+    }
+
+    /** Écrit les images de la page. @param args leur dossier */
+    public static void main(String[] args) {
+        dessiner().forEach((nom, image) -> new Ecriture(Paths.get(args[0], nom).toString()).ecrire(image, new FichierPng()));
+    }
+
+    /** Chaque image, par son nom : celle du défaut à gauche, celle du programme à droite. */
+    public static Map<String, ImageMemoire> dessiner() {
+        Map<String, Defaut> tous = new Defauts().tous().stream().collect(Collectors.toMap(d -> d.nom, d -> d));
+        Map<String, ImageMemoire> dessins = new LinkedHashMap<>();
+        IMAGES.forEach((nom, defaut) -> dessins.put(nom, tous.get(defaut).image()));
+        return dessins;
     }
 
     public List<Defaut> tous() {
@@ -207,7 +256,7 @@ public final class Defauts {
         Sphere boule = boule(0, 0, 6, 1.5, 1, 0);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(10))));
         Vue points = deLaLampe(boule, 10);
-        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(neufPoints, scene.getModele().getSeuil())), 0,
+        noter("limiter avant de moyenner", scene.avec(scene.getModele().avec(NEUF_POINTS, scene.getModele().getSeuil())), 0,
                 image((xe, ye) -> moyenne(points, xe, ye, 1)), (xe, ye) -> moyenne(points, xe, ye, Double.MAX_VALUE));
     }
 

@@ -173,6 +173,11 @@ public final class Essai {
         return Files.write(fichier, Arrays.asList(lignes), StandardCharsets.UTF_8);
     }
 
+    /** Le texte d'un fichier du dépôt, dont git a pu changer les fins de ligne. */
+    public static String texte(String fichier) throws IOException {
+        return new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8).replace("\r\n", "\n");
+    }
+
     /** Une ressource d'essai de la classe, en texte. */
     public static String ressource(Class<?> classe, String nom) throws IOException {
         return new String(octets(classe, nom), StandardCharsets.UTF_8);

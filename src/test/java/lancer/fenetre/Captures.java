@@ -23,7 +23,7 @@ import javax.swing.text.JTextComponent;
 import lancer.Main;
 
 /**
- * Photographie la fenêtre et l'un de ses panneaux, pour le README : l'image à écrire ; un pixel à cliquer, « x,y », ou l'article de menu
+ * Photographie la fenêtre et l'un de ses panneaux, pour les pages : l'image à écrire ; un pixel à cliquer, « x,y », ou l'article de menu
  * à choisir ; le composant à attendre, et ce qui s'y lit ; puis les options du programme.
  */
 final class Captures {

@@ -42,9 +42,9 @@ class ChangerLaBaseTest {
         "Une option | ns=1 | --gamma=2.2", "L'œil | ns=1 | --fils=2"})
     void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
         Map<String, String> textes = new LinkedHashMap<>();
-        Matcher m = CHANGEMENT.matcher(lire("docs/etendre.md").split("\n### " + partie + "\n")[1].split("\n##")[0]);
+        Matcher m = CHANGEMENT.matcher(Essai.texte("docs/etendre.md").split("\n### " + partie + "\n")[1].split("\n##")[0]);
         while (m.find()) {
-            String texte = textes.containsKey(m.group(1)) ? textes.get(m.group(1)) : lire(m.group(1));
+            String texte = textes.containsKey(m.group(1)) ? textes.get(m.group(1)) : Essai.texte(m.group(1));
             textes.put(m.group(1), changer(texte, m.group(2).equals("sous"), m.group(3), m.group(4).replaceAll("(?m)^ {4}", "")));
         }
         Path classes = Files.createDirectory(dossier.resolve("classes"));
@@ -62,10 +62,6 @@ class ChangerLaBaseTest {
                 Essai.Isole base = new Essai.Isole(rien)) {
             assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
         }
-    }
-
-    private static String lire(String fichier) throws IOException {
-        return new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8);
     }
 
     /** Ce texte, où ces lignes sont mises sous celle de cet endroit, ou à sa place. */

@@ -21,13 +21,24 @@ import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Le chemin d'un premier rayon est celui que le README fait suivre : une forme qui relève sa pile le dit. */
+/** Le chemin d'un premier rayon est celui que docs/etendre.md fait suivre : une pile, relevée pendant le dessin, le prouve. */
 class CheminTest {
 
-    /** Cadres de pile qu'il faut lire au plus, de la naissance du fil à la forme. */
+    /** Cadres de pile qu'il faut lire au plus, de la naissance du fil au calcul de la distance. */
     private static final int CADRES_MAX = 9;
 
     private static final String PILE = "lancer.essai.pile";
+
+    /** Relève la pile du premier appel que demande le calcul d'un pixel. */
+    private static final String RELEVER = "        if (System.getProperty(\"" + PILE + "\") == null) {\n"
+            + "            StringBuilder pile = new StringBuilder();\n"
+            + "            for (StackTraceElement cadre : new Throwable().getStackTrace()) {\n"
+            + "                pile.insert(0, cadre.getClassName() + '.' + cadre.getMethodName() + ' ');\n"
+            + "            }\n"
+            + "            if (pile.indexOf(\"getCouleurPixel\") >= 0) {\n"
+            + "                System.setProperty(\"" + PILE + "\", pile.toString());\n"
+            + "            }\n"
+            + "        }\n";
 
     private static final String ESPION = "package espion;\n"
             + "public final class Espion extends lancer.Objet3D implements lancer.contrat.Forme {\n"
@@ -36,13 +47,7 @@ class CheminTest {
             + "    public lancer.Objet3D lire(lancer.contrat.Section valeurs) { return new Espion(); }\n"
             + "    public lancer.Vecteur getNormale(lancer.Point contact) { return new lancer.Vecteur(0, 0, -1); }\n"
             + "    public double getIntersectionDistance(lancer.Rayon incident) {\n"
-            + "        if (System.getProperty(\"" + PILE + "\") == null) {\n"
-            + "            StringBuilder pile = new StringBuilder();\n"
-            + "            for (StackTraceElement cadre : new Throwable().getStackTrace()) {\n"
-            + "                pile.insert(0, cadre.getClassName() + '.' + cadre.getMethodName() + ' ');\n"
-            + "            }\n"
-            + "            System.setProperty(\"" + PILE + "\", pile.toString());\n"
-            + "        }\n"
+            + RELEVER
             + "        incident.setContact(this, Double.POSITIVE_INFINITY);\n"
             + "        return Double.POSITIVE_INFINITY;\n"
             + "    }\n"
@@ -52,23 +57,35 @@ class CheminTest {
     Path dossier;
 
     @Test
-    void lePremierRayonSuitLesEtapesDuReadmeEnNeufCadresAuPlus() throws IOException {
-        List<String> vue = pile("--fils", "2");
+    void dansLaSceneDuCoursLePremierRayonSuitLesEtapesDeLaPage() throws IOException {
+        List<String> vue = pileDesSpheres("--fils", "2");
         assertTrue(vue.size() <= CADRES_MAX, vue.size() + " cadres : " + vue);
-        List<String> ecrite = new ArrayList<>(vue);
-        assertEquals("espion.Espion.getIntersectionDistance", ecrite.remove(ecrite.size() - 1));
         assertEquals(new ArrayList<>(new LinkedHashSet<>(classes(vue))), classes(vue), "une classe ne revient pas");
-        ecrite.replaceAll(cadre -> cadre.replaceAll("^(?:[a-z]+\\.)+", "").replaceAll("\\$\\d*", "."));
-        ecrite.add("getIntersectionDistance");
-        assertEquals(ecrite, etapes());
+        vue.replaceAll(cadre -> cadre.replaceAll("^(?:[a-z]+\\.)+", "").replaceAll("\\$\\d*", "."));
+        assertEquals(vue, etapes());
     }
 
     @Test
-    void avecSimpleCeSontLesBouclesDuCoursQuiLeDemandent() throws IOException {
-        List<String> vue = pile("--simple");
-        assertEquals(Arrays.asList("lancer.Scene.getClosestIntersection", "lancer.Scene.demander"),
-                vue.subList(vue.size() - 3, vue.size() - 1));
-        assertTrue(vue.size() < CADRES_MAX, vue.toString());
+    void avecSimpleLesBouclesDuCoursDemandentChaqueSphere() throws IOException {
+        List<String> vue = pileDesSpheres("--simple");
+        assertEquals(Arrays.asList("lancer.Scene.getClosestIntersection", "lancer.Scene.demander",
+                "lancer.Sphere.getIntersectionDistance", "lancer.precision.Intersection.distance"),
+                vue.subList(vue.size() - 5, vue.size() - 1));
+    }
+
+    @Test
+    void uneAutreFormeEstDemandeeUneParUne() throws IOException {
+        Path services = Files.createDirectories(dossier.resolve("META-INF/services"));
+        Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("espion.Espion"));
+        // d'une ou deux, il n'y aurait pas à chercher
+        List<String> sections = new ArrayList<>();
+        for (int k = 0; k < 50; k++) {
+            sections.add("[Espion " + k + "]");
+        }
+        List<String> vue = pile("Espion", ESPION, Files.write(dossier.resolve("s.ini"), sections), "--fils", "2");
+        assertEquals(Arrays.asList("lancer.rapide.RechercheRapide.plusProche", "lancer.rapide.RechercheRapide.avecLesAutres",
+                "espion.Espion.getIntersectionDistance"), vue.subList(vue.size() - 3, vue.size()));
+        assertTrue(Essai.texte("docs/etendre.md").contains("`RechercheRapide.avecLesAutres`"), "la page le dit");
     }
 
     /** Les classes de cette pile, chacune une fois par passage. */
@@ -83,26 +100,26 @@ class CheminTest {
         return classes;
     }
 
-    private List<String> pile(String... options) throws IOException {
-        Path source = Files.write(dossier.resolve("Espion.java"), ESPION.getBytes(StandardCharsets.UTF_8));
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", dossier.toString(), "-cp",
-                Essai.origine(Main.class).toString(), source.toString()));
-        Path services = Files.createDirectories(dossier.resolve("META-INF/services"));
-        Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("espion.Espion"));
-        // d'une ou deux, il n'y aurait pas à chercher
-        List<String> sections = new ArrayList<>();
-        for (int k = 0; k < 50; k++) {
-            sections.add("[Espion " + k + "]");
-        }
-        Path scene = Files.write(dossier.resolve("s.ini"), sections);
-        List<String> args = new ArrayList<>(Arrays.asList("--taille", "16x12", "--image", dossier.resolve("i.png").toString()));
+    /** La pile du premier calcul de la distance d'une sphère, dans la scène du cours. */
+    private List<String> pileDesSpheres(String... options) throws IOException {
+        String source = Essai.texte("src/main/java/lancer/precision/Intersection.java");
+        int corps = source.indexOf("{\n", source.indexOf("double distanceOuDoute(")) + 2;
+        return pile("Intersection", source.substring(0, corps) + RELEVER + source.substring(corps),
+                Paths.get("scenes/scene1.ini"), options);
+    }
+
+    private List<String> pile(String classe, String source, Path scene, String... options) throws IOException {
+        Path java = Files.write(dossier.resolve(classe + ".java"), source.getBytes(StandardCharsets.UTF_8));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-encoding", "UTF-8", "-d", dossier.toString(),
+                "-cp", Essai.origine(Main.class).toString(), java.toString()));
+        List<String> args = new ArrayList<>(Arrays.asList("--taille", "400x300", "--image", dossier.resolve("i.png").toString()));
         args.addAll(Arrays.asList(options));
         args.add(scene.toString());
         System.clearProperty(PILE);
-        try (Essai.Isole programme = new Essai.Isole(Collections.singletonList(dossier))) {
+        try (Essai.Isole programme = new Essai.Isole(Collections.singletonList(dossier), Collections.<Path>emptyList())) {
             Essai essai = programme.executer(args.toArray(new String[0]));
             assertEquals(0, essai.code, essai.toString());
-            return Arrays.asList(System.getProperty(PILE).trim().split(" "));
+            return new ArrayList<>(Arrays.asList(System.getProperty(PILE).trim().split(" ")));
         } finally {
             System.clearProperty(PILE);
         }
@@ -110,8 +127,7 @@ class CheminTest {
 
     /** Les étapes numérotées de « Suivre un rayon ». */
     private static List<String> etapes() throws IOException {
-        String readme = new String(Files.readAllBytes(Paths.get("README.md")), StandardCharsets.UTF_8);
-        String section = readme.split("\n## Suivre un rayon\n")[1].split("\n## ")[0];
+        String section = Essai.texte("docs/etendre.md").split("\n## Suivre un rayon\n")[1].split("\n## ")[0];
         List<String> etapes = new ArrayList<>();
         Matcher m = Pattern.compile("(?m)^" + "\\d+\\. \\[`([\\w.]+)`\\]").matcher(section);
         while (m.find()) {

@@ -107,6 +107,25 @@ class MakefileTest extends EssaiProcessus {
     }
 
     @Test
+    void unCloneDeWindowsALesMemesFinsDeLigne() throws Exception {
+        assumeTrue(new File(".git").exists(), "pas un clone");
+        List<String> git = Arrays.asList("git", "-c", "core.autocrlf=true", "-c", "safe.directory=*");
+        String clone = dossier.resolve("clone").toString();
+        for (List<String> suite : Arrays.asList(Arrays.asList("clone", "-q", new File("").getAbsolutePath(), clone),
+                Arrays.asList("-C", clone, "ls-files", "--eol"))) {
+            List<String> commande = new ArrayList<>(git);
+            commande.addAll(suite);
+            assertEquals(0, statut(preparer(commande)), erreur());
+        }
+        assertTrue(sortie().contains("README.md"), sortie());
+        // seules des scènes fautives exprès ont d'autres fins de ligne, les mêmes dans le dépôt et dans le clone
+        for (String fichier : sortie().split("\n")) {
+            String[] deux = fichier.trim().split("\\s+");
+            assertEquals(deux[0].substring(2), deux[1].substring(2), fichier);
+        }
+    }
+
+    @Test
     void makeMutationsDitCombienDeFautesLesTestsVoient() throws Exception {
         assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         // à la place de Maven, les rapports de PIT : une faute par module, et dans la base une de plus pour chaque sort

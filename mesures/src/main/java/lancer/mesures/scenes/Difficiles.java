@@ -8,8 +8,8 @@ import lancer.Camera;
 import lancer.Constantes;
 
 /**
- * Trois scènes dont les détails sont plus petits qu'un pixel en 800 × 600 : de la poussière devant l'œil, des ombres fines sur un sol, de la
- * poussière vue seulement dans des miroirs. Le même nom donne le même texte, à l'octet près, sur toute machine.
+ * Trois scènes dont les détails sont plus petits qu'un pixel en 800 × 600 : de la poussière devant l'œil, des ombres fines sur un sol, de
+ * la poussière vue seulement dans des miroirs. Le même nom donne le même texte, à l'octet près, sur toute machine.
  */
 final class Difficiles {
 

@@ -91,8 +91,8 @@ final class Catalogue {
         for (String scene : new String[] {"brume", "diffus", "ombres"}) {
             groupes.add(new Groupe(BESOINS, scene, new Methode(UN_RAYON, "")));
         }
-        Methode lampe = new Methode("lampe", "une de plus");
-        lampe.section = "[Lampe une de plus]\nposition=300 420 -260\ncouleur=1.12 1.04 0.9\n";
+        Methode lampe = new Methode("une lampe", "de plus");
+        lampe.section = "[Lampe de plus]\nposition=300 420 -260\ncouleur=1.12 1.04 0.9\n";
         groupes.add(new Groupe(DEMANDES, COURS, lampe, new Methode("brume", "").variante("brume", m -> m.setAtmosphere(new Brume())),
                 new Methode("Blinn", "").variante("blinn", m -> m.setSpecularite(new Blinn()))));
         for (int n = 1; n <= (court ? 100 : 1_000_000); n *= 10) {

@@ -66,7 +66,7 @@ final class Methodes {
 
     /** Temps de chaque méthode, rapporté à celui de la méthode des manuels, dans chaque régime. */
     String tableau() {
-        return Tableaux.table(Stream.concat(Stream.of("temps, à celui du manuel"), Arrays.stream(Regime.values())
+        return Tableaux.table(Stream.concat(Stream.of("temps, divisé par celui du manuel"), Arrays.stream(Regime.values())
                 .map(r -> r.nom.replaceFirst(" ?[:,].*| de rayon.*", ""))).collect(Collectors.toList()), Arrays.stream(Formule.values())
                 .filter(f -> f != Formule.MANUEL).map(f -> Stream.concat(Stream.of(f.nom), Arrays.stream(Regime.values())
                 .map(r -> Tableaux.rapport(le(r, f).rapport()))).collect(Collectors.toList())).collect(Collectors.toList()))

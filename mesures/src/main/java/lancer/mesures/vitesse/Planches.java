@@ -94,7 +94,7 @@ final class Planches {
         return r.parametres.replaceFirst("n=(.*) seuil=", "$1/");
     }
 
-    /** Le temps du programme entier et d'autres programmes, selon le nombre de sphères. */
+    /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */
     static Planche spheres(Releves spheres) {
         Volet volet = new Volet("", "nombre de sphères", "de la commande au PNG écrit, en secondes");
         Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
@@ -108,7 +108,8 @@ final class Planches {
                         return new Marque(Intervalle.exact(r.nombre("spheres")), t);
                     }).collect(Collectors.toList())));
         }
-        return new Planche("De une à un million de sphères, le programme entier et d'autres", "Démarrage de Java, lecture, préparation, "
-                + "dessin, écriture, à froid. Les boucles sont mesurées jusqu'à 1 000 sphères, et POV-Ray jusqu'à 100 000. make mesures").volet(volet);
+        return new Planche("Le temps selon le nombre de sphères, de 1 à un million", "Démarrage de Java, lecture, préparation, dessin, "
+                + "écriture, à froid. Les boucles sont mesurées jusqu'à 1 000 sphères, et POV-Ray jusqu'à 100 000. make mesures")
+                .volet(volet);
     }
 }

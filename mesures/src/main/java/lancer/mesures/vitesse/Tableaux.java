@@ -34,11 +34,12 @@ final class Tableaux {
         Releves cours = methodes.scene(Catalogue.COURS);
         Map<String, String> pages = new TreeMap<>();
         pages.put("choisir", choisir(methodes) + source(cours));
+        pages.put("resultat", resultat(cours));
         pages.put("comptes", comptes(methodes) + source(methodes));
         Releves demandes = new Releves(Stream.of(releves.de(Catalogue.DEMANDES), cours.methode(Catalogue.SANS_SECTION),
                 cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")), cours.methode(Catalogue.BOUCLES))
                 .flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
-        pages.put("demandes", table(Arrays.asList("sur la scène du cours", "temps, à celui de la scène telle quelle"),
+        pages.put("demandes", table(Arrays.asList("ce qui change", "temps, divisé par celui de la scène du cours"),
                 demandes.get().stream().map(r -> Arrays.asList(r.nom(), rapport(r.rapport()))).collect(Collectors.toList()))
                 + source(demandes));
         pages.put("besoins", besoins() + source(besoins.stream().map(Releve::new).collect(Collectors.toList())));
@@ -99,6 +100,14 @@ final class Tableaux {
     /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
     private static String bloc(String titre, String texte) {
         return texte.isEmpty() ? "" : titre + " :\n\n" + texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
+    }
+
+    /** Deux réglages dont l'erreur est voisine, et leurs rayons ; vide s'ils ne sont pas mesurés. */
+    private static String resultat(Releves cours) {
+        List<Releve> deux = cours.tels(r -> (r.methode + " " + r.parametres).matches("partage n=8 seuil=0.1|grille 4 × 4")).get();
+        return deux.size() < 2 ? "" : Style.niveaux(deux.get(0).erreur().valeur) + ". La grille de 4 × 4 rayons par pixel lance "
+                + Style.arrondi(deux.get(1).rayons() / deux.get(0).rayons()) + " fois plus de rayons, pour une erreur de "
+                + Style.niveaux(deux.get(1).erreur().valeur);
     }
 
     private static String secondes(Releves siens, Releve r) {

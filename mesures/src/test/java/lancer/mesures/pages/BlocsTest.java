@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Ce qu'une page montre d'une scène s'écrit tel quel dans une scène : le programme, avec ses variantes, l'accepte. */
 class BlocsTest {
 
-    /** Un bloc, lignes en retrait, ou un mot de code ; {@code Plan} et {@code Nuit} n'existent que dans la page qui apprend à les écrire. */
+    /** Un bloc, lignes en retrait, ou un mot de code. {@code Plan} et {@code Nuit} n'existent que dans la page qui les fait écrire. */
     private static final Pattern BLOC = Pattern.compile("(?m)(?:^ {4}.*\\n|^\\n(?= {4}))+|`[^`\\n]+`");
     private static final Pattern SECTION = Pattern.compile("(?s)(?:;[^\\n]*\\n)*\\[(?!(?:Plan|Nuit)\\b)[A-Z][a-z]+\\b[^\\]\\n…]*\\].*");
 

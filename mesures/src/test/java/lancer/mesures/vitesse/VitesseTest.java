@@ -254,7 +254,7 @@ class VitesseTest {
         Files.write(dossier.resolve(Methodes.CSV), temps, StandardCharsets.UTF_8);
         Methodes methodes = new Methodes(new Releves(Releves.lignes(dossier.resolve(Methodes.CSV))), new Bilan(RESULTATS));
         String[] lignes = methodes.tableau().trim().split("\n");
-        assertEquals("| temps, à celui du manuel | D'ordinaire | De loin | Au ras | Au-dessus d'un sol |", lignes[0]);
+        assertEquals("| temps, divisé par celui du manuel | D'ordinaire | De loin | Au ras | Au-dessus d'un sol |", lignes[0]);
         assertTrue(lignes[2].startsWith("| perpendiculaire : \\|f − bV\\|² | autant, à l'intervalle près (de 0,95 à 1,25) |"), lignes[2]);
         assertTrue(lignes[4].startsWith("| le programme | × 1,3 (de 1,15 à 1,45) |"), lignes[4]);
         methodes.planche().ecrire(dossier.resolve("methodes.png"));
