@@ -322,7 +322,8 @@ class DepotTest extends DepotEssai {
         Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         ecrire(rendu.resolve("проект/Vecteur.java"), CLASSE);
         ecrire(rendu.resolve("проект/Point.java"), "la même");
-        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", new byte[9], "Point.java", "la même".getBytes(StandardCharsets.UTF_8))));
+        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", new byte[9], "Point.java",
+                "la même".getBytes(StandardCharsets.UTF_8))));
         assertEquals(CLASSE, new String(lu.sources.get("проект/Vecteur.java"), StandardCharsets.UTF_8));
         assertEquals(List.of("проект/Vecteur.java : laissé de côté, un autre fichier a ce chemin, dans ce dossier ou dans une archive"),
                 projet(lu).aRegarder);
