@@ -22,8 +22,8 @@ import javax.tools.StandardJavaFileManager;
 
 /**
  * Compile, dans une autre machine virtuelle, par le compilateur d'Eclipse, qui écrit même les classes fautives. La demande contient les
- * sources, par nom. La réponse contient les fautes, puis les classes, ou rien si le compilateur échoue. Les fichiers provisoires sont effacés. Une demande commence par sa
- * sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
+ * sources, par nom. La réponse contient les fautes, puis les classes, ou rien si le compilateur échoue. Les fichiers provisoires sont
+ * effacés. Une demande commence par sa sorte : {@link #COMPILER}, ou {@link #LIRE} des textes.
  */
 public final class Compilateur {
 
