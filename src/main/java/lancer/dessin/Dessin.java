@@ -91,11 +91,11 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return autre;
     }
 
-    /** Un dessin, à la même taille, de cette autre version de la scène. */
+    /** Un dessin, à la même taille, de cette autre version de la scène, à régler avant de le préparer. */
     public Dessin avec(SceneLue autreLue) {
         Dessin autre = avec(largeur, hauteur);
         autre.lue = autreLue;
-        autre.scene = new Scene(autreLue.objets, autreLue.lampes);
+        autre.scene = null;
         return autre;
     }
 
@@ -134,7 +134,9 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Applique ces réglages à la scène lue. @throws SceneFautive si un réglage est refusé */
     public void regler(ReglagesDessin voulus) {
-        scene = scene.avec(voulus.getModele());
+        // chercher les sphères confondues d'une grande scène est long : le fil des événements ne le fait pas
+        Scene lui = scene == null ? new Scene(lue.objets, lue.lampes) : scene;
+        scene = lui.avec(voulus.getModele());
         reglages = voulus;
     }
 

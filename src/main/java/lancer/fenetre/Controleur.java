@@ -164,12 +164,12 @@ final class Controleur {
         redessiner(false);
     }
 
-    /** Remplace un objet ou une lampe de la scène, en mémoire seulement. @param suite vrai si le geste continue */
-    void deplacer(Object ancien, Object nouveau, boolean suite) {
+    /** Dessine cette autre version de la scène, en mémoire seulement. @param suite vrai si le geste continue */
+    void changer(SceneLue nouvelle, boolean suite) {
         if (!suite) {
             avantDeplacements.push(source);
         }
-        source = source.avec(new SceneLue(source.getLue(), ancien, nouveau));
+        source = source.avec(nouvelle);
         dessiner(reglages, suite);
     }
 

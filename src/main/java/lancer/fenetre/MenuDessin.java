@@ -16,7 +16,6 @@ import lancer.commande.Etape;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
-import lancer.scene.Deplacement;
 
 /** Le menu des réglages du dessin : réflexions, étapes, variantes. Il ne modifie jamais le fichier de la scène. */
 final class MenuDessin {
@@ -95,7 +94,7 @@ final class MenuDessin {
     private void copier() {
         String sections = controleur.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + Deplacement.sections(controleur.adopte.dessin.getLue(), controleur.source.getLue());
+                + controleur.source.getLue().origines.changees(controleur.adopte.dessin.getLue().origines);
         menu.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
         controleur.panneau.bandeau.dire(Sujet.AVIS, "réglages copiés : "

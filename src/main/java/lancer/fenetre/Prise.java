@@ -24,12 +24,13 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Scene;
-import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Pannes;
+import lancer.contrat.Section;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
+import lancer.scene.SectionLue;
 
 /** Déplacement, avec Maj et la souris, d'une sphère ou d'une lampe. Il se fait en mémoire, et l'image le suit. */
 @SuppressWarnings("serial")
@@ -47,7 +48,6 @@ final class Prise extends MouseAdapter {
     private final PanneauImage panneau;
     /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 si rien n'est pris. */
     private int rang = -1;
-    private boolean estLampe;
     /** Point de l'image au début du geste de la souris, et position de l'objet pris à ce moment. */
     private Point2D depart;
     private Point origine;
@@ -102,12 +102,12 @@ final class Prise extends MouseAdapter {
         panneau.repaint();
     }
 
-    private Object getChose() {
-        return estLampe ? getLue().lampes.get(rang) : getLue().objets.get(rang);
+    private SectionLue getSection() {
+        return getLue().origines.getSection(rang);
     }
 
     private Point getPosition() {
-        return estLampe ? ((Lampe) getChose()).getPosition() : ((Sphere) getChose()).getCentre();
+        return Deplacement.place(getSection());
     }
 
     private Camera getCamera() {
@@ -133,8 +133,7 @@ final class Prise extends MouseAdapter {
         for (int k = 0; k < getLue().lampes.size(); k++) {
             Point2D etoile = etoile(getLue().lampes.get(k));
             if (etoile != null && etoile.distance(panneau.placeDe(ou.getX(), ou.getY())) < RAYON_ETOILE) {
-                estLampe = true;
-                rang = k;
+                rang = getLue().origines.getRang(getLue().lampes.get(k));
                 return true;
             }
         }
@@ -148,11 +147,11 @@ final class Prise extends MouseAdapter {
         }
         Objet3D objet = contact == null ? null : contact.objet;
         SceneLue montree = controleur.montre.getLue();
-        estLampe = false;
-        rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
-        if (!estPris()) {
+        rang = montree.origines.getRang(objet);
+        if (!estPris() || getPosition() == null) {
             panneau.bandeau.dire(Sujet.AVIS, objet == null ? "rien à prendre ici : aucun objet ne s'y voit"
-                    : montree.origines.de(objet) + " ne se prend pas : la souris ne prend que sphères et lampes");
+                    : montree.origines.de(objet) + " ne se prend pas : sa section n'a ni centre, ni position");
+            rang = -1;
         }
         return estPris();
     }
@@ -193,16 +192,15 @@ final class Prise extends MouseAdapter {
     }
 
     private void aller(Point voulue) {
-        Point ou = Deplacement.arrondir(voulue, Math.abs(getCamera().projeter(voulue).z));
-        Object ancienne = getChose();
-        if (ou.equals(getPosition())) {
+        String ou = Deplacement.ecrire(voulue, Math.abs(getCamera().projeter(voulue).z));
+        SectionLue section = getSection();
+        if (ou.equals(section.valeur(Deplacement.cle(section)))) {
             return;
         }
         long maintenant = System.nanoTime();
         boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
         dernierNs = maintenant;
-        controleur.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
-                : Deplacement.en((Sphere) ancienne, ou), suite);
+        controleur.changer(getLue().avec(rang, Deplacement.cle(section), ou), suite);
         panneau.repaint();
     }
 
@@ -226,7 +224,8 @@ final class Prise extends MouseAdapter {
         if (estPris()) {
             Point vue = getCamera().projeter(getPosition());
             Point2D centre = panneau.placeDe(vue.x, vue.y);
-            double rayon = estLampe ? 2 * RAYON_ETOILE : ((Sphere) getChose()).getRayon() * vue.z
+            Section section = getSection();
+            double rayon = section.valeur("rayon") == null ? 2 * RAYON_ETOILE : section.longueur("rayon") * vue.z
                     * panneau.getReduction(panneau.montree);
             tracer(g, new Ellipse2D.Double(centre.getX() - rayon, centre.getY() - rayon, 2 * rayon, 2 * rayon),
                     Color.WHITE);

@@ -23,19 +23,39 @@ public final class SceneLue {
     /** Avertissements : une ligne pour chaque section que la lecture a ignorée. */
     public final List<String> avertissements = new ArrayList<>();
 
-    SceneLue() {
-        origines = new Origines();
+    SceneLue(LecteurSections lecteur) {
+        origines = new Origines(lecteur);
     }
 
-    /** La même scène, où {@code nouveau} remplace un objet ou une lampe. */
-    public SceneLue(SceneLue autre, Object ancien, Object nouveau) {
+    private SceneLue(SceneLue autre, int rang, Object nouvelle, SectionLue section) {
+        Object ancienne = autre.origines.getChose(rang);
         objets.addAll(autre.objets);
         lampes.addAll(autre.lampes);
-        objets.replaceAll(objet -> objet == ancien ? (Objet3D) nouveau : objet);
-        lampes.replaceAll(lampe -> lampe == ancien ? (Lampe) nouveau : lampe);
+        objets.replaceAll(objet -> objet == ancienne ? (Objet3D) nouvelle : objet);
+        lampes.replaceAll(lampe -> lampe == ancienne ? (Lampe) nouvelle : lampe);
         variantes.putAll(autre.variantes);
         avertissements.addAll(autre.avertissements);
-        origines = new Origines(autre.origines, ancien, nouveau);
+        origines = new Origines(autre.origines, rang, nouvelle, section);
+    }
+
+    /**
+     * La même scène, où une section est lue de nouveau avec une autre valeur.
+     *
+     * @param rang celui de la section, dans {@link #origines}
+     * @throws lancer.SceneFautive si la lecture d'un fichier refuserait cette valeur
+     */
+    public SceneLue avec(int rang, String cle, String valeur) {
+        SectionLue section = origines.getSection(rang).avec(cle, valeur, null);
+        return new SceneLue(this, rang, origines.lecteur.lire(section), section);
+    }
+
+    void ajouter(Object chose, SectionLue section) {
+        if (chose instanceof Lampe) {
+            lampes.add((Lampe) chose);
+        } else {
+            objets.add((Objet3D) chose);
+        }
+        origines.ajouter(chose, section);
     }
 
     /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si une section est refusée */
