@@ -321,8 +321,7 @@ final class Controleur {
             // les sections ignorées, sans le reste de leur avertissement
             String ignorees = String.join("\n", montre.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            complete.legende = montre.getCout() + ", " + (vue == null ? "" : "vue " + vue + ", ")
-                    + montre.getReglages() + ignorees
+            complete.legende = montre.getCout() + ", " + montre.getReglages() + ignorees
                     + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
             if (montre.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, montre.getEcart());

@@ -178,10 +178,14 @@ class FenetreLeconTest extends EssaiFenetre {
             int rang = k;
             faire(vues.getItem(k + 1)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
-            attendre("elle se dit", () -> banc.resume.getText().contains("vue " + nom));
+            attendre("elle se dit", () -> banc.resume.getText().startsWith("vue " + nom + " : "));
             banc.viser(banc.panneau, banc.panneau.getWidth() / 2 + k % 2, banc.panneau.getHeight() / 2);
             attendre("sa valeur sous la souris", () -> banc.pixel.getText().matches("pixel .* " + dits[rang]));
         }
+        faire(vues.getItem(1)::doClick);
+        attendre("une autre vue", () -> banc.resume.getText().startsWith("vue normales"));
+        banc.viser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 5, (banc.panneau.getHeight() - H) / 2 + 5);
+        attendre("le ciel se dit", () -> banc.pixel.getText().endsWith(" ciel"));
         faire(vues.getItem(0)::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));
     }
