@@ -110,6 +110,10 @@ final class Controleur {
         prevenus.add(siChange);
     }
 
+    void avertir() {
+        prevenus.forEach(Runnable::run);
+    }
+
     /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
     String getCommande() {
         return Pannes.commande("", reglages.getOptions(), fichier, taille.get().width, taille.get().height);
@@ -249,7 +253,7 @@ final class Controleur {
         courant = tracage;
         enCours = true;
         panneau.dire("");
-        prevenus.forEach(Runnable::run);
+        avertir();
         observer();
     }
 
@@ -308,7 +312,7 @@ final class Controleur {
             source = adopte.dessin;
             panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
         }
-        prevenus.forEach(Runnable::run);
+        avertir();
     }
 
     private void finir() {
@@ -339,7 +343,7 @@ final class Controleur {
             fichier = courant.dessin.fichier;
             panneau.dire("F5 pour lire la scène et la dessiner");
         }
-        prevenus.forEach(Runnable::run);
+        avertir();
     }
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */

@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
@@ -10,6 +11,7 @@ import java.awt.image.Raster;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
@@ -62,6 +64,17 @@ final class Enregistrement {
             }, null);
             bandeau.dire(Sujet.AVIS, "image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
         }
+    }
+
+    /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
+    void copierReglages() {
+        String sections = controleur.reglages.getSectionsChangees().stream()
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
+                + controleur.source.getLue().origines.changees(controleur.adopte.dessin.getLue().origines);
+        bandeau.getToolkit().getSystemClipboard().setContents(
+                new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
+        bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */

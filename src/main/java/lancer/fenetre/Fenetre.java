@@ -3,22 +3,17 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GraphicsDevice;
 import java.awt.Image;
-import java.awt.KeyEventPostProcessor;
-import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.IOException;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,17 +22,12 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.ButtonGroup;
 import javax.swing.ImageIcon;
-import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
-import javax.swing.JMenu;
-import javax.swing.JMenuBar;
-import javax.swing.JMenuItem;
-import javax.swing.KeyStroke;
-import javax.swing.MenuSelectionManager;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
@@ -61,22 +51,20 @@ public final class Fenetre {
     final Controleur controleur;
     private final String programme;
     /** La taille de l'image demandée par la ligne de commande. */
-    private final Dimension demandee;
+    final Dimension demandee;
+    final PanneauImage panneau;
+    final Onglets onglets;
     private final Runnable fin;
-    private final PanneauImage panneau;
     private final BarreEtat barre;
     private final Enregistrement enregistrement;
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
-    private final KeyEventPostProcessor renvoi = this::renvoyer;
-    /** Action de chaque caractère, quelle que soit la touche qui le donne. */
-    private final Map<Character, Runnable> caracteres = new HashMap<>();
-    private JMenuItem remplir;
-    private JCheckBoxMenuItem plein;
-    /** Position du cadre avant le plein écran. */
+    private final Actions actions;
+    /** Vrai si l'image remplit la fenêtre. */
+    boolean remplie;
+    /** Position du cadre avant le plein écran ; {@code null} hors du plein écran. */
     private Rectangle place;
-    private final Onglets onglets;
-    private final Prise prise;
+    /** Le tableau des touches, créé à la première demande. */
     private JDialog touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
@@ -90,77 +78,15 @@ public final class Fenetre {
         controleur.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> controleur.ajuster());
         enregistrement = new Enregistrement(controleur, panneau.bandeau);
-        prise = new Prise(controleur, panneau);
         Map<String, Supplier<JComponent>> contenus = new LinkedHashMap<>();
-        contenus.put("Pixel", () -> new Inspecteur(controleur, panneau, caracteres));
+        contenus.put("Pixel", () -> new Inspecteur(controleur, panneau));
         contenus.put("Réglages", () -> new PanneauReglages(controleur));
         contenus.put("Vitesse", () -> new PanneauVitesse(controleur));
         onglets = new Onglets(cadre, panneau, contenus);
-        JMenuBar menus = new JMenuBar();
-        menus.add(menuFichier());
-        menus.add(menuAffichage());
-        MenuDessin dessin = new MenuDessin(controleur, variantes);
-        menus.add(dessin.menu);
-        caracteres.put('+', () -> dessin.changer(true));
-        caracteres.put('-', () -> dessin.changer(false));
-        menus.add(new MenuScenes(controleur).menu);
-        JMenu aide = menus.add(Menus.menu("Aide"));
-        // A est la lettre d'Affichage
-        aide.setMnemonic(KeyEvent.VK_I);
-        Menus.article(aide, "Touches", Menus.touche(KeyEvent.VK_F1), () -> {
-            touches = touches == null ? Dialogues.touches(cadre) : touches;
-            touches.setVisible(true);
-        });
-        cadre.setJMenuBar(menus);
-    }
-
-    private JMenu menuFichier() {
-        JMenu menu = Menus.menu("Fichier");
-        Menus.article(menu, "Ouvrir une scène…", Menus.ctrl(KeyEvent.VK_O), this::choisirScene);
-        Menus.siScene(controleur, menu, "Enregistrer l'image…", Menus.ctrl(KeyEvent.VK_S), enregistrement::enregistrer);
-        Menus.siScene(controleur, menu, "Copier l'image", Menus.ctrl(KeyEvent.VK_C), enregistrement::copier);
-        menu.add(panneau.bandeau.copie);
-        menu.addSeparator();
-        Menus.article(menu, "Quitter", Menus.ctrl(KeyEvent.VK_Q), this::fermer);
-        return menu;
-    }
-
-    private JMenu menuAffichage() {
-        JMenu menu = Menus.menu("Affichage");
-        ButtonGroup tailles = new ButtonGroup();
-        JMenuItem demander = Menus.choix(menu, tailles, "Taille demandée, " + demandee.width + " × " + demandee.height,
-                Menus.ctrl(KeyEvent.VK_1), controleur::ajuster);
-        demander.setSelected(true);
-        remplir = Menus.choix(menu, tailles, "Remplir la fenêtre", Menus.ctrl(KeyEvent.VK_0), controleur::ajuster);
-        plein = new JCheckBoxMenuItem("Plein écran");
-        Menus.article(menu, plein, Menus.touche(KeyEvent.VK_F11), this::basculer);
-        menu.addSeparator();
-        Menus.article(menu, "Loupe : plus près", Menus.ctrl(KeyEvent.VK_UP), () -> panneau.approcher(true));
-        Menus.article(menu, "Loupe : plus loin", Menus.ctrl(KeyEvent.VK_DOWN), () -> panneau.approcher(false));
-        menu.addSeparator();
-        menu.add(Menus.siScene(controleur, menuVues()));
-        Menus.siScene(controleur, menu, "Rayons d'un pixel (Entrée)", null, this::inspecter);
-        Menus.siScene(controleur, menu, "Réglages", Menus.touche(KeyEvent.VK_F2),
-                () -> onglets.montrer(1).transferFocus());
-        Menus.siScene(controleur, menu, "Vitesse ou précision", Menus.touche(KeyEvent.VK_F3),
-                () -> onglets.montrer(2).transferFocus());
-        menu.addSeparator();
-        JCheckBoxMenuItem sombre = new JCheckBoxMenuItem("Apparence sombre", Apparence.estSombre());
-        Menus.article(menu, sombre, null, () -> Apparence.changer(sombre.isSelected()));
-        // Ctrl+1 et Ctrl+0 sur un clavier français, où les chiffres demandent Maj, et au pavé numérique
-        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_AMPERSAND), demander::doClick);
-        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD1), demander::doClick);
-        Menus.lier(cadre, Menus.ctrl(KeyEvent.getExtendedKeyCodeForChar('à')), remplir::doClick);
-        Menus.lier(cadre, Menus.ctrl(KeyEvent.VK_NUMPAD0), remplir::doClick);
-        return menu;
-    }
-
-    private JMenu menuVues() {
-        JMenu menu = Menus.menu("Vue");
-        ButtonGroup vues = new ButtonGroup();
-        Menus.choix(menu, vues, "l'image", null, () -> controleur.voir(null)).setSelected(true);
-        Options.VUES.forEach(vue -> Menus.choix(menu, vues, vue, null, () -> controleur.voir(vue)));
-        return menu;
+        Menus menus = new Menus(this, enregistrement, new Prise(controleur, panneau), variantes);
+        actions = menus.actions;
+        cadre.setJMenuBar(menus.barre);
+        actions.lier((JComponent) cadre.getContentPane());
     }
 
     /** @param premier le dessin déjà commencé, ou {@code null} */
@@ -186,11 +112,6 @@ public final class Fenetre {
 
     private void ecouter() {
         cadre.getRootPane().setTransferHandler(new Depot());
-        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ESCAPE), this::echapper);
-        Menus.lier(cadre, Menus.touche(KeyEvent.VK_ENTER), this::inspecter);
-        Menus.lier(cadre, Menus.touche(KeyEvent.VK_SPACE), () -> tenir(true));
-        Menus.lier(cadre, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, true), () -> tenir(false));
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(renvoi);
         cadre.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
@@ -253,42 +174,50 @@ public final class Fenetre {
     }
 
     private Dimension getTaille() {
-        return remplir.isSelected() || plein.isSelected() ? panneau.getTailleMax(demandee.width, demandee.height)
-                : demandee;
+        return remplie || estEnPleinEcran() ? panneau.getTailleMax(demandee.width, demandee.height) : demandee;
     }
 
-    private void basculer() {
-        boolean entre = plein.isSelected();
-        GraphicsDevice ecran = cadre.getGraphicsConfiguration().getDevice();
-        place = entre ? cadre.getBounds() : place;
+    void remplir(boolean voulue) {
+        remplie = voulue;
+        controleur.ajuster();
+    }
+
+    boolean estEnPleinEcran() {
+        return place != null;
+    }
+
+    void basculer() {
+        boolean entre = !estEnPleinEcran();
+        Rectangle avant = entre ? cadre.getBounds() : place;
+        place = entre ? avant : null;
         // la barre de titre ne peut être ôtée qu'à un cadre fermé
         cadre.dispose();
         cadre.setUndecorated(entre);
         // des menus cachés ne répondraient plus à leurs touches
         cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
         barre.setVisible(!entre);
-        ecran.setFullScreenWindow(entre ? cadre : null);
-        cadre.setBounds(entre ? cadre.getBounds() : place);
+        cadre.getGraphicsConfiguration().getDevice().setFullScreenWindow(entre ? cadre : null);
+        cadre.setBounds(entre ? cadre.getBounds() : avant);
         cadre.setVisible(true);
-        cadre.requestFocus();
+        panneau.requestFocus();
         controleur.ajuster();
     }
 
-    private void choisirScene() {
+    void choisirScene() {
         File choisi = Dialogues.choisirScene(cadre, controleur.fichier);
         if (choisi != null) {
             controleur.ouvrir(choisi.getPath());
         }
     }
 
-    private void inspecter() {
+    void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
             ((Inspecteur) onglets.montrer(0)).montrer(pixel);
         }
     }
 
-    private void tenir(boolean tenue) {
+    void tenir(boolean tenue) {
         ImageMemoire voulue = tenue ? controleur.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
@@ -297,32 +226,40 @@ public final class Fenetre {
         }
     }
 
-    private void echapper() {
-        if (controleur.enCours) {
-            controleur.arreter();
-        } else if (prise.estPris()) {
-            prise.lacher();
-        } else if (touches != null && touches.isVisible()) {
-            touches.setVisible(false);
-        } else if (onglets.estOuvert()) {
-            onglets.fermer();
-        } else if (plein.isSelected()) {
-            plein.doClick();
-        }
+    /** L'onglet Pixel s'il est visible, ou {@code null}. */
+    Inspecteur pixel() {
+        return onglets.getVisible(Inspecteur.class);
     }
 
-    /** Exécute l'action d'un caractère qu'aucun composant n'a utilisé. */
-    private boolean renvoyer(KeyEvent e) {
-        if (e.getID() == KeyEvent.KEY_PRESSED && !e.isConsumed() && cadre.isFocused()
-                && !e.isAltDown() && !e.isControlDown() && !e.isMetaDown()
-                && MenuSelectionManager.defaultManager().getSelectedPath().length == 0) {
-            caracteres.getOrDefault(Character.toLowerCase(e.getKeyChar()), () -> { }).run();
-        }
-        return false;
+    void montrerTouches() {
+        touches = touches == null ? Dialogues.touches(cadre, actions.dire()) : touches;
+        touches.setVisible(true);
+    }
+
+    boolean estTableauVisible() {
+        return touches != null && touches.isVisible();
+    }
+
+    boolean estTableauLong() {
+        return estTableauVisible() && Dialogues.ascenseur(touches).getVerticalScrollBar().isVisible();
+    }
+
+    void defilerTableau(int rang) {
+        defiler(Dialogues.ascenseur(touches), rang);
+    }
+
+    /** Fait défiler ce texte d'une page, vers le haut si {@code rang} est nul. */
+    static void defiler(JScrollPane texte, int rang) {
+        JScrollBar barre = texte.getVerticalScrollBar();
+        barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
+    }
+
+    void fermerTableau() {
+        touches.setVisible(false);
     }
 
     /** Arrête les dessins, ferme la fenêtre, et laisse finir les écritures en cours. */
-    private void fermer() {
+    void fermer() {
         if (cadre.isDisplayable()) {
             abandonner();
             enregistrement.terminer(fin);
@@ -335,7 +272,6 @@ public final class Fenetre {
         controleur.terminer();
         // fermer l'onglet arrête son calcul
         onglets.fermer();
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(renvoi);
         cadre.dispose();
     }
 
@@ -369,7 +305,7 @@ public final class Fenetre {
         if (controleur.enCours || controleur.getImageComplete() == null) {
             barre.resumer(controleur.courant.getEtat());
         }
-        if (plein.isSelected()) {
+        if (estEnPleinEcran()) {
             panneau.dire(controleur.enCours ? cadre.getTitle() + " — " + controleur.courant.getEtat() : "");
         }
     }

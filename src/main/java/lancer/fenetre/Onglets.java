@@ -87,6 +87,13 @@ final class Onglets extends JSplitPane {
         return getRightComponent() != null;
     }
 
+    /** Le contenu de l'onglet montré, s'il est de cette classe ; {@code null} sinon. */
+    <T extends JComponent> T getVisible(Class<T> classe) {
+        JComponent onglet = estOuvert() ? (JComponent) onglets.getSelectedComponent() : null;
+        return onglet == null || onglet.getComponentCount() == 0 || !classe.isInstance(onglet.getComponent(0))
+                || !onglet.getComponent(0).isShowing() ? null : classe.cast(onglet.getComponent(0));
+    }
+
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
     JComponent montrer(int rang) {
         onglets = onglets == null ? faire() : onglets;

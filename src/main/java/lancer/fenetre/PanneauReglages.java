@@ -49,7 +49,7 @@ final class PanneauReglages extends JScrollPane {
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         choisir("étape du cours", 0, Etape.values(), () -> controleur.reglages.getEtape(),
                 etape -> controleur.dessiner(controleur.reglages.avec(etape), false));
-        choisir("réflexions", 1, MenuDessin.REFLEXIONS, () -> controleur.reglages.getReflets(),
+        choisir("réflexions", 1, new Integer[] {0, 1, 2, 5, 10}, () -> controleur.reglages.getReflets(),
                 n -> controleur.dessiner(controleur.reglages.avec(n, controleur.reglages.getSeuil()), false));
         int ligne = 2;
         for (Variante presente : controleur.reglages.getVariantes()) {

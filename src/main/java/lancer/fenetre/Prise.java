@@ -5,9 +5,6 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.ActionEvent;
-import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -15,8 +12,6 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
-import javax.swing.AbstractAction;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Lampe;
@@ -33,7 +28,6 @@ import lancer.scene.SceneLue;
 import lancer.scene.SectionLue;
 
 /** Déplacement, avec Maj et la souris, d'une sphère ou d'une lampe. Il se fait en mémoire, et l'image le suit. */
-@SuppressWarnings("serial")
 final class Prise extends MouseAdapter {
 
     /** Rapport des distances à l'œil avant et après un cran de la molette. */
@@ -63,23 +57,6 @@ final class Prise extends MouseAdapter {
         panneau.addMouseMotionListener(this);
         panneau.addMouseWheelListener(this);
         panneau.prises = this::peindre;
-        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
-            {KeyEvent.VK_DOWN, 0, 1}};
-        for (int[] s : sens) {
-            panneau.getInputMap().put(KeyStroke.getKeyStroke(s[0], InputEvent.SHIFT_DOWN_MASK), s);
-            panneau.getActionMap().put(s, new AbstractAction() {
-                /** Si rien n'est pris, la touche garde son autre action. */
-                @Override
-                public boolean isEnabled() {
-                    return estPris();
-                }
-
-                @Override
-                public void actionPerformed(ActionEvent e) {
-                    aller(deplacee(getPosition(), s[1], s[2]));
-                }
-            });
-        }
         controleur.prevenir(() -> {
             if (lue != controleur.adopte) {
                 lue = controleur.adopte;
@@ -90,6 +67,11 @@ final class Prise extends MouseAdapter {
 
     private SceneLue getLue() {
         return controleur.source.getLue();
+    }
+
+    /** Déplace ce qui est pris d'autant de pixels. */
+    void pousser(int dx, int dy) {
+        aller(deplacee(getPosition(), dx, dy));
     }
 
     boolean estPris() {

@@ -183,8 +183,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         BancFenetre.mettreDevant(banc.cadre);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_1);
         banc.frapper(KeyEvent.VK_ALT, KeyEvent.VK_D);
-        presserLeMenu(KeyEvent.VK_X);
-        presserLeMenu(KeyEvent.VK_2);
+        presserLeMenu(KeyEvent.VK_M);
         attendre("deux réflexions", () -> banc.controleur.reglages.getReflets() == 2);
         attendreVerdict("Au bit près");
         Inspecteur ouvert = inspecteur();
