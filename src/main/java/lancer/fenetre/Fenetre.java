@@ -97,7 +97,7 @@ public final class Fenetre {
         cadre.pack();
         Rectangle ecran = Dialogues.ecran();
         // les panneaux s'ouvrent à droite de l'image
-        cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth() - Onglets.LARGEUR) / 2),
+        cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth() - Onglets.getLargeurMax()) / 2),
                 ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
         ecouter();
         titrer();

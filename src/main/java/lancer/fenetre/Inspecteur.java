@@ -53,7 +53,7 @@ import lancer.texte.Nombre;
 final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
-    private static final Dimension TAILLE = new Dimension(420, 400);
+    private static final int HAUTEUR_VUE = 100;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
@@ -75,6 +75,8 @@ final class Inspecteur extends JPanel {
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final VueDeCote vue = new VueDeCote(this::isoler);
     private final ExecutorService fil = Controleur.unFil("lancer-inspection");
+    /** Vrai si le panneau n'a pas encore montré de récit depuis qu'il est ouvert. */
+    private boolean neuf = true;
     private Inspection enCours;
     private Inspection montree;
     private Point pixel;
@@ -102,8 +104,7 @@ final class Inspecteur extends JPanel {
         arbre.setLargeModel(true);
         arbre.setToggleClickCount(0);
         ToolTipManager.sharedInstance().registerComponent(arbre);
-        ascenseur.setPreferredSize(TAILLE);
-        vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
+        vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
         // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
         partage.setResizeWeight(0.8);
@@ -158,6 +159,7 @@ final class Inspecteur extends JPanel {
     }
 
     private void paraitreOuNon() {
+        neuf |= !isShowing();
         panneau.suivre(isShowing() ? pixel : null);
         if (!isShowing()) {
             panneau.superposer(null, null);
@@ -257,6 +259,10 @@ final class Inspecteur extends JPanel {
                 + (rebond == 0 ? "" : "\nLes figures ne montrent que le rebond " + rebond + " ; 0 pour tous."));
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
+        if (neuf) {
+            neuf = false;
+            ((Onglets) SwingUtilities.getAncestorOfClass(Onglets.class, this)).ajuster();
+        }
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {
