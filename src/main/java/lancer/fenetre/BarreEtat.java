@@ -67,12 +67,19 @@ final class BarreEtat extends JPanel {
         return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + image.legende;
     }
 
+    /** Remplace les nombres du pixel par ce texte. */
+    void dire(String texte) {
+        pastille.setOpaque(false);
+        pastille.repaint();
+        pixel.setText(texte);
+    }
+
     /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
         pastille.setOpaque(ou != null);
         pastille.repaint();
         if (ou == null) {
-            pixel.setText(" ");
+            dire(" ");
             return;
         }
         int k = ou.y * image.largeur + ou.x;

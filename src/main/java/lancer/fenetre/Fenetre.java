@@ -60,6 +60,7 @@ public final class Fenetre {
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
     private final Actions actions;
+    private final Prise prise;
     /** Vrai si l'image remplit la fenêtre. */
     boolean remplie;
     /** Position du cadre avant le plein écran ; {@code null} hors du plein écran. */
@@ -78,12 +79,14 @@ public final class Fenetre {
         controleur.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> controleur.ajuster());
         enregistrement = new Enregistrement(controleur, panneau.bandeau);
+        prise = new Prise(controleur, panneau);
         Map<String, Supplier<JComponent>> contenus = new LinkedHashMap<>();
         contenus.put("Pixel", () -> new Inspecteur(controleur, panneau));
         contenus.put("Réglages", () -> new PanneauReglages(controleur));
         contenus.put("Vitesse", () -> new PanneauVitesse(controleur));
+        contenus.put("Scène", () -> new PanneauScene(controleur, prise, panneau));
         onglets = new Onglets(cadre, panneau, contenus);
-        Menus menus = new Menus(this, enregistrement, new Prise(controleur, panneau), variantes);
+        Menus menus = new Menus(this, enregistrement, prise, variantes);
         actions = menus.actions;
         cadre.setJMenuBar(menus.barre);
         actions.lier((JComponent) cadre.getContentPane());
@@ -330,6 +333,10 @@ public final class Fenetre {
 
     private void montrerPixel() {
         ImageMemoire image = panneau.getVisible();
+        if (!prise.dire().isEmpty()) {
+            barre.dire(prise.dire());
+            return;
+        }
         barre.montrerPixel(image == panneau.apercu ? null : panneau.getPixelSouris(image), image,
                 image == null || image.legende == null);
     }

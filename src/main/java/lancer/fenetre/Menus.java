@@ -95,6 +95,8 @@ final class Menus {
                         () -> f.onglets.montrer(1).transferFocus(), "F2"),
                 actions.ligne("Vitesse ou précision", "onglet Vitesse : ce que coûte chaque réglage", scene,
                         () -> f.onglets.montrer(2).transferFocus(), "F3"),
+                actions.ligne("Objets et lampes", "onglet Scène : objets, lampes et leurs valeurs", scene,
+                        () -> f.onglets.montrer(3).transferFocus(), "F4"),
                 null,
                 actions.ligne("Apparence sombre", null, toujours, () -> Apparence.changer(!Apparence.estSombre()))
                         .coche(rang -> Apparence.estSombre()));
@@ -151,9 +153,9 @@ final class Menus {
         actions.ligne(null, "quitter le plein écran", f::estEnPleinEcran, f::basculer, "ESCAPE");
         actions.ligne(null, "tenue, l'image d'avant", () -> c.avant != null, () -> f.tenir(true), "SPACE");
         actions.ligne(null, null, toujours, () -> f.tenir(false), "released SPACE");
-        actions.souris("Maj et la souris", "prendre une sphère ou une lampe (son étoile) et la déplacer");
+        actions.souris("Maj et la souris", "prendre un objet ou une lampe (son étoile) et le déplacer");
         actions.souris("Maj et la molette", "éloigner ou approcher ce qui est pris");
-        actions.ligne(null, "pousser d'un pixel ce qui est pris", prise::estPris,
+        actions.ligne(null, "pousser d'un pixel ce qui est pris", prise::estMobile,
                 rang -> prise.pousser(SENS[rang][0], SENS[rang][1]), avec("shift "));
         actions.ligne(null, "le pixel voisin", pixel, rang -> f.pixel().aller(SENS[rang][0], SENS[rang][1]), FLECHES);
         actions.ligne(null, "dix pixels plus loin", pixel,

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Les objets et les lampes d'un fichier, dans son ordre, chacun avec sa section. */
 public final class Origines {
@@ -96,6 +97,11 @@ public final class Origines {
     public String getNom(int rang) {
         String nom = lues.get(rang).toString();
         return nom.indexOf(' ') < nom.indexOf(']') ? nom.substring(0, nom.lastIndexOf(']') + 1) : nom;
+    }
+
+    /** Les clés permises dans les sections des types présents. */
+    public Stream<String> getCles() {
+        return lecteur.cles().stream().flatMap(List::stream).distinct();
     }
 
     /** Les sections qui diffèrent de celles-ci, à copier dans le fichier. */
