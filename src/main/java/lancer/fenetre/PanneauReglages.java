@@ -47,21 +47,21 @@ final class PanneauReglages extends JScrollPane {
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        choisir("étape du cours", 0, Etape.values(), () -> controleur.reglages.getEtape(),
-                etape -> controleur.dessiner(controleur.reglages.avec(etape), false));
-        choisir("réflexions", 1, new Integer[] {0, 1, 2, 5, 10}, () -> controleur.reglages.getReflets(),
-                n -> controleur.dessiner(controleur.reglages.avec(n, controleur.reglages.getSeuil()), false));
+        choisir("étape du cours", 0, Etape.values(), () -> controleur.etat.getReglages().getEtape(),
+                etape -> controleur.dessiner(controleur.etat.getReglages().avec(etape), false));
+        choisir("réflexions", 1, new Integer[] {0, 1, 2, 5, 10}, () -> controleur.etat.getReglages().getReflets(),
+                n -> controleur.dessiner(controleur.etat.getReglages().avec(n, controleur.etat.getReglages().getSeuil()), false));
         int ligne = 2;
-        for (Variante presente : controleur.reglages.getVariantes()) {
+        for (Variante presente : controleur.etat.getReglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
-            Supplier<Variante> variante = () -> controleur.reglages.getVariante(presente.getSection());
+            Supplier<Variante> variante = () -> controleur.etat.getReglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
             boite.addActionListener(e -> {
                 dernier = null;
-                controleur.dessiner(controleur.reglages.avec(variante.get(), boite.isSelected()), false);
+                controleur.dessiner(controleur.etat.getReglages().avec(variante.get(), boite.isSelected()), false);
             });
-            ajustements.add(() -> boite.setSelected(controleur.reglages.estBranchee(variante.get())));
+            ajustements.add(() -> boite.setSelected(controleur.etat.getReglages().estBranchee(variante.get())));
             poser(boite, 0, ligne++, 3);
             for (Parametre parametre : presente.getParametres()) {
                 ajouter(variante, parametre, ligne++);
@@ -101,7 +101,7 @@ final class PanneauReglages extends JScrollPane {
         ajustements.add(() -> {
             String actuelle = valeur(variante, parametre);
             valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
-            choix.setEnabled(controleur.reglages.estBranchee(variante.get()));
+            choix.setEnabled(controleur.etat.getReglages().estBranchee(variante.get()));
         });
         nom.setLabelFor(choix);
         poser(nom, 0, ligne, 1);
@@ -116,7 +116,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private String valeur(Supplier<Variante> variante, Parametre parametre) {
-        return controleur.reglages.getValeur(variante.get(), parametre);
+        return controleur.etat.getReglages().getValeur(variante.get(), parametre);
     }
 
     private JComboBox<String> mot(Supplier<Variante> variante, Parametre parametre) {
@@ -191,7 +191,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
-        ReglagesDessin reglages = controleur.reglages;
+        ReglagesDessin reglages = controleur.etat.getReglages();
         Section section = reglages.getSection(variante.get());
         if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
             long maintenant = System.nanoTime();

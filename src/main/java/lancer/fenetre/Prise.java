@@ -58,15 +58,15 @@ final class Prise extends MouseAdapter {
         panneau.addMouseWheelListener(this);
         panneau.prises = this::peindre;
         controleur.prevenir(() -> {
-            if (lue != controleur.adopte) {
-                lue = controleur.adopte;
+            if (lue != controleur.etat.lecture) {
+                lue = controleur.etat.lecture;
                 lacher();
             }
         });
     }
 
     private SceneLue getLue() {
-        return controleur.source.getLue();
+        return controleur.etat.choix.scene;
     }
 
     /** Déplace ce qui est pris d'autant de pixels. */
@@ -89,16 +89,16 @@ final class Prise extends MouseAdapter {
     }
 
     private Point getPosition() {
-        return estLampe ? ((Lampe) getChose()).getPosition() : ((Sphere) getChose()).getCentre();
+        return Deplacement.position(getChose());
     }
 
     private Camera getCamera() {
-        return controleur.montre.getLancer().getCamera();
+        return controleur.etat.montre.getLancer().getCamera();
     }
 
     @Override
     public void mousePressed(MouseEvent e) {
-        if (panneau.montree == null || controleur.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
+        if (panneau.montree == null || controleur.etat.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
             return;
         }
         lacher();
@@ -120,7 +120,7 @@ final class Prise extends MouseAdapter {
                 return true;
             }
         }
-        Scene scene = controleur.montre.getScene().avec(controleur.montre.getScene().getModele());
+        Scene scene = controleur.etat.montre.getScene().avec(controleur.etat.montre.getScene().getModele());
         PointContact contact;
         try {
             contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
@@ -129,7 +129,7 @@ final class Prise extends MouseAdapter {
             return false;
         }
         Objet3D objet = contact == null ? null : contact.objet;
-        SceneLue montree = controleur.montre.getLue();
+        SceneLue montree = controleur.etat.montre.getLue();
         estLampe = false;
         rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
         if (!estPris()) {
@@ -183,8 +183,7 @@ final class Prise extends MouseAdapter {
         long maintenant = System.nanoTime();
         boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
         dernierNs = maintenant;
-        controleur.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
-                : Deplacement.en((Sphere) ancienne, ou), suite);
+        controleur.deplacer(ancienne, Deplacement.en(ancienne, ou), suite);
         panneau.repaint();
     }
 
@@ -195,7 +194,7 @@ final class Prise extends MouseAdapter {
     }
 
     private void peindre(Graphics2D g) {
-        if (panneau.montree == null || controleur.montre == null || !etoiles && !estPris()) {
+        if (panneau.montree == null || controleur.etat.montre == null || !etoiles && !estPris()) {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

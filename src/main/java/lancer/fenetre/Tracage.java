@@ -13,6 +13,7 @@ import lancer.commande.Echec;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
+import lancer.scene.SceneLue;
 
 /** Travail d'un dessin de la fenêtre, dans un autre fil : lire la scène si besoin, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -26,13 +27,17 @@ final class Tracage extends SwingWorker<Void, Void> {
     final Dessin dessin;
     final boolean aLire;
     private final Consumer<Dessin> programme;
-    private final ReglagesDessin voulus;
+    private final Etat.Choix voulu;
     /** La taille de l'image à l'écran. */
     private final Dimension place;
     private final int fils;
     private final long debut = System.nanoTime();
     /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
+    /** Ce que dit ce fichier, sans aucun déplacement, puis ce qui est dessiné ; {@code null} avant sa lecture. */
+    private volatile SceneLue scene;
+    private volatile ReglagesDessin initiaux;
+    volatile Etat.Choix choix;
     /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
     boolean lueDite;
     boolean lenteurDite;
@@ -43,16 +48,31 @@ final class Tracage extends SwingWorker<Void, Void> {
     final CountDownLatch vue = new CountDownLatch(1);
 
     /**
-     * @param voulus les réglages, {@code null} pour ceux de la ligne de commande et du fichier
+     * @param voulu ce qui est choisi, {@code null} pour ce que disent la ligne de commande et le fichier
      * @param place la taille de l'image à l'écran, en pixels
      */
-    Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus, Dimension place, int fils) {
+    Tracage(Consumer<Dessin> programme, Dessin dessin, Etat.Choix voulu, Dimension place, int fils) {
         this.place = place;
         this.fils = fils;
         this.programme = programme;
         this.dessin = dessin;
-        this.voulus = voulus;
+        this.voulu = voulu;
         aLire = dessin.getLue() == null;
+        choix = aLire ? null : voulu;
+    }
+
+    /** La scène lue par ce dessin, telle qu'elle est dans son fichier ; {@code null} avant. */
+    SceneLue getLue() {
+        return scene;
+    }
+
+    /** Les réglages de la ligne de commande et de ce fichier. */
+    ReglagesDessin getInitiaux() {
+        return initiaux;
+    }
+
+    boolean litLaSceneDe(Tracage autre) {
+        return autre != null && dessin.fichier.equals(autre.dessin.fichier);
     }
 
     /** Attend la fin ou l'échec de la lecture, {@code ms} millisecondes au plus ; lève l'exception de l'échec. */
@@ -94,11 +114,14 @@ final class Tracage extends SwingWorker<Void, Void> {
             if (aLire) {
                 version = FichierScene.version(dessin.fichier);
                 dessin.lire();
+                initiaux = dessin.getReglages();
+                scene = dessin.getLue();
+                choix = voulu == null ? new Etat.Choix(this, scene, initiaux, null) : voulu.pour(this, false);
                 lue.countDown();
             }
             if (!isCancelled()) {
-                if (voulus != null) {
-                    dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
+                if (voulu != null) {
+                    dessin.changer(choix.scene, choix.reglages);
                 }
                 // si l'image est bien plus grande que sa place, son brouillon est long
                 if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {

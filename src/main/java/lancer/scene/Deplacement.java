@@ -2,10 +2,13 @@ package lancer.scene;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
 
@@ -30,30 +33,71 @@ public final class Deplacement {
                 .filter(arrondi -> Math.abs(arrondi - x) * pixels <= ECART).findFirst().orElse(x);
     }
 
-    public static Sphere en(Sphere sphere, Point centre) {
-        Sphere autre = new Sphere(centre, sphere.getRayon());
+    /** La position de cette sphère ou de cette lampe ; {@code null} pour une autre forme. */
+    public static Point position(Object chose) {
+        return chose instanceof Lampe ? ((Lampe) chose).getPosition()
+                : chose instanceof Sphere ? ((Sphere) chose).getCentre() : null;
+    }
+
+    /** La même sphère, ou la même lampe, à cette position. */
+    public static Object en(Object chose, Point ou) {
+        if (chose instanceof Lampe) {
+            return new Lampe(ou, ((Lampe) chose).getCouleur());
+        }
+        Sphere sphere = (Sphere) chose;
+        Sphere autre = new Sphere(ou, sphere.getRayon());
         autre.setKd(sphere.getKd());
         autre.setKs(sphere.getKs());
         autre.setNs(sphere.getNs());
         return autre;
     }
 
+    /**
+     * Les déplacements faits depuis {@code lue}, faits dans la scène relue. Si le fichier a changé une position, la
+     * sienne l'emporte, sauf si {@code malgreLui} est vrai.
+     */
+    public static SceneLue reporter(SceneLue lue, SceneLue deplacee, SceneLue relue, boolean malgreLui) {
+        SceneLue faite = relue;
+        for (int k : deplaces(lue, deplacee)) {
+            Object ancien = choses(lue).get(k);
+            Point voulue = position(choses(deplacee).get(k));
+            String debut = nom(lue, ancien) + " ligne ";
+            Object ici = choses(relue).stream().filter(chose -> (relue.origines.de(chose) + "").startsWith(debut))
+                    .findFirst().orElse(null);
+            Point sienne = position(ici);
+            if (sienne != null && !sienne.equals(voulue) && (malgreLui || sienne.equals(position(ancien)))) {
+                faite = new SceneLue(faite, ici, en(ici, voulue));
+            }
+        }
+        return faite;
+    }
+
     /** Les sections des objets et des lampes déplacés, avec leur nouvelle position, à copier dans le fichier. */
     public static String sections(SceneLue lue, SceneLue deplacee) {
-        return IntStream.range(0, lue.objets.size()).filter(k -> lue.objets.get(k) != deplacee.objets.get(k))
-                .mapToObj(k -> section(deplacee, deplacee.objets.get(k))).collect(Collectors.joining())
-                + IntStream.range(0, lue.lampes.size()).filter(k -> lue.lampes.get(k) != deplacee.lampes.get(k))
-                .mapToObj(k -> section(deplacee, deplacee.lampes.get(k))).collect(Collectors.joining());
+        return Arrays.stream(deplaces(lue, deplacee)).mapToObj(k -> choses(deplacee).get(k))
+                .map(chose -> nom(deplacee, chose) + (chose instanceof Lampe ? "\nposition=" : "\ncentre=")
+                        + ecrire(position(chose)) + "\n\n").collect(Collectors.joining());
     }
 
-    private static String section(SceneLue scene, Object chose) {
-        boolean objet = chose instanceof Objet3D;
-        Point p = objet ? ((Sphere) chose).getCentre() : ((Lampe) chose).getPosition();
-        return scene.origines.de(chose).replaceFirst(" ligne \\d+$", "") + (objet ? "\ncentre=" : "\nposition=")
-                + ecrire(p.x) + " " + ecrire(p.y) + " " + ecrire(p.z) + "\n\n";
+    private static int[] deplaces(SceneLue lue, SceneLue deplacee) {
+        List<Object> avant = choses(lue);
+        List<Object> apres = choses(deplacee);
+        return IntStream.range(0, avant.size()).filter(k -> avant.get(k) != apres.get(k)).toArray();
     }
 
-    private static String ecrire(double x) {
-        return x == 0 ? "0" : new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString();
+    private static List<Object> choses(SceneLue scene) {
+        List<Object> choses = new ArrayList<>(scene.objets);
+        choses.addAll(scene.lampes);
+        return choses;
+    }
+
+    private static String nom(SceneLue scene, Object chose) {
+        return scene.origines.de(chose).replaceFirst(" ligne \\d+$", "");
+    }
+
+    private static String ecrire(Point p) {
+        return DoubleStream.of(p.x, p.y, p.z).mapToObj(x -> x == 0 ? "0"
+                : new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString())
+                .collect(Collectors.joining(" "));
     }
 }

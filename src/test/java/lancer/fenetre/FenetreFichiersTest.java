@@ -115,18 +115,22 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void uneSceneQuiNePeutEtreLueLaisseLeTitreF5EtLaSurveillanceACelleQuiEstMontree() throws Exception {
-        ouvrir();
-        Path fautive = dossier.resolve("fautive.ini");
-        Files.write(fautive, FAUTIVE.getBytes(StandardCharsets.UTF_8));
+    void laSceneDemandeeEnDernierEstSurveilleeMemeFautiveEtSonMessageDitDeQuiEstLImageQuiReste() throws Exception {
+        int[] rouge = ouvrir().codes;
+        scene = dossier.resolve("fautive.ini");
+        ecrire(FAUTIVE);
         banc.frapperCtrl('O');
-        choisir(fautive);
-        banc.attendreMessage(fautive.toString());
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        choisir(scene);
+        banc.attendreMessage(scene.toString());
+        assertTrue(banc.message().endsWith("\nl'image qui reste est celle de boule.ini"), banc.message());
+        assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
+        assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        banc.attendreMessage("");
+        attendre("F5 la relit", () -> !banc.controleur.etat.enCours);
+        banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
-        banc.attendreImage("la scène montrée est toujours surveillée", attendue(L, H));
+        banc.attendreMessage("");
+        banc.attendreImage("enregistrée sans sa faute, elle est dessinée", attendue(L, H));
     }
 
     @Test

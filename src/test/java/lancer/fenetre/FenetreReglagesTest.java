@@ -29,7 +29,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.controleur.enCours);
+        attendre("la relecture s'achève", () -> !banc.controleur.etat.enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
@@ -65,7 +65,7 @@ class FenetreReglagesTest extends EssaiFenetre {
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.reglages.getReflets() == 10 && !banc.controleur.enCours);
+        attendre("dix réflexions", () -> banc.controleur.etat.getReglages().getReflets() == 10 && !banc.controleur.etat.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

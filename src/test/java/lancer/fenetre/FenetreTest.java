@@ -85,7 +85,7 @@ class FenetreTest extends EssaiFenetre {
         assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
         assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée va au cadre", () -> banc.controleur.reglages.getReflets() == 2);
+        attendre("une touche essayée va au cadre", () -> banc.controleur.etat.getReglages().getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_ESCAPE);
