@@ -97,7 +97,7 @@ final class Enregistrement {
         }
         String scene = controleur.etat.montre.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
+        File cible = Dialogues.choisirImage(controleur.panneau,
                 echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
             return;

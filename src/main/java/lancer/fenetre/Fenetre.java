@@ -204,7 +204,7 @@ public final class Fenetre {
     }
 
     void choisirScene() {
-        File choisi = Dialogues.choisirScene(cadre, controleur.etat.demande);
+        File choisi = Dialogues.choisirScene(panneau, controleur.etat.demande);
         if (choisi != null) {
             controleur.ouvrir(choisi.getPath());
         }

@@ -21,6 +21,9 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Attente maximale de l'affichage du brouillon, et attente d'un dessin avant de dire pourquoi il attend. */
     private static final long PATIENCE_MS = 2000;
 
+    /** Temps passé à une étape avant de dire ce qui en reste. */
+    private static final long RESTE_NS = 2_000_000_000;
+
     /** Temps laissé à un geste pour continuer. */
     private static final long GESTE_MS = 150;
 
@@ -41,6 +44,8 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
     boolean lueDite;
     boolean lenteurDite;
+    private String etape;
+    private long debutEtapeNs;
     private volatile long fin;
     private volatile Throwable panne;
     private final CountDownLatch lue = new CountDownLatch(1);
@@ -167,19 +172,32 @@ final class Tracage extends SwingWorker<Void, Void> {
         return isAcheve() ? "terminé"
                 : getPanne() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
                 : (getPanne() != null ? "échec" : getEtape())
-                + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
+                + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9) + getReste();
     }
 
     private String getEtape() {
         if (getState() == StateValue.PENDING && TimeUnit.NANOSECONDS.toMillis(getDureeNs()) > PATIENCE_MS) {
             return "attend que le dessin d'avant s'arrête";
         }
-        int part = (int) (100 * dessin.getAvancement());
-        if (dessin.getLancer() == null) {
-            return (dessin.getLue() == null ? "lecture" : "préparation")
-                    + (isCancelled() ? " arrêtée" : " " + part + " %");
+        String nom = dessin.getLancer() != null ? dessin.isBrouillonFait() ? "dessin" : "brouillon"
+                : dessin.getLue() == null ? "lecture" : "préparation";
+        if (!nom.equals(etape)) {
+            etape = nom;
+            debutEtapeNs = getDureeNs();
         }
-        return (!dessin.isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
-                + (isCancelled() ? "arrêté à " : "") + part + " %";
+        double part = dessin.getAvancement();
+        if (isCancelled()) {
+            return nom + " arrêté" + (dessin.getLancer() == null ? "e" : " à " + (int) (100 * part) + " %");
+        }
+        return nom + " " + (int) (100 * part) + " %";
+    }
+
+    /** Le temps qui reste à cette étape, d'après ce qui en est fait ; vide tant qu'il ne peut être estimé. */
+    private String getReste() {
+        double part = dessin.getAvancement();
+        long passe = getDureeNs() - debutEtapeNs;
+        double s = passe * (1 - part) / part / 1e9;
+        return isDone() || part == 0 || passe < RESTE_NS ? "" : ", reste "
+                + (s < 60 ? Math.round(s) + " s" : s < 3600 ? Math.round(s / 60) + " min" : Math.round(s / 3600) + " h");
     }
 }
