@@ -91,12 +91,13 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         return autre;
     }
 
-    /** Un dessin, à la même taille, de cette autre version de la scène, à régler avant de le préparer. */
-    public Dessin avec(SceneLue autreLue) {
-        Dessin autre = avec(largeur, hauteur);
-        autre.lue = autreLue;
-        autre.scene = null;
-        return autre;
+    /** Dessine cette version de la scène lue, ainsi réglée. @throws SceneFautive si un réglage est refusé */
+    public void changer(SceneLue version, ReglagesDessin voulus) {
+        if (version != lue) {
+            lue = version;
+            scene = new Scene(version.objets, version.lampes);
+        }
+        regler(voulus);
     }
 
     /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
@@ -134,9 +135,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Applique ces réglages à la scène lue. @throws SceneFautive si un réglage est refusé */
     public void regler(ReglagesDessin voulus) {
-        // chercher les sphères confondues d'une grande scène est long : le fil des événements ne le fait pas
-        Scene lui = scene == null ? new Scene(lue.objets, lue.lampes) : scene;
-        scene = lui.avec(voulus.getModele());
+        scene = scene.avec(voulus.getModele());
         reglages = voulus;
     }
 

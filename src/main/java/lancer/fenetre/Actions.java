@@ -64,13 +64,13 @@ final class Actions {
             return this;
         }
 
-        /** La touche que l'article affiche ; Entrée et Échap, liées à un article, manqueraient à son menu ouvert. */
+        /** La touche que l'article affiche. Sans Ctrl ni Alt, liée à un article, elle manquerait à un texte ou à un menu. */
         private KeyStroke raccourci(int rang) {
             return rang < touches.length && !sansLien() ? Touches.de(touches[rang]).get(0) : null;
         }
 
         private boolean sansLien() {
-            return touches.length > 0 && touches[0].matches("ENTER|ESCAPE");
+            return touches.length > 0 && !touches[0].matches("F\\d+|.* .*");
         }
     }
 

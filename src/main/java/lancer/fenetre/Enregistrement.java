@@ -68,9 +68,9 @@ final class Enregistrement {
 
     /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     void copierReglages() {
-        String sections = controleur.reglages.getSectionsChangees().stream()
+        String sections = controleur.etat.getReglages().getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + controleur.source.getLue().origines.changees(controleur.adopte.dessin.getLue().origines);
+                + controleur.etat.choix.scene.getChanges(controleur.etat.lecture.getLue());
         bandeau.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
         bandeau.dire(Sujet.AVIS, "réglages copiés : "
@@ -83,7 +83,7 @@ final class Enregistrement {
         String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : controleur.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : controleur.etat.enCours ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return faute == null ? image : null;
@@ -94,9 +94,9 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.fichier;
+        String scene = controleur.etat.montre.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
+        File cible = Dialogues.choisirImage(controleur.panneau,
                 echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
             return;

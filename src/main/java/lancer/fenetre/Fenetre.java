@@ -207,7 +207,7 @@ public final class Fenetre {
     }
 
     void choisirScene() {
-        File choisi = Dialogues.choisirScene(cadre, controleur.fichier);
+        File choisi = Dialogues.choisirScene(panneau, controleur.etat.demande);
         if (choisi != null) {
             controleur.ouvrir(choisi.getPath());
         }
@@ -221,7 +221,7 @@ public final class Fenetre {
     }
 
     void tenir(boolean tenue) {
-        ImageMemoire voulue = tenue ? controleur.avant : null;
+        ImageMemoire voulue = tenue ? controleur.etat.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
             panneau.dire(tenue ? "avant : " + voulue.legende : "");
@@ -279,7 +279,7 @@ public final class Fenetre {
     }
 
     private void suivre() {
-        if (controleur.enCours) {
+        if (controleur.etat.enCours) {
             horloge.start();
         } else {
             horloge.stop();
@@ -304,12 +304,15 @@ public final class Fenetre {
     }
 
     private void avancer() {
-        barre.avancer(controleur.enCours ? controleur.courant : null);
-        if (controleur.enCours || controleur.getImageComplete() == null) {
-            barre.resumer(controleur.courant.getEtat());
+        Etat etat = controleur.etat;
+        barre.avancer(etat.enCours ? etat.courant : null);
+        String avancement = etat.courant == null ? "" : etat.courant.getEtat();
+        if (etat.enCours || !etat.entiere) {
+            barre.resumer(avancement);
         }
         if (estEnPleinEcran()) {
-            panneau.dire(controleur.enCours ? cadre.getTitle() + " — " + controleur.courant.getEtat() : "");
+            panneau.dire(etat.entiere && !etat.enCours ? "" : cadre.getTitle() + " — " + avancement
+                    + (etat.enCours ? "" : " ; F5 pour le reprendre"));
         }
     }
 
@@ -322,7 +325,7 @@ public final class Fenetre {
     /** Affiche le coût de l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
-                : controleur.enCours ? null : controleur.getImageComplete();
+                : controleur.etat.enCours ? null : controleur.getImageComplete();
         String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image));
         if (image != null) {
             barre.resumer(resume);
@@ -342,7 +345,8 @@ public final class Fenetre {
     }
 
     private void titrer() {
-        String fichier = controleur.fichier;
-        cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName());
+        String fichier = controleur.etat.demande;
+        cadre.setTitle(fichier == null ? programme : programme + " — " + new File(fichier).getName()
+                + (controleur.etat.estDeplace() ? " •" : ""));
     }
 }

@@ -204,7 +204,7 @@ final class Inspecteur extends JPanel {
 
     /** Explique le pixel de l'image montrée. L'explication d'avant est grisée pendant le calcul. */
     private void calculer() {
-        Dessin montre = controleur.montre;
+        Dessin montre = controleur.etat.montre;
         if (enCours != null) {
             enCours.arreter();
             enCours = null;

@@ -24,8 +24,8 @@ final class MenuScenes {
     private JMenu menu;
     /** Le nombre d'articles du menu qui ne changent pas : les derniers. */
     private int fixes;
-    /** Le dessin qui a lu la scène montrée, ou {@code null}. */
-    private Tracage montree;
+    /** La scène demandée, dont le dossier est lu. */
+    private String demandee;
     private List<File> voisines = Collections.emptyList();
     private int rang = -1;
 
@@ -38,8 +38,8 @@ final class MenuScenes {
         menu = vide;
         fixes = vide.getItemCount();
         controleur.prevenir(() -> {
-            if (montree != controleur.adopte) {
-                lister(controleur.adopte);
+            if (controleur.etat.enCours && !controleur.etat.demande.equals(demandee)) {
+                lister(controleur.etat.courant);
             }
         });
         return vide;
@@ -47,12 +47,12 @@ final class MenuScenes {
 
     /** Lit le dossier de la scène de ce dessin, après l'affichage de la première image. */
     private void lister(Tracage tracage) {
-        montree = tracage;
+        demandee = tracage.dessin.fichier;
         Controleur.confier(fil, () -> {
             tracage.attendreDEtreVu();
             List<File> trouvees = voisines(tracage.dessin.fichier);
             EventQueue.invokeLater(() -> {
-                if (montree == tracage) {
+                if (demandee.equals(tracage.dessin.fichier)) {
                     montrer(trouvees);
                 }
             });
@@ -72,7 +72,7 @@ final class MenuScenes {
         voisines = scenes;
         menu.setToolTipText(null);
         rang = scenes.stream().map(File::getName).collect(Collectors.toList())
-                .indexOf(new File(montree.dessin.fichier).getName());
+                .indexOf(new File(demandee).getName());
         while (menu.getItemCount() > fixes) {
             menu.remove(0);
         }

@@ -33,7 +33,7 @@ final class Menus {
     Menus(Fenetre fenetre, Enregistrement enregistrement, Prise prise, List<String> variantes) {
         f = fenetre;
         c = fenetre.controleur;
-        scene = () -> c.reglages != null;
+        scene = () -> c.etat.getReglages() != null;
         pixel = () -> f.pixel() != null;
         // ces lignes passent avant celles des menus qui ont la même touche
         actions.ligne(null, "depuis le récit, le copier", () -> pixel.getAsBoolean() && f.pixel().aLeClavier(),
@@ -88,7 +88,7 @@ final class Menus {
                         "menu DOWN"),
                 null,
                 actions.ligne("Vue", null, scene, rang -> c.voir(rang == 0 ? null : vues[rang])).choix(vues)
-                        .coche(rang -> vues[rang].equals(c.vue == null ? vues[0] : c.vue)),
+                        .coche(rang -> c.etat.choix != null && vues[rang].equals(c.etat.choix.vue == null ? vues[0] : c.etat.choix.vue)),
                 actions.ligne("Rayons d'un pixel", "onglet Pixel : les rayons du pixel, comme un clic", scene,
                         f::inspecter, "ENTER"),
                 actions.ligne("Réglages", "onglet Réglages : étape, réflexions, variantes", scene,
@@ -105,44 +105,46 @@ final class Menus {
     private JMenu dessin(Enregistrement enregistrement, List<String> variantes) {
         List<Object> contenu = new ArrayList<>(Arrays.asList(
                 actions.ligne("Relire la scène et redessiner", "relire la scène et redessiner ; l'enregistrer dans un "
-                        + "éditeur le fait aussi", () -> c.fichier != null, c::relire, "F5"),
-                actions.ligne("Arrêter", "arrêter le dessin", () -> c.enCours, c::arreter, "ESCAPE"),
+                        + "éditeur le fait aussi", () -> c.etat.demande != null, c::relire, "F5"),
+                actions.ligne("Arrêter", "arrêter le dessin", () -> c.etat.enCours, c::arreter, "ESCAPE"),
                 null,
                 actions.ligne("Plus de réflexions", "plus de réflexions : 1, 2, 5, 10", () -> autre(true) != null,
                         () -> reflechir(true), "+"),
                 actions.ligne("Moins de réflexions", "moins de réflexions", () -> autre(false) != null,
                         () -> reflechir(false), "-"),
                 actions.ligne("Étapes du cours", "étapes du cours : Lambert, Phong, ombres, reflets", scene,
-                        rang -> c.dessiner(c.reglages.avec(Etape.values()[rang]), false),
+                        rang -> c.dessiner(c.etat.getReglages().avec(Etape.values()[rang]), false),
                         "ctrl alt 1", "ctrl alt 2", "ctrl alt 3", "ctrl alt 4")
                         .choix("Lambert", "+ Phong", "+ ombres", "+ reflets")
-                        .coche(rang -> c.reglages != null && c.reglages.getEtape().ordinal() == rang)));
+                        .coche(rang -> c.etat.getReglages() != null && c.etat.getReglages().getEtape().ordinal() == rang)));
         variantes.forEach(nom -> contenu.add(actions.ligne(nom, null, scene, () -> brancher(nom))
-                .coche(rang -> c.reglages != null && c.reglages.estBranchee(c.reglages.getVariante(nom)))));
+                .coche(rang -> c.etat.getReglages() != null && c.etat.getReglages().estBranchee(c.etat.getReglages().getVariante(nom)))));
         contenu.addAll(Arrays.asList(
                 null,
-                actions.ligne("Revenir aux réglages de la scène", null, scene,
-                        () -> c.dessiner(c.reglages.initiaux(), false)),
-                actions.ligne("Défaire le déplacement", "défaire le déplacement", c::estDeplacee, c::defaire, "menu Z"),
+                actions.ligne("Revenir à la scène et aux réglages du fichier", null, scene, c::revenir),
+                actions.ligne("Défaire", "défaire un déplacement, un réglage, une vue", () -> c.etat.peutRevenir(false),
+                        () -> c.defaire(false), "menu Z"),
+                actions.ligne("Refaire", "refaire ce qui est défait", () -> c.etat.peutRevenir(true),
+                        () -> c.defaire(true), "menu shift Z"),
                 actions.ligne("Copier ces réglages", "copier les réglages et ce qui est déplacé", scene,
                         enregistrement::copierReglages, "menu shift C")));
         return actions.menu("Dessin", contenu.toArray());
     }
 
     private void brancher(String nom) {
-        Variante variante = c.reglages.getVariante(nom);
-        c.dessiner(c.reglages.avec(variante, !c.reglages.estBranchee(variante)), false);
+        Variante variante = c.etat.getReglages().getVariante(nom);
+        c.dessiner(c.etat.getReglages().avec(variante, !c.etat.getReglages().estBranchee(variante)), false);
     }
 
     private Integer autre(boolean plus) {
-        int actuel = c.reglages == null ? 0 : c.reglages.getReflets();
+        int actuel = c.etat.getReglages() == null ? 0 : c.etat.getReglages().getReflets();
         IntStream autres = IntStream.of(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
-        return c.reglages == null ? null : (plus ? autres.boxed().findFirst() : autres.boxed().reduce((a, b) -> b))
+        return c.etat.getReglages() == null ? null : (plus ? autres.boxed().findFirst() : autres.boxed().reduce((a, b) -> b))
                 .orElse(null);
     }
 
     private void reflechir(boolean plus) {
-        ReglagesDessin reglages = c.reglages;
+        ReglagesDessin reglages = c.etat.getReglages();
         c.dessiner(reglages.avec(autre(plus), reglages.getSeuil()), false);
     }
 
@@ -151,7 +153,7 @@ final class Menus {
         actions.ligne(null, "fermer ce tableau", f::estTableauVisible, f::fermerTableau, "ESCAPE");
         actions.ligne(null, "fermer le panneau", f.onglets::estOuvert, f.onglets::fermer, "ESCAPE");
         actions.ligne(null, "quitter le plein écran", f::estEnPleinEcran, f::basculer, "ESCAPE");
-        actions.ligne(null, "tenue, l'image d'avant", () -> c.avant != null, () -> f.tenir(true), "SPACE");
+        actions.ligne(null, "tenue, l'image d'avant", () -> c.etat.avant != null, () -> f.tenir(true), "SPACE");
         actions.ligne(null, null, toujours, () -> f.tenir(false), "released SPACE");
         actions.souris("Maj et la souris", "prendre un objet ou une lampe (son étoile) et le déplacer");
         actions.souris("Maj et la molette", "éloigner ou approcher ce qui est pris");

@@ -22,6 +22,9 @@ public final class Ouverture {
     /** Temps laissé à la lecture de la première scène avant l'ouverture de la fenêtre. */
     private static final long PATIENCE_MS = 400;
 
+    /** Vrai si l'écran manque parce que ce Java n'a pas de bibliothèques graphiques. */
+    private static boolean javaSansFenetres;
+
     private Ouverture() {
     }
 
@@ -43,7 +46,10 @@ public final class Ouverture {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.panne("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.panne(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
+                    + System.getProperty("java.home") + " ; attendu : un JDK complet, par exemple le paquet default-jdk, "
+                    + "ou --image FICHIER.png"
+                    : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
@@ -82,14 +88,21 @@ public final class Ouverture {
     }
 
     private static boolean ecranPresent() {
+        // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
+        javaSansFenetres = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
+                && System.getProperty("java.awt.headless") == null;
         try {
             boolean present = !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
             // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
             Toolkit.getDefaultToolkit();
             return present;
-        } catch (HeadlessException | AWTError | LinkageError e) {
-            // DISPLAY sans serveur, ou Java sans bibliothèques graphiques
+        } catch (LinkageError e) {
+            // Java sans bibliothèques graphiques
+            return false;
+        } catch (HeadlessException | AWTError e) {
+            // DISPLAY sans serveur
+            javaSansFenetres = false;
             return false;
         }
     }

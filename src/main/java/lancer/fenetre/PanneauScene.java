@@ -78,12 +78,12 @@ final class PanneauScene extends JPanel {
     }
 
     private Origines origines() {
-        return controleur.source.getLue().origines;
+        return controleur.etat.choix.scene.origines;
     }
 
     private void montrer() {
-        if (lue != controleur.adopte) {
-            lue = controleur.adopte;
+        if (lue != controleur.etat.lecture) {
+            lue = controleur.etat.lecture;
             table.removeEditor();
             refus.setText(" ");
             colonnes.clear();
@@ -124,7 +124,7 @@ final class PanneauScene extends JPanel {
 
         @Override
         public int getRowCount() {
-            return controleur.source == null ? 0 : origines().getNombre();
+            return controleur.etat.choix == null ? 0 : origines().getNombre();
         }
 
         @Override
@@ -184,7 +184,7 @@ final class PanneauScene extends JPanel {
             String voulue = ((JTextField) getComponent()).getText().trim();
             try {
                 if (!voulue.equals(section.valeur(cle)) && !(voulue.isEmpty() && section.valeur(cle) == null)) {
-                    controleur.changer(controleur.source.getLue().avec(r, cle, voulue), false);
+                    controleur.changer(controleur.etat.choix.scene.avec(r, cle, voulue), false);
                 }
             } catch (SceneFautive e) {
                 dire(e.getMessage());

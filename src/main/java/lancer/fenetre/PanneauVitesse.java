@@ -67,7 +67,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void suivre() {
-        Dessin montre = controleur.montre;
+        Dessin montre = controleur.etat.montre;
         if (!isShowing()) {
             abandonner();
             return;
@@ -106,8 +106,8 @@ final class PanneauVitesse extends JPanel {
     private List<Object> scene(Dessin dessin) {
         ReglagesDessin reglages = dessin.getReglages();
         // un fichier relu sans changement garde les essais
-        List<Object> scene = new ArrayList<>(Arrays.asList(controleur.estDeplacee() ? dessin.getScene().getObjets()
-                : dessin.fichier + " " + controleur.adopte.version,
+        List<Object> scene = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? dessin.getScene().getObjets()
+                : dessin.fichier + " " + controleur.etat.lecture.version,
                 dessin.getImage().largeur, dessin.getImage().hauteur));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> scene.add(
                 reglages.getEssayees().containsKey(variante) ? variante.getSection()
@@ -116,7 +116,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private boolean estPresent(Candidat reglage) {
-        ReglagesDessin presents = controleur.montre.getReglages();
+        ReglagesDessin presents = controleur.etat.montre.getReglages();
         return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
                 && String.valueOf(reglage.section).equals(String.valueOf(presents.getSectionEssayee()));
     }
@@ -148,7 +148,7 @@ final class PanneauVitesse extends JPanel {
         EventQueue.invokeLater(() -> {
             if (scene == essayee) {
                 etat.setText(texte);
-                ImageMemoire image = controleur.montre.getImage();
+                ImageMemoire image = controleur.etat.montre.getImage();
                 graphique.montrer(essayes, present, (double) image.largeur * image.hauteur
                         / Math.min(controleur.fils, Runtime.getRuntime().availableProcessors()));
                 auto = present == null ? null : enCours;
@@ -158,7 +158,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void dessiner(Candidat reglage) {
-        ReglagesDessin reglages = controleur.reglages.avec(reglage.reflets, reglage.seuil);
+        ReglagesDessin reglages = controleur.etat.getReglages().avec(reglage.reflets, reglage.seuil);
         if (reglage.section != null) {
             reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
         }

@@ -78,8 +78,8 @@ final class Prise extends MouseAdapter {
         panneau.addMouseWheelListener(this);
         panneau.prises = this::peindre;
         controleur.prevenir(() -> {
-            if (lue != controleur.adopte) {
-                lue = controleur.adopte;
+            if (lue != controleur.etat.lecture) {
+                lue = controleur.etat.lecture;
                 lacher();
             }
         });
@@ -91,7 +91,7 @@ final class Prise extends MouseAdapter {
     }
 
     private SceneLue getLue() {
-        return controleur.source.getLue();
+        return controleur.etat.choix.scene;
     }
 
     /** Déplace ce qui est pris d'autant de pixels. */
@@ -134,7 +134,7 @@ final class Prise extends MouseAdapter {
     }
 
     private Camera getCamera() {
-        return controleur.montre.getLancer().getCamera();
+        return controleur.etat.montre.getLancer().getCamera();
     }
 
     /** Ce qui est tiré ou, avec Maj, ce qu'un bouton de la souris prendrait ; vide si la souris ne fait rien. */
@@ -150,7 +150,7 @@ final class Prise extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent e) {
-        if (controleur.montre != null && SwingUtilities.isLeftMouseButton(e)) {
+        if (controleur.etat.montre != null && SwingUtilities.isLeftMouseButton(e)) {
             prendre(e.isShiftDown() ? viser(e) : -1);
             if (estPris()) {
                 depart = panneau.pointDe(e);
@@ -171,10 +171,10 @@ final class Prise extends MouseAdapter {
             return getLue().origines.getRang(lampe.get());
         }
         try {
-            Scene montree = controleur.montre.getScene();
+            Scene montree = controleur.etat.montre.getScene();
             PointContact contact = montree.avec(montree.getModele())
                     .getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
-            int vu = contact == null ? -1 : controleur.montre.getLue().origines.getRang(contact.objet);
+            int vu = contact == null ? -1 : controleur.etat.montre.getLue().origines.getRang(contact.objet);
             String nom = contact == null ? "" : getLue().origines.getNom(vu);
             SectionLue section = contact == null ? null : getLue().origines.getSection(vu);
             refus = contact == null ? "rien à prendre ici : aucun objet ne s'y voit"
@@ -214,7 +214,7 @@ final class Prise extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent e) {
-        boolean montrees = e.isShiftDown() && controleur.montre != null;
+        boolean montrees = e.isShiftDown() && controleur.etat.montre != null;
         if (etoiles || montrees) {
             etoiles = montrees;
             refus = "";
@@ -270,7 +270,7 @@ final class Prise extends MouseAdapter {
     }
 
     private void peindre(Graphics2D g) {
-        if (panneau.montree == null || controleur.montre == null || !etoiles && !estPris()) {
+        if (panneau.montree == null || controleur.etat.montre == null || !etoiles && !estPris()) {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

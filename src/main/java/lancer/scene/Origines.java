@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -104,10 +103,16 @@ public final class Origines {
         return lecteur.cles().stream().flatMap(List::stream).distinct();
     }
 
-    /** Les sections qui diffèrent de celles-ci, à copier dans le fichier. */
-    public String changees(Origines avant) {
-        return IntStream.range(0, lues.size()).filter(k -> !Arrays.equals(lues.get(k).octets, avant.lues.get(k).octets))
-                .mapToObj(k -> getSection(k).ecrire("\n") + "\n\n").collect(Collectors.joining());
+    /** Les rangs des sections qui diffèrent de celles-ci. */
+    IntStream getChanges(Origines avant) {
+        return IntStream.range(0, lues.size()).filter(k -> lues.get(k) != avant.lues.get(k)
+                && !Arrays.equals(lues.get(k).octets, avant.lues.get(k).octets));
+    }
+
+    /** Le rang de la section de ce nom, cherchée d'abord à ce rang-là ; −1 s'il n'y en a pas. */
+    int getRangDuNom(String nom, int probable) {
+        return IntStream.concat(IntStream.of(Math.min(probable, lues.size() - 1)), IntStream.range(0, lues.size()))
+                .filter(k -> k >= 0 && lues.get(k).lignes()[0].equals(nom)).findFirst().orElse(-1);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */

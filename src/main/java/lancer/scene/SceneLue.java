@@ -1,11 +1,15 @@
 package lancer.scene;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Collectors;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.SceneFautive;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
@@ -47,6 +51,38 @@ public final class SceneLue {
     public SceneLue avec(int rang, String cle, String valeur) {
         SectionLue section = origines.getSection(rang).avec(cle, valeur, null);
         return new SceneLue(this, rang, origines.lecteur.lire(section), section);
+    }
+
+    /** Les sections qui diffèrent de celles de {@code avant}, à copier dans le fichier. */
+    public String getChanges(SceneLue avant) {
+        return origines.getChanges(avant.origines).mapToObj(k -> origines.getSection(k).ecrire("\n") + "\n\n")
+                .collect(Collectors.joining());
+    }
+
+    /**
+     * Cette scène, relue, avec les changements faits de {@code avant} à {@code changee}. Une valeur que le fichier a
+     * changée reste, sauf si {@code malgreLui} est vrai ; une section que le fichier n'a plus est oubliée.
+     */
+    public SceneLue reporter(SceneLue avant, SceneLue changee, boolean malgreLui) {
+        SceneLue faite = this;
+        for (int k : changee.origines.getChanges(avant.origines).toArray()) {
+            SectionLue ancienne = avant.origines.getSection(k);
+            SectionLue voulue = changee.origines.getSection(k);
+            int ici = origines.getRangDuNom(voulue.nom, k);
+            for (String cle : ici < 0 ? Collections.<String>emptyList() : voulue.getDonnees()) {
+                String valeur = voulue.valeur(cle);
+                String sienne = origines.getSection(ici).valeur(cle);
+                if (!valeur.equals(ancienne.valeur(cle)) && !valeur.equals(sienne)
+                        && (malgreLui || Objects.equals(sienne, ancienne.valeur(cle)))) {
+                    try {
+                        faite = faite.avec(ici, cle, valeur);
+                    } catch (SceneFautive e) {
+                        // le fichier a changé cette section au point que la valeur n'y convient plus
+                    }
+                }
+            }
+        }
+        return faite;
     }
 
     void ajouter(Object chose, SectionLue section) {

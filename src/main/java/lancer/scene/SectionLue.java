@@ -222,6 +222,11 @@ public final class SectionLue extends Section {
         return autre;
     }
 
+    /** Les clés que donne cette section, dans son ordre. */
+    List<String> getDonnees() {
+        return entrees.stream().map(entree -> entree.cle).collect(Collectors.toList());
+    }
+
     /** Le nom, puis une ligne par clé. */
     String lignes() {
         StringBuilder lignes = new StringBuilder(nom);

@@ -46,7 +46,7 @@ class FenetreVitesseTest extends EssaiFenetre {
 
     /** L'image que la ligne de commande donne aux réglages présents. */
     private int[] presentsSansFenetre() throws Exception {
-        return attendue("--reflets=" + banc.controleur.reglages.getReflets(), "--seuil=" + banc.controleur.reglages.getSeuil());
+        return attendue("--reflets=" + banc.controleur.etat.getReglages().getReflets(), "--seuil=" + banc.controleur.etat.getReglages().getSeuil());
     }
 
     /** Le plus à gauche des disques pleins du graphique : le plus rapide des réglages. */
@@ -112,7 +112,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreEtat("Un clic");
         for (int reflets : new int[] {2, 1, 0}) {
             frapper(KeyEvent.VK_SUBTRACT);
-            attendre("moins de réflexions", () -> banc.controleur.montre.getReglages().getReflets() == reflets);
+            attendre("moins de réflexions", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets);
             attendre("elles ont leur point", graphique::aUnPresent);
         }
     }

@@ -147,11 +147,11 @@ class DeplacementTest {
         SceneLue lue = lire(SCENE);
         SceneLue changee = lue.avec(0, "centre", "0.25 0.2 6").avec(1, "position", "3 3 0").avec(0, "Kd", "0.1 0.2 1")
                 .avec(2, "Ks", "0.1 0 0");
-        String sections = changee.origines.changees(lue.origines);
+        String sections = changee.getChanges(lue);
         assertEquals("[SPHERE a]\nCentre=0.25 0.2 6\nrayon=1\nKD=0.1 0.2 1\nKr=0.3 0.3 0.3\nns=40\n\n[Lampe]\nposition=3 3 0\n"
                 + "couleur=0.9 0.9 0.85\n\n[Sphere é]\ncentre=1 1 7\nrayon=.5\nKs=0.1 0 0\n\n", sections);
         assertArrayEquals(dessiner(changee), dessiner(lire(sections)));
-        assertEquals("", lue.avec(1, "position", "3 3 0").avec(1, "position", "-4 6 -3").origines.changees(lue.origines),
+        assertEquals("", lue.avec(1, "position", "3 3 0").avec(1, "position", "-4 6 -3").getChanges(lue),
                 "une valeur remise n'est plus un changement");
         assertNotSame(lue.lampes.get(0), changee.lampes.get(0));
     }
