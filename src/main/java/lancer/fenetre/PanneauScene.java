@@ -172,8 +172,9 @@ final class PanneauScene extends JPanel {
 
         private void dire(String phrase) {
             refus.setText(phrase);
-            ((JTextField) getComponent()).setBorder(BorderFactory.createLineBorder(phrase.equals(" ")
-                    ? table.getSelectionBackground() : Apparence.couleur("Component.error.focusedBorderColor", "Table.foreground")));
+            ((JTextField) getComponent()).setBorder(BorderFactory.createLineBorder(
+                    phrase.equals(" ") ? table.getSelectionBackground()
+                    : Apparence.couleur("Component.error.focusedBorderColor", "Table.foreground")));
         }
 
         @Override
