@@ -152,6 +152,12 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
+    /** Peint de nouveau l'image, et ce qui dépend de la souris. */
+    void rafraichir() {
+        repaint();
+        siBouge.run();
+    }
+
     /** Affiche une ligne en haut de l'image. @param texte vide pour l'effacer */
     void dire(String texte) {
         ligne = texte;

@@ -62,10 +62,10 @@ final class PanneauScene extends JPanel {
             }
         });
         table.addMouseListener(new MouseAdapter() {
-            /** Le clavier revient à l'image : les flèches y poussent ce qui est pris. */
+            /** Un clic sur un nom rend le clavier à l'image : les flèches y poussent ce qui est pris. */
             @Override
             public void mouseReleased(MouseEvent e) {
-                if (!table.isEditing()) {
+                if (table.columnAtPoint(e.getPoint()) == 0) {
                     image.requestFocusInWindow();
                 }
             }

@@ -116,7 +116,6 @@ final class Prise extends MouseAdapter {
     void prendre(int voulu) {
         depart = null;
         survol = -1;
-        refus = "";
         if (voulu != rang) {
             rang = voulu;
             dernierNs = 0;
@@ -210,6 +209,7 @@ final class Prise extends MouseAdapter {
     @Override
     public void mouseReleased(MouseEvent e) {
         depart = null;
+        panneau.rafraichir();
     }
 
     @Override
@@ -219,7 +219,7 @@ final class Prise extends MouseAdapter {
             etoiles = montrees;
             refus = "";
             survol = montrees && panneau.estDessine(e) ? viser(e) : -1;
-            panneau.repaint();
+            panneau.rafraichir();
         }
     }
 
@@ -228,7 +228,7 @@ final class Prise extends MouseAdapter {
         etoiles = false;
         survol = -1;
         refus = "";
-        panneau.repaint();
+        panneau.rafraichir();
     }
 
     @Override

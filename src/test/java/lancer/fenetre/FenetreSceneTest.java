@@ -13,6 +13,7 @@ import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JTable;
@@ -21,6 +22,7 @@ import javax.swing.JTextField;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Sphere;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** L'onglet Scène : chaque objet et chaque lampe s'y prend et s'y change, visible ou non. */
@@ -103,13 +105,8 @@ class FenetreSceneTest extends EssaiFenetre {
         ouvrirLaTable();
         Point2D bord = place(sphere(0).getCentre(), 0, -1.01);
         cliquerLaCase(0, 0, 1);
-        attendre("son contour est blanc", () -> IntStream.rangeClosed(-3, 3).anyMatch(k -> {
-            try {
-                return (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xFFFFFF) == 0xFFFFFF;
-            } catch (Exception e) {
-                throw new IllegalStateException(e);
-            }
-        }));
+        attendre("son contour est blanc", () -> IntStream.rangeClosed(-3, 3)
+                .anyMatch(k -> (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xFFFFFF) == 0xFFFFFF));
         viserAvecMaj(place(sphere(1).getCentre(), 0, 0));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         attendre("la deuxième ligne est choisie", () -> table.getSelectedRow() == 1);
@@ -119,9 +116,16 @@ class FenetreSceneTest extends EssaiFenetre {
         attendre("lâchée, elle n'est plus choisie", () -> table.getSelectedRow() == -1);
     }
 
+    @AfterEach
+    void lacherMaj() {
+        if (banc != null) {
+            banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            banc.robot.keyRelease(KeyEvent.VK_SHIFT);
+        }
+    }
+
     private int peinteIci(int x, int y) {
-        java.awt.image.BufferedImage image = new java.awt.image.BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(),
-                java.awt.image.BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = new BufferedImage(banc.panneau.getWidth(), banc.panneau.getHeight(), BufferedImage.TYPE_INT_RGB);
         banc.panneau.paint(image.createGraphics());
         return image.getRGB(x, y);
     }
@@ -212,6 +216,7 @@ class FenetreSceneTest extends EssaiFenetre {
         ecrire(foule.toString());
         ouvrir();
         ouvrirLaTable();
+        attendre("le clavier est à la table", table::isFocusOwner);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_END);
         attendre("la dernière ligne", () -> table.getSelectedRow() == 100_002
                 && table.getVisibleRect().contains(table.getCellRect(100_002, 0, true).getLocation()));
