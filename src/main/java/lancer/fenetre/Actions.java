@@ -96,7 +96,7 @@ final class Actions {
     Map<String, String> dire() {
         Map<String, String> dites = new LinkedHashMap<>();
         lignes.stream().filter(ligne -> ligne.dit != null).forEach(ligne -> dites.merge(ligne.touches.length == 0
-                ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + " ; sinon " + autre));
+                ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + "<br>sinon " + autre));
         return dites;
     }
 
