@@ -196,10 +196,6 @@ final class Controleur {
         }
     }
 
-    private boolean estDeLaTaille(ImageMemoire image, Dessin dessin) {
-        return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
-    }
-
     /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
     private void lancer(Dessin dessin, boolean geste) {
         if (dessins.isShutdown()) {
@@ -208,7 +204,9 @@ final class Controleur {
         if (etat.courant != null) {
             etat.courant.arreter();
         }
-        dessin.setVue(etat.choix == null ? null : etat.choix.vue, estDeLaTaille(etat.avant, dessin) ? etat.avant : null);
+        ImageMemoire avant = etat.avant;
+        dessin.setVue(etat.choix == null ? null : etat.choix.vue, avant != null && avant.largeur == dessin.largeur
+                && avant.hauteur == dessin.hauteur ? avant : null);
         Tracage tracage = new Tracage(programme, dessin, etat.choix,
                 panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         if (geste) {
@@ -277,10 +275,12 @@ final class Controleur {
             return;
         }
         List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
-        boolean defait = courant.litLaSceneDe(etat.lecture) && !Deplacement.sections(courant.getLue(),
-                etat.choix.pour(courant, true).scene).equals(Deplacement.sections(courant.getLue(), courant.choix.scene));
+        SceneLue lue = courant.getLue();
+        boolean defait = courant.litLaSceneDe(etat.lecture) && !Deplacement.sections(lue,
+                etat.choix.pour(courant, true).scene).equals(Deplacement.sections(lue, courant.choix.scene));
         if (defait) {
-            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ; Ctrl+Z le déplace de nouveau");
+            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
+                    + " Ctrl+Z le déplace de nouveau");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
         panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
@@ -297,7 +297,8 @@ final class Controleur {
             // les sections ignorées, sans le reste de leur avertissement
             String ignorees = String.join("\n", fait.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            fait.getImage().legende = fait.getCout() + ", " + (fait.getVue() == null ? "" : "vue " + fait.getVue() + ", ")
+            fait.getImage().legende = fait.getCout() + ", "
+                    + (fait.getVue() == null ? "" : "vue " + fait.getVue() + ", ")
                     + fait.getReglages() + ignorees + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
             if (fait.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
