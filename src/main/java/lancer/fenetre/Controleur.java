@@ -118,7 +118,7 @@ final class Controleur {
 
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
-        poser(etat.demander(scene));
+        etat = etat.demander(scene);
         lire();
     }
 
@@ -151,16 +151,18 @@ final class Controleur {
     }
 
     private void choisir(Etat.Choix voulu, boolean suite) {
-        poser(etat.choisir(voulu, suite));
-        // si le geste continue, le brouillon en cours est d'abord montré
-        if (!suite || !etat.enCours || etat.lit() || etat.courant.dessin.isBrouillonFait()) {
+        etat = etat.choisir(voulu, suite);
+        if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
+            // le geste continue : le brouillon en cours est d'abord montré
+            avertir();
+        } else {
             redessiner(suite);
         }
     }
 
     /** Défait le dernier choix, ou le refait. */
     void defaire(boolean refaire) {
-        poser(etat.revenir(refaire));
+        etat = etat.revenir(refaire);
         redessiner(false);
     }
 
@@ -284,7 +286,7 @@ final class Controleur {
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
         panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
-        poser(etat.adopter(defait));
+        etat = etat.adopter(defait);
     }
 
     private void finir() {

@@ -19,6 +19,11 @@ final class Touches {
     private static final String FRANCAIS = "à&é\"'(-è_ç";
     private static final List<String> FLECHES = Arrays.asList("UP", "DOWN", "LEFT", "RIGHT");
 
+    /** Le nom de chaque touche, après sa notation : ceux de Java suivent la langue de la machine. */
+    private static final List<String> NOMS = Arrays.asList("ESCAPE", "Échap", "ENTER", "Entrée", "SPACE", "Espace",
+            "PAGE_UP", "Page précédente", "PAGE_DOWN", "Page suivante", "LEFT", "Gauche", "RIGHT", "Droite", "UP", "Haut",
+            "DOWN", "Bas", "-", "−");
+
     private Touches() {
     }
 
@@ -60,11 +65,11 @@ final class Touches {
 
     /** Texte de ces touches, par exemple « Ctrl+Alt+1, 2, 3, 4 » : ce qui se répète n'est dit qu'une fois. */
     static String dire(String... notations) {
-        int avec = modificateurs(notations[0]);
-        List<String> noms = Arrays.stream(notations).map(Touches::touche).map(touche -> touche.equals("-") ? "−"
-                : touche.matches("\\W|\\d") ? touche : KeyEvent.getKeyText(KeyStroke.getKeyStroke(touche).getKeyCode())
-                .replace("Echap", "Échap")).collect(Collectors.toList());
-        return (avec == 0 ? "" : InputEvent.getModifiersExText(avec) + "+") + (noms.size() <= 4
-                ? String.join(", ", noms) : noms.get(0) + " à " + noms.get(noms.size() - 1));
+        List<String> noms = Arrays.stream(notations).map(Touches::touche).map(touche -> NOMS.contains(touche)
+                ? NOMS.get(NOMS.indexOf(touche) + 1) : touche).collect(Collectors.toList());
+        return notations[0].substring(0, notations[0].length() - touche(notations[0]).length())
+                .replace("menu", "Ctrl").replace("ctrl", "Ctrl").replace("alt", "Alt").replace("shift", "Maj")
+                .replace(' ', '+') + (noms.size() <= 4 ? String.join(", ", noms)
+                : noms.get(0) + " à " + noms.get(noms.size() - 1));
     }
 }
