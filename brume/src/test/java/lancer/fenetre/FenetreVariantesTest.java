@@ -232,7 +232,8 @@ class FenetreVariantesTest extends EssaiFenetre {
         }
         faire(() -> fin.setValueIsAdjusting(false));
         banc.imageAchevee();
-        banc.frapper();
+        faire(fin::requestFocusInWindow);
+        attendre("le clavier est à la glissière, à qui Espace ne sert pas", fin::isFocusOwner);
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("l'image d'avant est celle d'avant le geste", () -> Arrays.equals(avant, banc.panneau.getVisible().codes));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
