@@ -10,9 +10,11 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
+import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
@@ -30,7 +32,6 @@ import javax.swing.text.JTextComponent;
  */
 final class Actions {
 
-    /** Touches qu'un texte ou un tableau garde pour lui, sans Ctrl ni Alt : toutes, sauf Échap et F1 à F12. */
     private static final int AVEC = InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK;
 
     /** Une ligne de la table : une action, ou plusieurs que distingue leur rang. Seules celles dites sont dans F1. */
@@ -64,11 +65,6 @@ final class Actions {
             return this;
         }
 
-        /** La touche que l'article affiche. Sans Ctrl ni Alt, liée à un article, elle manquerait à un texte ou à un menu. */
-        private KeyStroke raccourci(int rang) {
-            return rang < touches.length && !sansLien() ? Touches.de(touches[rang]).get(0) : null;
-        }
-
         private boolean sansLien() {
             return touches.length > 0 && !touches[0].matches("F\\d+|.* .*");
         }
@@ -77,7 +73,7 @@ final class Actions {
     private final List<Ligne> lignes = new ArrayList<>();
     private final List<Runnable> aMontrer = new ArrayList<>();
 
-    /** Ajoute une ligne. @param nom celui de son article, ou {@code null} @param dit son effet dans F1, ou {@code null} */
+    /** Ajoute une ligne. @param nom celui de son article @param dit son effet dans F1, ou {@code null} */
     Ligne ligne(String nom, String dit, BooleanSupplier possible, IntConsumer faire, String... touches) {
         lignes.add(new Ligne(nom, dit, possible, faire, touches));
         return lignes.get(lignes.size() - 1);
@@ -96,7 +92,7 @@ final class Actions {
     Map<String, String> dire() {
         Map<String, String> dites = new LinkedHashMap<>();
         lignes.stream().filter(ligne -> ligne.dit != null).forEach(ligne -> dites.merge(ligne.touches.length == 0
-                ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + " ; sinon " + autre));
+                ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + "<br>sinon " + autre));
         return dites;
     }
 
@@ -112,16 +108,16 @@ final class Actions {
 
     /** Lie les touches de la table. Liées à la racine du cadre, elles manqueraient à un menu ouvert. */
     void lier(JComponent contenu) {
-        Map<KeyStroke, List<Runnable>> parTouche = new LinkedHashMap<>();
         for (Ligne ligne : lignes) {
             for (int k = 0; k < ligne.touches.length; k++) {
                 int rang = k;
                 for (KeyStroke touche : Touches.de(ligne.touches[k])) {
+                    contenu.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(touche, touche);
                     if (contenu.getActionMap().get(touche) == null) {
-                        contenu.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(touche, touche);
                         contenu.getActionMap().put(touche, new Touche(touche));
                     }
-                    ((Touche) contenu.getActionMap().get(touche)).ajouter(ligne, rang);
+                    ((Touche) contenu.getActionMap().get(touche)).siennes.add(() -> ligne.possible.getAsBoolean()
+                            ? () -> executer(ligne, rang) : null);
                 }
             }
         }
@@ -129,11 +125,11 @@ final class Actions {
 
     /** Ce que fait une touche : la première de ses lignes qui est possible. */
     @SuppressWarnings("serial")
-    private final class Touche extends AbstractAction {
+    private static final class Touche extends AbstractAction {
 
+        /** Vrai si un texte ou un tableau garde cette touche pour lui : sans Ctrl ni Alt, sauf Échap et F1 à F12. */
         private final boolean saisie;
-        private final List<Ligne> siennes = new ArrayList<>();
-        private final List<Integer> rangs = new ArrayList<>();
+        private final List<Supplier<Runnable>> siennes = new ArrayList<>();
 
         Touche(KeyStroke touche) {
             int code = touche.getKeyCode();
@@ -141,9 +137,8 @@ final class Actions {
                     && (code < KeyEvent.VK_F1 || code > KeyEvent.VK_F12);
         }
 
-        void ajouter(Ligne ligne, int rang) {
-            siennes.add(ligne);
-            rangs.add(rang);
+        private Runnable premiere() {
+            return siennes.stream().map(Supplier::get).filter(Objects::nonNull).findFirst().orElse(null);
         }
 
         /** Sinon, la touche garde son autre sens : dans un menu ouvert, dans un texte. */
@@ -153,17 +148,12 @@ final class Actions {
             boolean ecrit = clavier instanceof JTable
                     || clavier instanceof JTextComponent && ((JTextComponent) clavier).isEditable();
             return !(saisie && ecrit) && MenuSelectionManager.defaultManager().getSelectedPath().length == 0
-                    && siennes.stream().anyMatch(ligne -> ligne.possible.getAsBoolean());
+                    && premiere() != null;
         }
 
         @Override
         public void actionPerformed(ActionEvent e) {
-            for (int k = 0; k < siennes.size(); k++) {
-                if (siennes.get(k).possible.getAsBoolean()) {
-                    executer(siennes.get(k), rangs.get(k));
-                    return;
-                }
-            }
+            premiere().run();
         }
     }
 
@@ -197,7 +187,9 @@ final class Actions {
     }
 
     private void ajouter(JMenu menu, JMenuItem article, Ligne ligne, int rang) {
-        article(menu, article, ligne.raccourci(rang), () -> executer(ligne, rang));
+        // liée à son article, une touche sans Ctrl ni Alt manquerait à un texte ou à un menu
+        article(menu, article, rang < ligne.touches.length && !ligne.sansLien()
+                ? Touches.de(ligne.touches[rang]).get(0) : null, () -> executer(ligne, rang));
         aMontrer.add(() -> {
             article.setEnabled(ligne.possible.getAsBoolean());
             article.setSelected(ligne.choisi != null && ligne.choisi.test(rang));

@@ -117,7 +117,7 @@ final class Controleur {
 
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
-        poser(etat.demander(scene));
+        etat = etat.demander(scene);
         lire();
     }
 
@@ -150,16 +150,18 @@ final class Controleur {
     }
 
     private void choisir(Etat.Choix voulu, boolean suite) {
-        poser(etat.choisir(voulu, suite));
-        // si le geste continue, le brouillon en cours est d'abord montré
-        if (!suite || !etat.enCours || etat.lit() || etat.courant.dessin.isBrouillonFait()) {
+        etat = etat.choisir(voulu, suite);
+        if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
+            // le geste continue : le brouillon en cours est d'abord montré
+            avertir();
+        } else {
             redessiner(suite);
         }
     }
 
     /** Défait le dernier choix, ou le refait. */
     void defaire(boolean refaire) {
-        poser(etat.revenir(refaire));
+        etat = etat.revenir(refaire);
         redessiner(false);
     }
 
@@ -195,10 +197,6 @@ final class Controleur {
         }
     }
 
-    private boolean estDeLaTaille(ImageMemoire image, Dessin dessin) {
-        return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
-    }
-
     /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
     private void lancer(Dessin dessin, boolean geste) {
         if (dessins.isShutdown()) {
@@ -207,7 +205,9 @@ final class Controleur {
         if (etat.courant != null) {
             etat.courant.arreter();
         }
-        dessin.setVue(etat.choix == null ? null : etat.choix.vue, estDeLaTaille(etat.avant, dessin) ? etat.avant : null);
+        ImageMemoire avant = etat.avant;
+        dessin.setVue(etat.choix == null ? null : etat.choix.vue, avant != null && avant.largeur == dessin.largeur
+                && avant.hauteur == dessin.hauteur ? avant : null);
         Tracage tracage = new Tracage(programme, dessin, etat.choix,
                 panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         if (geste) {
@@ -279,11 +279,12 @@ final class Controleur {
         boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
                 etat.choix.pour(courant, true).scene).isEmpty();
         if (defait) {
-            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ; Ctrl+Z le déplace de nouveau");
+            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
+                    + " Ctrl+Z le déplace de nouveau");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
         panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
-        poser(etat.adopter(defait));
+        etat = etat.adopter(defait);
     }
 
     private void finir() {

@@ -55,16 +55,21 @@ final class Dialogues {
 
     /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
     static JDialog touches(JFrame cadre, Map<String, String> dites) {
-        JLabel table = new JLabel("<html><table>" + dites.entrySet().stream()
-                .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining()));
+        String lignes = dites.entrySet().stream()
+                .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining());
+        JLabel table = new JLabel("<html><table>" + lignes);
         table.setName("table");
         JDialog touches = new JDialog(cadre, "Touches");
         JScrollPane ascenseur = new JScrollPane(table);
+        Rectangle ecran = ecran();
+        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
+        if (table.getPreferredSize().width > ecran.width - BORDS) {
+            // sur un petit écran, les lignes sont coupées en deux
+            table.setText("<html><table width=" + (ecran.width - BORDS) + ">" + lignes);
+        }
         touches.add(ascenseur);
         touches.setFocusableWindowState(false);
         touches.pack();
-        Rectangle ecran = ecran();
-        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
         touches.setSize(Math.min(touches.getWidth() + barre, ecran.width), Math.min(touches.getHeight(), ecran.height));
         touches.setLocation(ecran.x + ecran.width - touches.getWidth(), ecran.y);
         return touches;

@@ -310,7 +310,7 @@ public final class Fenetre {
         if (etat.enCours || !etat.entiere) {
             barre.resumer(avancement);
         }
-        if (estEnPleinEcran()) {
+        if (estEnPleinEcran() && etat.courant != null) {
             panneau.dire(etat.entiere && !etat.enCours ? "" : cadre.getTitle() + " — " + avancement
                     + (etat.enCours ? "" : " ; F5 pour le reprendre"));
         }

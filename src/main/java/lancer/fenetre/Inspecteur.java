@@ -65,7 +65,7 @@ final class Inspecteur extends JPanel {
             setCellRenderer(new Rendu());
         }
 
-        /** Les flèches déplacent le pixel et les chiffres choisissent un rebond : l'arbre laisse ses touches à l'image. */
+        /** L'image reçoit les touches de l'arbre : les flèches déplacent le pixel. */
         @Override
         protected void processKeyEvent(KeyEvent e) {
             KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(panneau, e);

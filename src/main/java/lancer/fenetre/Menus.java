@@ -33,7 +33,7 @@ final class Menus {
     Menus(Fenetre fenetre, Enregistrement enregistrement, Prise prise, List<String> variantes) {
         f = fenetre;
         c = fenetre.controleur;
-        scene = () -> c.etat.getReglages() != null;
+        scene = () -> reglages() != null;
         pixel = () -> f.pixel() != null;
         // ces lignes passent avant celles des menus qui ont la même touche
         actions.ligne(null, "depuis le récit, le copier", () -> pixel.getAsBoolean() && f.pixel().aLeClavier(),
@@ -88,7 +88,8 @@ final class Menus {
                         "menu DOWN"),
                 null,
                 actions.ligne("Vue", null, scene, rang -> c.voir(rang == 0 ? null : vues[rang])).choix(vues)
-                        .coche(rang -> c.etat.choix != null && vues[rang].equals(c.etat.choix.vue == null ? vues[0] : c.etat.choix.vue)),
+                        .coche(rang -> c.etat.choix != null
+                                && vues[rang].equals(c.etat.choix.vue == null ? vues[0] : c.etat.choix.vue)),
                 actions.ligne("Rayons d'un pixel", "onglet Pixel : les rayons du pixel, comme un clic", scene,
                         f::inspecter, "ENTER"),
                 actions.ligne("Réglages", "onglet Réglages : étape, réflexions, variantes", scene,
@@ -113,12 +114,12 @@ final class Menus {
                 actions.ligne("Moins de réflexions", "moins de réflexions", () -> autre(false) != null,
                         () -> reflechir(false), "-"),
                 actions.ligne("Étapes du cours", "étapes du cours : Lambert, Phong, ombres, reflets", scene,
-                        rang -> c.dessiner(c.etat.getReglages().avec(Etape.values()[rang]), false),
+                        rang -> c.dessiner(reglages().avec(Etape.values()[rang]), false),
                         "ctrl alt 1", "ctrl alt 2", "ctrl alt 3", "ctrl alt 4")
                         .choix("Lambert", "+ Phong", "+ ombres", "+ reflets")
-                        .coche(rang -> c.etat.getReglages() != null && c.etat.getReglages().getEtape().ordinal() == rang)));
+                        .coche(rang -> reglages() != null && reglages().getEtape().ordinal() == rang)));
         variantes.forEach(nom -> contenu.add(actions.ligne(nom, null, scene, () -> brancher(nom))
-                .coche(rang -> c.etat.getReglages() != null && c.etat.getReglages().estBranchee(c.etat.getReglages().getVariante(nom)))));
+                .coche(rang -> reglages() != null && reglages().estBranchee(reglages().getVariante(nom)))));
         contenu.addAll(Arrays.asList(
                 null,
                 actions.ligne("Revenir à la scène et aux réglages du fichier", null, scene, c::revenir),
@@ -131,21 +132,23 @@ final class Menus {
         return actions.menu("Dessin", contenu.toArray());
     }
 
+    private ReglagesDessin reglages() {
+        return c.etat.getReglages();
+    }
+
     private void brancher(String nom) {
-        Variante variante = c.etat.getReglages().getVariante(nom);
-        c.dessiner(c.etat.getReglages().avec(variante, !c.etat.getReglages().estBranchee(variante)), false);
+        Variante variante = reglages().getVariante(nom);
+        c.dessiner(reglages().avec(variante, !reglages().estBranchee(variante)), false);
     }
 
     private Integer autre(boolean plus) {
-        int actuel = c.etat.getReglages() == null ? 0 : c.etat.getReglages().getReflets();
-        IntStream autres = IntStream.of(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel);
-        return c.etat.getReglages() == null ? null : (plus ? autres.boxed().findFirst() : autres.boxed().reduce((a, b) -> b))
-                .orElse(null);
+        int actuel = reglages() == null ? 0 : reglages().getReflets();
+        Stream<Integer> autres = IntStream.of(REFLEXIONS).filter(n -> plus ? n > actuel : n < actuel).boxed();
+        return reglages() == null ? null : (plus ? autres.findFirst() : autres.reduce((a, b) -> b)).orElse(null);
     }
 
     private void reflechir(boolean plus) {
-        ReglagesDessin reglages = c.etat.getReglages();
-        c.dessiner(reglages.avec(autre(plus), reglages.getSeuil()), false);
+        c.dessiner(reglages().avec(autre(plus), reglages().getSeuil()), false);
     }
 
     private void sansArticle(Prise prise) {
@@ -165,7 +168,7 @@ final class Menus {
         actions.ligne(null, "un autre échantillon du pixel", pixel, rang -> f.pixel().echantillonner(2 * rang - 1),
                 "menu PAGE_UP", "menu PAGE_DOWN");
         actions.ligne(null, "un rebond seul dans les figures, 0 pour tous ; ou un clic sur son numéro", pixel,
-                rang -> f.pixel().isoler(rang), IntStream.range(0, 10).mapToObj(String::valueOf).toArray(String[]::new));
+                rang -> f.pixel().isoler(rang), "0 1 2 3 4 5 6 7 8 9".split(" "));
         actions.ligne(null, "déplier ou replier le détail du pixel", pixel, () -> f.pixel().deplier(), "D");
     }
 

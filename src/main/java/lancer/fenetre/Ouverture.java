@@ -47,8 +47,8 @@ public final class Ouverture {
                 dessin.lire();
             }
             throw Echec.panne(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
-                    + System.getProperty("java.home") + " ; attendu : un JDK complet, par exemple le paquet default-jdk, "
-                    + "ou --image FICHIER.png"
+                    + System.getProperty("java.home")
+                    + " ; attendu : un JDK complet, par exemple le paquet default-jdk, ou --image FICHIER.png"
                     : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant

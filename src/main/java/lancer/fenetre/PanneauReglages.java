@@ -5,12 +5,12 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
+import java.awt.GridLayout;
 import java.awt.Insets;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -43,6 +43,7 @@ final class PanneauReglages extends JScrollPane {
     private static final int CENT = 100;
     /** Largeur d'une glissière là où la place manque. */
     private static final int LARGEUR = 80;
+    private static final int COLONNES = 9;
     private static final String[] COULEURS = {"rouge", "vert", "bleu"};
 
     /** Temps maximal entre deux changements au clavier d'un même geste. */
@@ -50,7 +51,7 @@ final class PanneauReglages extends JScrollPane {
 
     private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
-    private final JTextField seuil = new JTextField();
+    private final JTextField seuil = new JTextField(COLONNES);
     private double seuilMontre = Double.NaN;
     private final List<Runnable> ajustements = new ArrayList<>();
     /** Vrai pendant que le panneau lui-même change ses composants : l'utilisateur n'a rien changé. */
@@ -68,7 +69,7 @@ final class PanneauReglages extends JScrollPane {
         reflexions.addChangeListener(e -> changer(reglages().avec((Integer) reflexions.getValue(),
                 reglages().getSeuil()), reflexions, false));
         poser("réflexions", reflexions, 1, () -> reflexions.setValue(reglages().getReflets()));
-        poser("seuil des réflexions", seuil, 2, () -> {
+        poser("seuil", seuil, 2, () -> {
             // un texte que l'on écrit reste, tant que le seuil est le même
             if (reglages().getSeuil() != seuilMontre) {
                 montrerSeuil();
@@ -156,10 +157,6 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private void poser(JComponent composant, int x, int y, int colonnes) {
-        poser(grille, composant, x, y, colonnes);
-    }
-
-    private static void poser(JPanel grille, JComponent composant, int x, int y, int colonnes) {
         grille.add(composant, new GridBagConstraints(x, y, colonnes, 1, x == 1 ? 1 : 0, 0,
                 GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
                 new Insets(0, colonnes == 1 && x == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
@@ -178,11 +175,12 @@ final class PanneauReglages extends JScrollPane {
 
     /** Trois glissières, une par composante, de 0 à 1 comme dans les fichiers de scène. */
     private JComponent couleur(Supplier<Variante> variante, Parametre parametre) {
-        JPanel trois = new JPanel(new GridBagLayout()) {
+        List<JSlider> glissieres = new ArrayList<>();
+        JPanel trois = new JPanel(new GridLayout(COULEURS.length, 1)) {
             @Override
             public void setEnabled(boolean possible) {
                 super.setEnabled(possible);
-                Arrays.stream(getComponents()).forEach(glissiere -> glissiere.setEnabled(possible));
+                glissieres.forEach(glissiere -> glissiere.setEnabled(possible));
             }
         };
         for (int k = 0; k < COULEURS.length; k++) {
@@ -202,8 +200,11 @@ final class PanneauReglages extends JScrollPane {
                             valeur(variante, parametre).trim().split("[ \t]+")[composante])));
                 }
             });
-            poser(trois, new JLabel(COULEURS[k]), 0, k, 1);
-            poser(trois, glissiere, 1, k, 1);
+            JPanel ligne = new JPanel(new BorderLayout(MARGE, 0));
+            ligne.add(new JLabel(COULEURS[k]), BorderLayout.LINE_START);
+            ligne.add(glissiere, BorderLayout.CENTER);
+            glissieres.add(glissiere);
+            trois.add(ligne);
         }
         return trois;
     }

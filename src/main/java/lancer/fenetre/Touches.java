@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.swing.KeyStroke;
 
 /**
@@ -18,6 +17,12 @@ final class Touches {
 
     /** Les touches de 0 à 9 d'un clavier français, sans Maj. */
     private static final String FRANCAIS = "à&é\"'(-è_ç";
+    private static final List<String> FLECHES = Arrays.asList("UP", "DOWN", "LEFT", "RIGHT");
+
+    /** Le nom de chaque touche, après sa notation : ceux de Java suivent la langue de la machine. */
+    private static final List<String> NOMS = Arrays.asList("ESCAPE", "Échap", "ENTER", "Entrée", "SPACE", "Espace",
+            "PAGE_UP", "Page précédente", "PAGE_DOWN", "Page suivante", "LEFT", "Gauche", "RIGHT", "Droite", "UP", "Haut",
+            "DOWN", "Bas", "-", "−");
 
     private Touches() {
     }
@@ -27,30 +32,23 @@ final class Touches {
         String touche = touche(notation);
         int avec = modificateurs(notation);
         int maj = avec | InputEvent.SHIFT_DOWN_MASK;
-        boolean relachee = notation.startsWith("released ");
+        int[] codes;
         if (touche.matches("\\d")) {
             int n = Integer.parseInt(touche);
             int francaise = KeyEvent.getExtendedKeyCodeForChar(FRANCAIS.charAt(n));
-            return touches(false, KeyEvent.VK_0 + n, avec, KeyEvent.VK_NUMPAD0 + n, avec, francaise, avec,
-                    francaise, maj, KeyEvent.VK_0 + n, maj);
+            codes = new int[] {KeyEvent.VK_0 + n, avec, KeyEvent.VK_NUMPAD0 + n, avec, francaise, avec, francaise, maj,
+                KeyEvent.VK_0 + n, maj};
+        } else if (touche.equals("+")) {
+            codes = new int[] {KeyEvent.VK_PLUS, avec, KeyEvent.VK_ADD, avec, KeyEvent.VK_EQUALS, maj};
+        } else if (touche.equals("-")) {
+            codes = new int[] {KeyEvent.VK_MINUS, avec, KeyEvent.VK_SUBTRACT, avec};
+        } else {
+            int code = KeyStroke.getKeyStroke(touche).getKeyCode();
+            int fleche = FLECHES.indexOf(touche);
+            codes = new int[] {code, avec, fleche < 0 ? code : KeyEvent.VK_KP_UP + fleche, avec};
         }
-        if (touche.equals("+")) {
-            return touches(false, KeyEvent.VK_PLUS, avec, KeyEvent.VK_ADD, avec, KeyEvent.VK_EQUALS, maj);
-        }
-        if (touche.equals("-")) {
-            return touches(false, KeyEvent.VK_MINUS, avec, KeyEvent.VK_SUBTRACT, avec);
-        }
-        int code = KeyStroke.getKeyStroke(touche).getKeyCode();
-        // Java numérote les flèches dans un autre ordre au pavé
-        int pave = code == KeyEvent.VK_UP ? KeyEvent.VK_KP_UP : code == KeyEvent.VK_DOWN ? KeyEvent.VK_KP_DOWN
-                : code == KeyEvent.VK_LEFT ? KeyEvent.VK_KP_LEFT : code == KeyEvent.VK_RIGHT ? KeyEvent.VK_KP_RIGHT : code;
-        return touches(relachee, code, avec, pave, avec);
-    }
-
-    private static List<KeyStroke> touches(boolean relachees, int... codes) {
-        return IntStream.range(0, codes.length / 2)
-                .mapToObj(k -> KeyStroke.getKeyStroke(codes[2 * k], codes[2 * k + 1], relachees)).distinct()
-                .collect(Collectors.toList());
+        return IntStream.range(0, codes.length / 2).mapToObj(k -> KeyStroke.getKeyStroke(codes[2 * k], codes[2 * k + 1],
+                notation.startsWith("released "))).distinct().collect(Collectors.toList());
     }
 
     private static String touche(String notation) {
@@ -58,28 +56,20 @@ final class Touches {
     }
 
     private static int modificateurs(String notation) {
-        int masque = 0;
-        for (String mot : notation.split(" ")) {
-            // getMenuShortcutKeyMaskEx n'existe que depuis Java 10 : il rend ce masque six bits plus haut
-            masque |= mot.equals("menu") ? Toolkit.getDefaultToolkit().getMenuShortcutKeyMask() << 6
-                    : mot.equals("ctrl") ? InputEvent.CTRL_DOWN_MASK : mot.equals("alt") ? InputEvent.ALT_DOWN_MASK
-                    : mot.equals("shift") ? InputEvent.SHIFT_DOWN_MASK : 0;
-        }
-        return masque;
+        // getMenuShortcutKeyMaskEx n'existe que depuis Java 10 : il rend ce masque six bits plus haut
+        int menu = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask() << 6;
+        return (notation.contains("menu ") ? menu : 0) | (notation.contains("ctrl ") ? InputEvent.CTRL_DOWN_MASK : 0)
+                | (notation.contains("alt ") ? InputEvent.ALT_DOWN_MASK : 0)
+                | (notation.contains("shift ") ? InputEvent.SHIFT_DOWN_MASK : 0);
     }
 
     /** Texte de ces touches, par exemple « Ctrl+Alt+1, 2, 3, 4 » : ce qui se répète n'est dit qu'une fois. */
     static String dire(String... notations) {
-        int avec = notations.length == 0 ? 0 : modificateurs(notations[0]);
-        List<String> noms = Arrays.stream(notations).map(Touches::nommer).collect(Collectors.toList());
-        String debut = avec == 0 ? "" : InputEvent.getModifiersExText(avec) + "+";
-        return debut + (noms.size() > 4 ? Stream.of(noms.get(0), noms.get(noms.size() - 1))
-                .collect(Collectors.joining(" à ")) : String.join(", ", noms));
-    }
-
-    private static String nommer(String notation) {
-        String touche = touche(notation);
-        return touche.equals("-") ? "−" : touche.matches("\\W|\\d") ? touche
-                : KeyEvent.getKeyText(KeyStroke.getKeyStroke(touche).getKeyCode()).replace("Echap", "Échap");
+        List<String> noms = Arrays.stream(notations).map(Touches::touche).map(touche -> NOMS.contains(touche)
+                ? NOMS.get(NOMS.indexOf(touche) + 1) : touche).collect(Collectors.toList());
+        return notations[0].substring(0, notations[0].length() - touche(notations[0]).length())
+                .replace("menu", "Ctrl").replace("ctrl", "Ctrl").replace("alt", "Alt").replace("shift", "Maj")
+                .replace(' ', '+') + (noms.size() <= 4 ? String.join(", ", noms)
+                : noms.get(0) + " à " + noms.get(noms.size() - 1));
     }
 }

@@ -197,7 +197,8 @@ final class Tracage extends SwingWorker<Void, Void> {
         double part = dessin.getAvancement();
         long passe = getDureeNs() - debutEtapeNs;
         double s = passe * (1 - part) / part / 1e9;
-        return isDone() || part == 0 || passe < RESTE_NS ? "" : ", reste "
-                + (s < 60 ? Math.round(s) + " s" : s < 3600 ? Math.round(s / 60) + " min" : Math.round(s / 3600) + " h");
+        String reste = s < 60 ? Math.round(s) + " s" : s < 3600 ? Math.round(s / 60) + " min"
+                : Math.round(s / 3600) + " h";
+        return isDone() || part == 0 || passe < RESTE_NS ? "" : ", reste " + reste;
     }
 }

@@ -224,6 +224,18 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
+    void uneSceneFautiveOuverteLaPremiereEstRelueDesQuElleEstCorrigee() throws Exception {
+        ecrire(FAUTIVE);
+        banc = new BancFenetre(TAILLE);
+        choisir(scene);
+        banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        ecrire(BLEUE);
+        banc.attendreMessage("");
+        banc.attendreImage("corrigée, elle est dessinée", attendue(L, H));
+    }
+
+    @Test
     void uneSceneFautiveAuDepartNOuvrePasDeFenetre() throws Exception {
         ecrire(FAUTIVE);
         Essai essai = Essai.executer(scene.toString());

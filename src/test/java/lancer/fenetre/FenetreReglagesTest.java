@@ -44,7 +44,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         ouvrir("--reflets=1");
         faire(article("Plus de réflexions (+)")::doClick);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        faire(article("Revenir aux réglages de la scène")::doClick);
+        faire(article("Revenir à la scène et aux réglages du fichier")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));
     }
 
@@ -71,7 +71,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);
         JSpinner reflexions = composant("réflexions", JSpinner.class);
-        JTextField seuil = composant("seuil des réflexions", JTextField.class);
+        JTextField seuil = composant("seuil", JTextField.class);
         assertEquals(40, surFilEvenements(reflexions::getValue));
         assertEquals("0.01", surFilEvenements(seuil::getText));
         ReglagesDessin presents = banc.controleur.etat.getReglages();

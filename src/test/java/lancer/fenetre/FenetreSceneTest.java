@@ -216,6 +216,7 @@ class FenetreSceneTest extends EssaiFenetre {
         ecrire(foule.toString());
         ouvrir();
         ouvrirLaTable();
+        cliquerLaCase(0, 2, 1);
         attendre("le clavier est à la table", table::isFocusOwner);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_END);
         attendre("la dernière ligne", () -> table.getSelectedRow() == 100_002

@@ -208,11 +208,14 @@ class FenetreVariantesTest extends EssaiFenetre {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();
         glissiere("Brume.fin");
+        assertEquals("couleur, rouge", composant("couleur r", JSlider.class).getAccessibleContext().getAccessibleName());
         placer(composant("couleur r", JSlider.class), 100);
         placer(composant("couleur v", JSlider.class), 20);
         placer(composant("couleur b", JSlider.class), 0);
-        attendre("elle s'écrit", () -> banc.controleur.etat.getReglages().getSection(banc.controleur.etat.getReglages().getVariante("Brume"))
-                .ecrire(" ").endsWith("couleur=1 0.2 0"));
+        attendre("elle s'écrit", () -> {
+            ReglagesDessin reglages = banc.controleur.etat.getReglages();
+            return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
+        });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
     }
 
@@ -229,7 +232,8 @@ class FenetreVariantesTest extends EssaiFenetre {
         }
         faire(() -> fin.setValueIsAdjusting(false));
         banc.imageAchevee();
-        banc.frapper();
+        faire(fin::requestFocusInWindow);
+        attendre("le clavier est à la glissière, à qui Espace ne sert pas", fin::isFocusOwner);
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("l'image d'avant est celle d'avant le geste", () -> Arrays.equals(avant, banc.panneau.getVisible().codes));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
