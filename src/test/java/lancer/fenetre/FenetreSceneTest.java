@@ -152,7 +152,8 @@ class FenetreSceneTest extends EssaiFenetre {
         for (String[] essai : new String[][] {{"-1", "hors limites : « -1 »"}, {"0,5", "une virgule dans un nombre : « 0,5 »"},
             {"1e999", "nombre trop grand : « 1e999 »"}}) {
             ecrireDans(0, 2, essai[0]);
-            attendre(essai[0], () -> refus.getText().startsWith("valeur refusée, [Sphere 1], rayon : " + essai[1] + " ; attendu : un nombre"));
+            attendre(essai[0], () -> refus.getText()
+                    .startsWith("valeur refusée, [Sphere 1], rayon : " + essai[1] + " ; attendu : un nombre"));
             assertTrue(surFilEvenements(table::isEditing), "la valeur reste à corriger");
             banc.frapper(KeyEvent.VK_ESCAPE);
             attendre("Échap la rend", () -> !table.isEditing() && table.getValueAt(0, 2).equals("1"));
