@@ -16,6 +16,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
+import javax.swing.ComponentInputMap;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
@@ -108,11 +109,13 @@ final class Actions {
 
     /** Lie les touches de la table. Liées à la racine du cadre, elles manqueraient à un menu ouvert. */
     void lier(JComponent contenu) {
+        // en place, cette table serait relue à chaque touche qui s'y ajoute
+        ComponentInputMap touches = new ComponentInputMap(contenu);
         for (Ligne ligne : lignes) {
             for (int k = 0; k < ligne.touches.length; k++) {
                 int rang = k;
                 for (KeyStroke touche : Touches.de(ligne.touches[k])) {
-                    contenu.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(touche, touche);
+                    touches.put(touche, touche);
                     if (contenu.getActionMap().get(touche) == null) {
                         contenu.getActionMap().put(touche, new Touche(touche));
                     }
@@ -121,6 +124,7 @@ final class Actions {
                 }
             }
         }
+        contenu.setInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW, touches);
     }
 
     /** Ce que fait une touche : la première de ses lignes qui est possible. */
