@@ -22,6 +22,8 @@ import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
@@ -95,6 +97,12 @@ final class Actions {
         lignes.stream().filter(ligne -> ligne.dit != null).forEach(ligne -> dites.merge(ligne.touches.length == 0
                 ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + "<br>sinon " + autre));
         return dites;
+    }
+
+    /** Fait défiler ce texte d'une page, vers le haut si {@code rang} est nul. */
+    static void defiler(JScrollPane texte, int rang) {
+        JScrollBar barre = texte.getVerticalScrollBar();
+        barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
     }
 
     private void executer(Ligne ligne, int rang) {

@@ -150,7 +150,7 @@ final class Controleur {
         choisir(etat.choix.avec(etat.lecture.getLue()).avec(etat.getReglages().initiaux()), false);
     }
 
-    private void choisir(Etat.Choix voulu, boolean suite) {
+    private void choisir(Choix voulu, boolean suite) {
         etat = etat.choisir(voulu, suite);
         if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré
@@ -264,8 +264,9 @@ final class Controleur {
             finir();
         }
         // le geste a continué pendant le brouillon
-        if (courant == etat.courant && courant.choix != null && courant.choix.lecture == etat.lecture
-                && courant.choix != etat.choix && (fini || dessin.isBrouillonFait())) {
+        if (courant == etat.courant && courant.choix != null && etat.choix != null
+                && courant.choix.lue == etat.choix.lue && courant.choix != etat.choix
+                && (fini || dessin.isBrouillonFait())) {
             redessiner(true);
         }
     }
@@ -279,7 +280,8 @@ final class Controleur {
         List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
         SceneLue lue = courant.getLue();
         boolean defait = courant.litLaSceneDe(etat.lecture) && !Deplacement.sections(lue,
-                etat.choix.pour(courant, true).scene).equals(Deplacement.sections(lue, courant.choix.scene));
+                etat.choix.pour(courant.getLu(), true).scene)
+                .equals(Deplacement.sections(lue, courant.choix.scene));
         if (defait) {
             avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
                     + " Ctrl+Z le déplace de nouveau");

@@ -24,10 +24,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.ImageIcon;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
-import javax.swing.JScrollBar;
-import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
@@ -56,16 +53,14 @@ public final class Fenetre {
     final Onglets onglets;
     private final Runnable fin;
     private final BarreEtat barre;
-    private final Enregistrement enregistrement;
+    final Enregistrement enregistrement;
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
-    private final Actions actions;
+    final Prise prise;
     /** Vrai si l'image remplit la fenêtre. */
     boolean remplie;
     /** Position du cadre avant le plein écran ; {@code null} hors du plein écran. */
     private Rectangle place;
-    /** Le tableau des touches, créé à la première demande. */
-    private JDialog touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
             ExecutorService dessins, Runnable fin) {
@@ -83,10 +78,7 @@ public final class Fenetre {
         contenus.put("Réglages", () -> new PanneauReglages(controleur));
         contenus.put("Vitesse", () -> new PanneauVitesse(controleur));
         onglets = new Onglets(cadre, panneau, contenus);
-        Menus menus = new Menus(this, enregistrement, new Prise(controleur, panneau), variantes);
-        actions = menus.actions;
-        cadre.setJMenuBar(menus.barre);
-        actions.lier((JComponent) cadre.getContentPane());
+        prise = new Prise(controleur, panneau);
     }
 
     /** @param premier le dessin déjà commencé, ou {@code null} */
@@ -229,33 +221,6 @@ public final class Fenetre {
     /** L'onglet Pixel s'il est visible, ou {@code null}. */
     Inspecteur pixel() {
         return onglets.getVisible(Inspecteur.class);
-    }
-
-    void montrerTouches() {
-        touches = touches == null ? Dialogues.touches(cadre, actions.dire()) : touches;
-        touches.setVisible(true);
-    }
-
-    boolean estTableauVisible() {
-        return touches != null && touches.isVisible();
-    }
-
-    boolean estTableauLong() {
-        return estTableauVisible() && Dialogues.ascenseur(touches).getVerticalScrollBar().isVisible();
-    }
-
-    void defilerTableau(int rang) {
-        defiler(Dialogues.ascenseur(touches), rang);
-    }
-
-    /** Fait défiler ce texte d'une page, vers le haut si {@code rang} est nul. */
-    static void defiler(JScrollPane texte, int rang) {
-        JScrollBar barre = texte.getVerticalScrollBar();
-        barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
-    }
-
-    void fermerTableau() {
-        touches.setVisible(false);
     }
 
     /** Arrête les dessins, ferme la fenêtre, et laisse finir les écritures en cours. */

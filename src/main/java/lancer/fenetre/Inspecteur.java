@@ -145,7 +145,7 @@ final class Inspecteur extends JPanel {
     }
 
     void defiler(int rang) {
-        Fenetre.defiler(ascenseur, rang);
+        Actions.defiler(ascenseur, rang);
     }
 
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */

@@ -7,6 +7,7 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
@@ -65,7 +66,9 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
-                ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
+                List<String> variantes = Services.nomsDesVariantes();
+                ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
+                new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {

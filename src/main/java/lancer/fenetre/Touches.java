@@ -23,7 +23,8 @@ final class Touches {
         {"ENTER", "Entrée", KeyEvent.VK_ENTER}, {"SPACE", "Espace", KeyEvent.VK_SPACE},
         {"PAGE_UP", "Page précédente", KeyEvent.VK_PAGE_UP}, {"PAGE_DOWN", "Page suivante", KeyEvent.VK_PAGE_DOWN},
         {"-", "−", KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT}, {"UP", "Haut", KeyEvent.VK_UP, KeyEvent.VK_KP_UP},
-        {"DOWN", "Bas", KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN}, {"LEFT", "Gauche", KeyEvent.VK_LEFT, KeyEvent.VK_KP_LEFT},
+        {"DOWN", "Bas", KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN},
+        {"LEFT", "Gauche", KeyEvent.VK_LEFT, KeyEvent.VK_KP_LEFT},
         {"RIGHT", "Droite", KeyEvent.VK_RIGHT, KeyEvent.VK_KP_RIGHT}};
 
     private Touches() {

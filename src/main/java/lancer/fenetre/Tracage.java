@@ -11,7 +11,6 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
 
@@ -30,7 +29,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     final Dessin dessin;
     final boolean aLire;
     private final Consumer<Dessin> programme;
-    private final Etat.Choix voulu;
+    private final Choix voulu;
     /** La taille de l'image à l'écran. */
     private final Dimension place;
     private final int fils;
@@ -38,9 +37,8 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
     /** Ce que dit ce fichier, sans aucun déplacement, puis ce qui est dessiné ; {@code null} avant sa lecture. */
-    private volatile SceneLue scene;
-    private volatile ReglagesDessin initiaux;
-    volatile Etat.Choix choix;
+    private volatile Choix lu;
+    volatile Choix choix;
     /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
     boolean lueDite;
     boolean lenteurDite;
@@ -56,7 +54,7 @@ final class Tracage extends SwingWorker<Void, Void> {
      * @param voulu ce qui est choisi, {@code null} pour ce que disent la ligne de commande et le fichier
      * @param place la taille de l'image à l'écran, en pixels
      */
-    Tracage(Consumer<Dessin> programme, Dessin dessin, Etat.Choix voulu, Dimension place, int fils) {
+    Tracage(Consumer<Dessin> programme, Dessin dessin, Choix voulu, Dimension place, int fils) {
         this.place = place;
         this.fils = fils;
         this.programme = programme;
@@ -66,14 +64,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         choix = aLire ? null : voulu;
     }
 
-    /** La scène lue par ce dessin, telle qu'elle est dans son fichier ; {@code null} avant. */
-    SceneLue getLue() {
-        return scene;
+    Choix getLu() {
+        return lu;
     }
 
-    /** Les réglages de la ligne de commande et de ce fichier. */
-    ReglagesDessin getInitiaux() {
-        return initiaux;
+    /** La scène lue par ce dessin, telle qu'elle est dans son fichier. */
+    SceneLue getLue() {
+        return lu.lue;
     }
 
     boolean litLaSceneDe(Tracage autre) {
@@ -119,9 +116,8 @@ final class Tracage extends SwingWorker<Void, Void> {
             if (aLire) {
                 version = FichierScene.version(dessin.fichier);
                 dessin.lire();
-                initiaux = dessin.getReglages();
-                scene = dessin.getLue();
-                choix = voulu == null ? new Etat.Choix(this, scene, initiaux, null) : voulu.pour(this, false);
+                lu = new Choix(dessin.fichier, dessin.getLue(), dessin.getReglages());
+                choix = voulu == null ? lu : voulu.pour(lu, false);
                 lue.countDown();
             }
             if (!isCancelled()) {
