@@ -213,7 +213,7 @@ public final class Fenetre {
         ImageMemoire voulue = tenue ? controleur.etat.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
-            panneau.dire(tenue ? "avant : " + voulue.legende : "");
+            panneau.dire(tenue ? "avant : " + panneau.legendes.get(voulue) : "");
             decrire();
         }
     }
@@ -288,7 +288,8 @@ public final class Fenetre {
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : controleur.etat.enCours ? null : controleur.getImageComplete();
-        String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image));
+        String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image))
+                + ", " + panneau.legendes.get(image);
         if (image != null) {
             barre.resumer(resume);
         }
@@ -299,7 +300,7 @@ public final class Fenetre {
     private void montrerPixel() {
         ImageMemoire image = panneau.getVisible();
         barre.montrerPixel(image == panneau.apercu ? null : panneau.getPixelSouris(image), image,
-                image == null || image.legende == null);
+                !panneau.legendes.containsKey(image));
     }
 
     private void titrer() {

@@ -227,7 +227,7 @@ final class Inspecteur extends JPanel {
         enCours = nouvelle;
         verdict.setText("calcul…");
         arbre.repaint();
-        Controleur.confier(fil, () -> {
+        Controleur.confier(fil, () -> montre.observer(() -> {
             nouvelle.faireOuEchouer(voulu);
             List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
@@ -239,7 +239,7 @@ final class Inspecteur extends JPanel {
                     recevoir(nouvelle, racine, figure, garde);
                 }
             });
-        }, verdict::setText);
+        }), verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {

@@ -12,8 +12,8 @@ import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
 import lancer.scene.Services;
 
@@ -47,7 +47,7 @@ public final class Ouverture {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.panne(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
+            throw Echec.machine(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
                     + System.getProperty("java.home")
                     + " ; attendu : un JDK complet, par exemple le paquet default-jdk, ou --image FICHIER.png"
                     : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
@@ -72,9 +72,9 @@ public final class Ouverture {
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw Echec.panne(Pannes.message(e.getCause()));
+            throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
+            throw Echec.machine("interrompu");
         }
         if (premier != null) {
             try {
@@ -84,7 +84,7 @@ public final class Ouverture {
                 throw e;
             }
             if (dessin.getLue() != null) {
-                Pannes.avertir(dessin.getLue().avertissements, erreur);
+                Messages.avertir(dessin.getLue().avertissements, erreur);
             }
         }
         return ouverte[0];

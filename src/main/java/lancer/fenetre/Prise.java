@@ -21,7 +21,7 @@ import lancer.PointContact;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
@@ -125,7 +125,7 @@ final class Prise extends MouseAdapter {
         try {
             contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
         } catch (RuntimeException e) {
-            panneau.bandeau.dire(Sujet.AVIS, Pannes.message(e));
+            panneau.bandeau.dire(Sujet.AVIS, Messages.message(e));
             return false;
         }
         Objet3D objet = contact == null ? null : contact.objet;

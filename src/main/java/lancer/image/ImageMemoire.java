@@ -17,9 +17,6 @@ public final class ImageMemoire implements Toile {
     public final int[] codes;
     public final float[] lineaire;
 
-    /** Texte qui décrit l'image achevée : ses réglages, son coût ; {@code null} avant la fin. */
-    public volatile String legende;
-
     /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
     public volatile String sens = COULEUR;
 

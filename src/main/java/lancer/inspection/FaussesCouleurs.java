@@ -17,6 +17,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 
@@ -108,6 +109,7 @@ public final class FaussesCouleurs {
         for (int j = voulus.j0; j < voulus.j1; j++) {
             for (int i = voulus.i0; i < voulus.i1; i++) {
                 try {
+                    Fil.commencer(i, j);
                     scene.getCompteurs().primaires++;
                     Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                     PointContact contact = scene.getClosestIntersection(rayon);
