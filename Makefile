@@ -9,8 +9,8 @@ endif
 FENETRES ?= $(if $(XVFB),exigees)
 RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
-.PHONY: test lanceurs javadoc images references captures scene-geante noyaux mesures mesure-processus juge mesure-auto mutations squelette \
-	corrige corriger noter comparer reponses mesure-corriger image-classe aide propre
+.PHONY: test application lanceurs javadoc images references captures scene-geante noyaux mesures juge mesure-auto mutations squelette \
+	corrige corriger profil-bwrap noter comparer reponses mesure-corriger image-classe aide propre
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils $(LISTES)
@@ -20,6 +20,19 @@ test: outils $(LISTES)
 	@$(if $(FENETRES),,echo "$$(find $(RAPPORTS) -exec cat {} + | grep -c '<skipped .*ouvre une fenêtre')" \
 	    "tests laissés de côté, tous ceux qui ouvrent une fenêtre ; les autres sont faits." && \
 	    echo "Pour les avoir : sudo apt-get install xvfb xauth, puis make test")
+
+# Un programme qui se lance sans JDK : sa machine virtuelle, ses options et, avec VARIANTES="brume blinn", les variantes. Celle d'une image
+# par processus, dont l'archive de classes est refaite : sans elle, Java démarre deux fois plus lentement.
+APPLICATION := target/lancer
+application: $(JARS)
+	@command -v jpackage >/dev/null || { echo "Il faut jpackage, que contient un JDK 14 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
+	@rm -rf $(APPLICATION) target/application && mkdir -p target/application && cp $(JARS) target/application
+	@jpackage --type app-image --name $(notdir $(APPLICATION)) --dest $(dir $(APPLICATION)) --input target/application \
+	    --main-jar $(notdir $(firstword $(JARS))) --main-class lancer.Main --add-modules java.desktop,java.logging,java.prefs,jdk.localedata \
+	    --jlink-options "--strip-debug --no-man-pages --no-header-files --include-locales=fr" \
+	    $(OPTIONS_IMAGE:%=--java-options %)
+	@$(APPLICATION)/lib/runtime/bin/java -Xshare:dump >/dev/null && rm -r $(APPLICATION)/lib/runtime/bin
+	@echo "$(APPLICATION)/bin/lancer : le programme et sa machine virtuelle, $$(du -sh $(APPLICATION) | cut -f1)"
 
 # La Javadoc de chaque module, dans son dossier target/reports/apidocs.
 javadoc: outils
@@ -39,7 +52,7 @@ mesures/target/mesures.jar: ensemble.xml $(MODULES:%=%/pom.xml) $(foreach m,$(MO
 
 # Met à jour le dossier $(2) par les images de $(1). Celles dont aucun pixel n'a changé gardent leurs octets, qui dépendent de la machine.
 actualiser = for nom in $$(cd $(1) && ls *.png); do \
-	    $(JAVA) -jar $(BASE) --comparer $(1)/$$nom $(2)/$$nom >/dev/null 2>&1 || { cp $(1)/$$nom $(2) && echo "changée : $$nom"; } || exit 1; \
+	    $(JAVA_IMAGE) -jar $(BASE) --comparer $(1)/$$nom $(2)/$$nom >/dev/null 2>&1 || { cp $(1)/$$nom $(2) && echo "changée : $$nom"; } || exit 1; \
 	done
 
 # Les images du README, et l'icône de la fenêtre.
@@ -50,20 +63,20 @@ images: $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar)
 	@rm -rf $(NEUVES) && mkdir -p $(NEUVES)
 	@for s in $(SCENES); do \
 	    reflets=5; [ $$s = miroirs ] && reflets=40; \
-	    $(JAVA) -jar $(BASE) --reflets $$reflets --image $(NEUVES)/$$s.png scenes/$$s.ini || exit 1; \
+	    $(JAVA_IMAGE) -jar $(BASE) --reflets $$reflets --image $(NEUVES)/$$s.png scenes/$$s.ini || exit 1; \
 	done
-	@$(JAVA) -jar $(BASE) --image $(NEUVES)/brume-sans.png scenes/brume.ini 2>/dev/null
-	@$(JAVA) -jar brume/target/brume.jar --image $(NEUVES)/brume-avec.png scenes/brume.ini
-	@$(JAVA) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
-	@$(JAVA) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
-	@$(JAVA) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
+	@$(JAVA_IMAGE) -jar $(BASE) --image $(NEUVES)/brume-sans.png scenes/brume.ini 2>/dev/null
+	@$(JAVA_IMAGE) -jar brume/target/brume.jar --image $(NEUVES)/brume-avec.png scenes/brume.ini
+	@$(JAVA_IMAGE) -jar blinn/target/blinn.jar --image $(NEUVES)/blinn-avec.png scenes/bowling.ini
+	@$(JAVA_IMAGE) -jar $(BASE) --taille 200x150 --image $(NEUVES)/antialias-sans.png scenes/scene1.ini
+	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 200x150 --image $(NEUVES)/antialias-avec.png scenes/scene1.ini
 	@{ cat scenes/scene1.ini; printf '\n[Antialias]\nmethode=partage\nn=8\nseuil=0.06\n'; } > target/partage.ini
-	@$(JAVA) -jar antialias/target/antialias.jar --taille 400x300 --vue rayons --image $(NEUVES)/vue-rayons.png target/partage.ini
-	@$(JAVA) -jar antialias/target/antialias.jar --taille 400x300 --vue difference --image $(NEUVES)/vue-difference.png scenes/scene1.ini
+	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue rayons --image $(NEUVES)/vue-rayons.png target/partage.ini
+	@$(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille 400x300 --vue difference --image $(NEUVES)/vue-difference.png scenes/scene1.ini
 	@$(call actualiser,$(NEUVES),images)
 	@mkdir $(NEUVES)/icones
 	@for c in 16 32 48 128; do \
-	    $(JAVA) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
+	    $(JAVA_IMAGE) -jar antialias/target/antialias.jar --taille $${c}x$$c --image $(NEUVES)/icones/icone-$$c.png scenes/scene1.ini || exit 1; \
 	done
 	@$(call actualiser,$(NEUVES)/icones,src/main/resources/lancer/fenetre)
 
@@ -80,31 +93,24 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(call capture,1244x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
 	@$(call capture,1244x688,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "Un clic" scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
-capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA) \
+capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA_FENETRE) \
 	-Djava.util.prefs.userRoot=target -cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
-# Une scène de N boules, pour voir : make run SCENE=target/geante.ini
+# Une scène de N boules, ou une scène difficile (N=poussiere, ombres-fines, poussiere-miroirs) : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
-	@echo "target/geante.ini : $(N) boules, $$(wc -c < target/geante.ini) octets"
+	@echo "target/geante.ini : $(N), $$(wc -c < target/geante.ini) octets"
 
 # Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
 noyaux: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
-MESURER = $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(JAR:%=--jar=%) $(MESURES)
-
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
-mesures: mesures/target/mesures.jar $(BASE) antialias/target/antialias.jar | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURER)
-
-# Des programmes entiers, de la commande au PNG : temps, temps des processeurs, mémoire, du programme et des boucles du cours ; et d'autres
-# programmes : make mesure-processus JAR="un.jar autre.jar".
-mesure-processus: mesures/target/mesures.jar $(BASE)
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --processus $(MESURER)
+mesures: mesures/target/mesures.jar $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) | mesures/target/embree
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
 
 # Un pair en C++, pour les mesures.
 mesures/target/embree: mesures/src/main/cpp/embree.cpp
@@ -146,14 +152,14 @@ $(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $
 # Les figures et les nombres de docs/reponses.md.
 reponses: $(BASE) mesures/target/mesures.jar
 	@rm -rf target/reponses && mkdir -p target/reponses
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.pages.Reponses docs/reponses.md target/reponses
+	@$(JAVA) -cp mesures/target/mesures.jar:mesures/target/test-classes lancer.mesures.pages.Reponses docs/reponses.md target/reponses
 	@cp target/reponses/*.svg images
 	@$(call actualiser,target/reponses,images)
 
 # Deux images, ou une image et une scène : make comparer A=attendue.png B=scenes/scene1.ini ; statut 0 si elles sont pareilles.
 comparer: $(BASE)
 	@test -n "$(A)" -a -n "$(B)" || { echo "Que comparer ? make comparer A=attendue.png B=autre.png (ou une scène)" >&2; exit 2; }
-	@dit=$$($(JAVA) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"); statut=$$?; echo "$$dit"; \
+	@dit=$$($(JAVA_IMAGE) -jar $(BASE) $(OPTIONS) --comparer "$(A)" "$(B)"); statut=$$?; echo "$$dit"; \
 	case "$$statut $$dit" in \
 	    "1 images: "*) echo "make comparer : les images sont différentes" >&2;; \
 	    1*) echo "make comparer : la machine n'a pas pu, rien n'est comparé" >&2;; \
@@ -171,10 +177,15 @@ corrige: $(CORRECTION)
 	@$(JAVA) -jar $(CORRECTION) --corrige "$(DOSSIER)" $(if $(VARIANTE),--variante "$(VARIANTE)")
 
 # Juger et noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
+# AJOUTER=1 : les rendus donnés s'ajoutent à ceux qui ont été jugés, ou les remplacent ; les autres restent.
 corriger: $(CORRECTION)
-	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv]" >&2; exit 2; }
+	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv] [AJOUTER=1]" >&2; exit 2; }
 	@$(CORRIGER) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
-	    $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+	    $(if $(filter-out 0 non,$(AJOUTER)),--ajouter) $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+
+# Le profil AppArmor dont bwrap a besoin sous Ubuntu 23.10 et suivants.
+profil-bwrap:
+	@cat correction/src/main/resources/bwrap.apparmor
 
 # Refaire les notes et les pages de ce qui a été jugé : après un changement de bareme.ini ou d'ajustements.csv.
 noter: $(CORRECTION)
@@ -199,6 +210,7 @@ aide:
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corrige DOSSIER=…     écrit le programme fini du cours ; VARIANTE=brume, antialias ou blinn pour une extension"
 	@echo "make corriger RENDUS=…     juge et note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
+	@echo "    … AJOUTER=1            ajoute ou remplace ces rendus, sans juger les autres"
 	@echo "make noter                 refait les notes : bareme.ini ou ajustements.csv a changé ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
 	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"

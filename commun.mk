@@ -18,7 +18,12 @@ BASE := $(RACINE)/target/lancer.jar
 JARS := $(if $(strip $(VARIANTES)),$(foreach v,$(VARIANTES),$(RACINE)/$(v)/target/$(v).jar),$(BASE))
 vide :=
 CHEMIN := $(subst $(vide) $(vide),:,$(strip $(JARS)))
-LANCER := $(JAVA) -cp $(CHEMIN) lancer.Main
+PROGRAMME := -cp $(CHEMIN) lancer.Main
+# La machine virtuelle d'une image par processus : docs/performance.md dit ce que ces options épargnent. Une fenêtre, qui dure, va plus vite
+# sans elles. JAVA_OPTIONS les remplace toutes.
+OPTIONS_IMAGE := $(if $(filter undefined,$(origin JAVA_OPTIONS)),-XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m,$(JAVA_OPTIONS))
+JAVA_IMAGE := $(JAVA) $(OPTIONS_IMAGE)
+JAVA_FENETRE := $(JAVA) $(JAVA_OPTIONS)
 POMS := $(RACINE)/ensemble.xml $(RACINE)/pom.xml
 # Les sources d'un dossier, et leur liste : d'un fichier effacé, elle garde la trace jusqu'à ce que tout soit construit de nouveau.
 sources = $(1)/target/sources.txt $(shell find $(1)/src/main -type f 2>/dev/null)
@@ -30,15 +35,15 @@ sources = $(1)/target/sources.txt $(shell find $(1)/src/main -type f 2>/dev/null
 # L'image porte le nom de la variante dans le dossier de celle-ci, à la racine celui de la scène et des variantes mises ensemble.
 run: $(JARS)
 	@case "$(OPTIONS)" in \
-	    *--image*|*--lineaire*|*--pixel*|*--comparer*|*--aide*|*--version*) $(LANCER) $(OPTIONS) "$(SCENE)"; exit;; \
+	    *--image*|*--lineaire*|*--pixel*|*--comparer*|*--aide*|*--version*) $(JAVA_IMAGE) $(PROGRAMME) $(OPTIONS) "$(SCENE)"; exit;; \
 	esac; \
 	if [ -n "$$DISPLAY" ] || [ "$$(uname)" = Darwin ]; then \
-	    $(LANCER) $(OPTIONS) "$(SCENE)"; statut=$$?; \
+	    $(JAVA_FENETRE) $(PROGRAMME) $(OPTIONS) "$(SCENE)"; statut=$$?; \
 	    [ $$statut = 1 ] || exit $$statut; \
 	fi; \
 	nom="$(VARIANTE)"; \
 	png="$(CURDIR)/target/$${nom:-$$(basename "$(SCENE)" .ini)$(subst $(vide) $(vide),,$(VARIANTES:%=-%))}.png"; \
-	$(LANCER) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
+	$(JAVA_IMAGE) $(PROGRAMME) $(OPTIONS) --image "$$png" "$(SCENE)" && echo "Pas d'écran ici : l'image est dans $$png"
 
 # Dans le dossier d'une variante, les tests de son paquet ; à la racine, ceux de tout.
 ifeq ($(origin VARIANTE),file)

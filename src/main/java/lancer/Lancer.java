@@ -3,34 +3,30 @@ package lancer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Recherche;
+import lancer.contrat.Sondable;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Calcul;
 import lancer.fils.Equipe;
 import lancer.fils.Fautes;
-import lancer.fils.Retenu;
+import lancer.fils.Fil;
 
 /**
  * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
  * plusieurs fils se partagent ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
  */
-public final class Lancer implements Calcul {
+public final class Lancer {
 
     private final Scene scene;
     private final Camera camera;
     private final Equipe equipe;
     private final Fautes fautes;
-    /** Point de l'écran du calcul en cours ou, à défaut, du dernier calcul. */
-    private double xe;
-    private double ye;
-    private Consumer<PixelFautif> siLent;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -47,7 +43,6 @@ public final class Lancer implements Calcul {
         camera = autre.camera;
         equipe = autre.equipe;
         fautes = autre.fautes;
-        siLent = autre.siLent;
     }
 
     /**
@@ -69,10 +64,35 @@ public final class Lancer implements Calcul {
         partager(fils, true, null, toile, profondeur);
     }
 
-    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
+    /**
+     * Dessine tous les pixels, selon l'échantillonnage de la scène. Si une réponse de la recherche diffère ensuite de
+     * celle des boucles du cours, les boucles les dessinent de nouveau.
+     */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
+        Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        partager(fils, false, choisi == null ? null : choisi.pour(scene.getObjets(), camera), toile, profondeur);
+        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        if (sonder(partager(fils, false, sien, toile, profondeur))) {
+            fautes.oublier();
+            partager(fils, false, sien, toile, profondeur);
+        }
+    }
+
+    /** Compare la recherche aux boucles du cours, comme après un dessin. */
+    public void sonder() {
+        sonder(new Lancer(this).scene);
+    }
+
+    /**
+     * Compare la recherche aux boucles de cette scène, qu'elle a dessinée. Si une réponse diffère, les dessins suivants
+     * sont faits par les boucles.
+     */
+    private boolean sonder(Scene dessinee) {
+        Recherche recherche = dessinee.getModele().getRecherche();
+        Fil.commencer("vérification");
+        boolean differe = recherche instanceof Sondable && ((Sondable) recherche).differe(dessinee, camera);
+        Fil.commencer("");
+        return differe;
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -107,8 +127,7 @@ public final class Lancer implements Calcul {
      * @throws CancellationException si {@link #arreter()} a été appelé
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
-        this.xe = xe;
-        this.ye = ye;
+        Fil.commencer(xe, ye);
         scene.getCompteurs().primaires++;
         try {
             Rayon initial = camera.getRayon(xe, ye);
@@ -120,106 +139,63 @@ public final class Lancer implements Calcul {
         }
     }
 
-    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        Recherche recherche = scene.getModele().getRecherche();
-        long construit = recherche == null ? 0 : recherche.getConstructionNs();
-        long debut = System.nanoTime();
+    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
+    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        Modele modele = scene.getModele();
+        if (modele.getRecherche() != null) {
+            modele.getRecherche().verifier();
+        }
+        long debut = System.nanoTime() - modele.getConstructionNs();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-        List<Fil> ouvriers = new ArrayList<>();
         List<Lancer> siens = new ArrayList<>();
+        List<IntConsumer> ouvriers = new ArrayList<>();
         for (int k = 0; k < Math.min(fils, nombre); k++) {
             siens.add(new Lancer(this));
-            ouvriers.add(new Fil(siens.get(k), brouillon, choisi, toile, profondeur));
+            ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
         }
-        equipe.faire(nombre, ouvriers, siens);
+        equipe.faire(nombre, ouvriers);
+        Fil.commencer("");
         Compteurs total = new Compteurs();
-        for (Lancer sien : siens) {
-            total.ajouter(sien.scene.getCompteurs());
-        }
+        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
         compteurs = total;
-        dureeNs = System.nanoTime() - debut - (recherche == null ? 0 : recherche.getConstructionNs() - construit);
+        dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
+        return siens.get(0).scene;
     }
 
-    /** Le travail d'un fil : il dessine des pavés, avec sa propre scène. */
-    private final class Fil implements IntConsumer, Vue {
-
-        private final Lancer sien;
-        private final boolean brouillon;
-        private final Echantillonnage choisi;
-        private final Toile toile;
-        private final int profondeur;
-
-        Fil(Lancer sien, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-            this.sien = sien;
-            this.brouillon = brouillon;
-            this.choisi = choisi;
-            this.toile = toile;
-            this.profondeur = profondeur;
-        }
-
-        @Override
-        public void accept(int rang) {
-            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-            // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-            sien.xe = pave.i0;
-            sien.ye = pave.j0;
-            if (brouillon) {
-                sien.TracerBrouillon(pave, toile, profondeur);
-            } else if (choisi == null) {
-                sien.TracerPixels(pave, toile, profondeur);
-            } else {
-                sien.scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
+    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        final class Ouvrier implements IntConsumer, Vue {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
+                Fil.commencer(pave.i0, pave.j0);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
             }
-            fautes.peindre(pave, toile);
+
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return getCouleurPixel(xe, ye, profondeur);
+            }
+
+            @Override
+            public void noter(Compteurs autres) {
+                scene.getCompteurs().ajouter(autres);
+            }
+
+            @Override
+            public long rayons() {
+                return scene.getCompteurs().rayons();
+            }
         }
-
-        @Override
-        public Couleur couleur(double xe, double ye) {
-            return sien.getCouleurPixel(xe, ye, profondeur);
-        }
-
-        @Override
-        public void noter(Compteurs autres) {
-            sien.scene.getCompteurs().ajouter(autres);
-        }
-
-        @Override
-        public long rayons() {
-            return sien.rayons();
-        }
-    }
-
-    /** {@inheritDoc} Ici, c'est le rang du pixel. */
-    @Override
-    public long getLieu() {
-        return (long) ye * camera.getLargeur() + (long) xe;
-    }
-
-    /** {@inheritDoc} Ici, c'est le nombre de rayons de toutes sortes. */
-    @Override
-    public long getProgres(Thread fil) {
-        return rayons();
-    }
-
-    private long rayons() {
-        return scene.getCompteurs().rayons();
-    }
-
-    @Override
-    public PixelFautif nommer(Retenu cause) {
-        return new PixelFautif(xe, ye, cause);
-    }
-
-    @Override
-    public void ralentir(Retenu cause) {
-        if (siLent != null) {
-            siLent.accept(nommer(cause));
-        }
-    }
-
-    /** Appelle {@code siLent} pour le premier pixel qui dure dix secondes, pendant que d'autres fils avancent. */
-    public void setSiLent(Consumer<PixelFautif> siLent) {
-        this.siLent = siLent;
+        return new Ouvrier();
     }
 
     /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */
@@ -229,7 +205,7 @@ public final class Lancer implements Calcul {
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
     public double getAvancement() {
-        return (double) equipe.getFaites() / Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+        return equipe.getAvancement();
     }
 
     /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */

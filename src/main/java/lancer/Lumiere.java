@@ -24,15 +24,15 @@ final class Lumiere {
         this.ecoute = ecoute;
         this.seuil = seuil;
         if (ecoute != null) {
-            ecoute.enCours().N = new Vecteur(N.x, N.y, N.z);
-            ecoute.enCours().R = new Vecteur(R.x, R.y, R.z);
+            ecoute.segment().N = new Vecteur(N.x, N.y, N.z);
+            ecoute.segment().R = new Vecteur(R.x, R.y, R.z);
         }
     }
 
     /** Dit si cette lampe est devant la surface. @param devant N·(lampe − contact), dont seul le signe compte */
     boolean estDevant(Lampe lampe, double devant) {
         if (ecoute != null) {
-            ecoute.enCours().lampes.add(ecoute.enCours().suivre(new Ecoute.Eclairage(lampe, null, devant)));
+            ecoute.lampe(lampe, devant);
         }
         return devant > 0;
     }
@@ -41,7 +41,7 @@ final class Lumiere {
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
         Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
-            Ecoute.Eclairage dit = ecoute.enCours().enCours;
+            Ecoute.Terme dit = ecoute.terme();
             dit.cosinus = cosinus;
             dit.eclat = eclat;
             dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
@@ -54,7 +54,7 @@ final class Lumiere {
     /** Dit si le rayon réfléchi doit être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
         if (ecoute != null) {
-            ecoute.enCours().poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
+            ecoute.segment().poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
         }
         return produitKs.max() >= seuil;
     }
@@ -62,7 +62,7 @@ final class Lumiere {
     /** Ajoute l'apport d'une lampe visible, ou la couleur du rayon réfléchi multipliée par Ks. */
     void ajouter(Couleur c) {
         if (ecoute != null) {
-            ecoute.enCours().enCours.ajouts.add(new Couleur(c.r, c.v, c.b));
+            ecoute.terme().ajouts.add(new Couleur(c.r, c.v, c.b));
         }
         r += c.r;
         v += c.v;

@@ -2,8 +2,8 @@ package lancer;
 
 import java.io.PrintStream;
 import java.util.function.DoubleConsumer;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.dessin.Dessin;
@@ -19,14 +19,21 @@ public class Main implements Toile, Lecture {
     private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    /** Le dessin en cours ou, à défaut, le dernier. */
-    private volatile Dessin dessin;
+    private final Dessin dessin;
 
     public Main(Options options, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
         dessin = new Dessin(options, this, erreur, options.scene, options.largeur, options.hauteur);
+    }
+
+    /** Le même programme pour cet autre dessin : un dessin abandonné ne touche pas au suivant. */
+    protected Main(Main autre, Dessin dessin) {
+        options = autre.options;
+        sortie = autre.sortie;
+        erreur = autre.erreur;
+        this.dessin = dessin;
     }
 
     /** @param args voir {@code --aide} */
@@ -46,17 +53,17 @@ public class Main implements Toile, Lecture {
         try {
             return new Main(Options.lire(args), sortie, erreur).executer();
         } catch (RuntimeException | Error e) {
-            return Pannes.dire(e, erreur);
+            return Messages.dire(e, erreur);
         }
     }
 
     private int executer() {
         if (options.aide || options.version) {
-            Pannes.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
+            Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
         } else if (options.sansFenetre()) {
             return SansFenetre.faire(options, dessin, this, sortie, erreur);
         } else {
-            Ouverture.ouvrir(options, dessin, this::dessiner, erreur, () -> System.exit(0));
+            Ouverture.ouvrir(options, dessin, voulu -> new Main(this, voulu).dessiner(), erreur, () -> System.exit(0));
         }
         return 0;
     }
@@ -70,13 +77,12 @@ public class Main implements Toile, Lecture {
         return LecteurScene.lire(nomFichier, suivi);
     }
 
-    /** Exécute ce dessin, dont la scène est déjà lue : c'est le travail du SwingWorker de la fenêtre. */
-    protected void dessiner(Dessin voulu) {
-        dessin = voulu;
-        if (voulu.getVue() == null) {
-            doTracerImage(voulu.largeur, voulu.hauteur);
+    /** Exécute le dessin, dont la scène est déjà lue : c'est le travail du SwingWorker de la fenêtre. */
+    protected void dessiner() {
+        if (dessin.getVue() == null) {
+            doTracerImage(dessin.largeur, dessin.hauteur);
         } else {
-            voulu.dessinerLaVue(options.fils);
+            dessin.dessinerLaVue(options.fils);
         }
     }
 

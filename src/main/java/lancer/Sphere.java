@@ -9,9 +9,6 @@ public class Sphere extends Objet3D {
     /** Normale que {@link #getNormale} rend au centre, où aucune n'est définie. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    /** Rayon de sphère au-delà duquel une correction éloignerait de la surface un contact proche. */
-    private static final double GEANTE = 1e8;
-
     private final Point centre;
     private final double rayon;
 
@@ -63,10 +60,10 @@ public class Sphere extends Objet3D {
         return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
     }
 
-    /** {@inheritDoc} Si la sphère est géante et que t est inférieur à r, P + tV est plus juste, à 2 u t près. */
+    /** {@inheritDoc} Si t est inférieur à r, P + tV est plus juste, à 2 u t près : c'est lui qui est rendu. */
     @Override
     Point getPointDeSurface(Point contact, double distance) {
-        return rayon > GEANTE && distance < rayon ? contact : getPointDeSurface(contact);
+        return distance < rayon ? contact : getPointDeSurface(contact);
     }
 
     /** {@inheritDoc} Un arrondi peut placer le contact au centre : la normale y est, par convention, (0, 0, −1). */

@@ -40,6 +40,9 @@ public class Tests {
     /** La même chose pour une composante d'une couleur : un quart de ce qui se voit à l'écran. */
     private static final double PRES_COULEUR = 1e-3;
 
+    /** Nombre de rayons voisins, l'un après l'autre, à qui demander une couleur que des arrondis peuvent changer. */
+    private static final int ESSAIS = 60;
+
     private static final Couleur NOIR = new Couleur(0, 0, 0);
     private static final Couleur BLANC = new Couleur(1, 1, 1);
     private static final Couleur JAUNE = new Couleur(1, 1, 0);
@@ -48,6 +51,9 @@ public class Tests {
     /** D'où les valeurs sont tirées, toujours les mêmes pour une vérification et une graine ; {@code null} : elles ne le sont pas. */
     private final SplittableRandom hasard = Long.getLong("tests.graine") == null ? null
             : new SplittableRandom(Long.getLong("tests.graine"));
+
+    /** La profondeur qui ne montre pas de reflet, négative si elle n'est pas encore connue. */
+    private int sansReflet = -1;
 
     /** De quel angle la scène est tournée autour de la verticale, et où est son origine. */
     private double tour = tirer(0, -3, 3);
@@ -250,12 +256,15 @@ public class Tests {
 
     /** La couleur vue sans reflet : à la profondeur 0, ou 1 pour qui compte à partir de 1, et rend noir à 0. */
     private Couleur vue(Scene scene, Rayon rayon) {
-        Scene eclairee = scene(lampe(0, 0, 3), boule(gris, NOIR, 1));
-        Couleur couleur = vue(eclairee, devant(), 0);
-        Couleur encore = vue(eclairee, devant(), 0);
-        dire(pres(couleur, encore), "getColor ne doit rien garder d'un appel à l'autre : appelé deux fois de même",
-                lisible(couleur.r, couleur.v, couleur.b), lisible(encore.r, encore.v, encore.b));
-        return vue(scene, rayon, pres(NOIR, couleur) ? 1 : 0);
+        if (sansReflet < 0) {
+            Scene eclairee = scene(lampe(0, 0, 3), boule(gris, NOIR, 1));
+            Couleur couleur = vue(eclairee, devant(), 0);
+            Couleur encore = vue(eclairee, devant(), 0);
+            dire(pres(couleur, encore), "getColor ne doit rien garder d'un appel à l'autre : appelé deux fois de même",
+                    lisible(couleur.r, couleur.v, couleur.b), lisible(encore.r, encore.v, encore.b));
+            sansReflet = pres(NOIR, aCote(devant(), c -> !pres(NOIR, c), r -> vue(eclairee, r, 0))) ? 1 : 0;
+        }
+        return vue(scene, rayon, sansReflet);
     }
 
     /** Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. */
@@ -264,9 +273,12 @@ public class Tests {
         return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(vue(scene(null, boules), encore));
     }
 
-    /** Un rayon que rien ne distingue de celui-ci, aux arrondis près. */
+    /** Un rayon que rien ne distingue de celui-ci, aux arrondis près : il part un peu plus loin, et d'un rien à côté. */
     private static Rayon aCote(Rayon rayon, int combien) {
-        return new Rayon(rayon.getP().add(new Vecteur(1e-7 * combien, 3e-7 * combien, 0)), rayon.getV());
+        Point p = rayon.getP();
+        Vecteur v = rayon.getV();
+        double pas = combien / 100.0;
+        return new Rayon(new Point(p.x + pas * v.x + 1e-6 * combien, p.y + pas * v.y + 3e-6 * combien, p.z + pas * v.z), v);
     }
 
     /**
@@ -277,7 +289,7 @@ public class Tests {
     private static Couleur aCote(Rayon rayon, Predicate<Couleur> convient, Function<Rayon, Couleur> couleur) {
         Couleur ici = couleur.apply(rayon);
         Couleur trouvee = ici;
-        for (int k = 1; k < 15 && !convient.test(trouvee); k++) {
+        for (int k = 1; k < ESSAIS && !convient.test(trouvee); k++) {
             trouvee = couleur.apply(aCote(rayon, k));
         }
         return convient.test(trouvee) ? trouvee : ici;
@@ -770,7 +782,7 @@ public class Tests {
 
         @Test @Order(4) @Tag("Objet3D") @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
         void laDistanceDeLaLampeNeChangeRien() {
-            for (double k : new double[] {0.5, 1, 5, 50}) {
+            for (double k : new double[] {0.5, 1, 5}) {
                 double d = arrondi(k * tirer(1, 0.7, 1.3));
                 eclairee("lampe dans la direction " + vers(s, 0, -c) + ", à la distance " + d + ", N.L = " + nb(c),
                         gris.mul(c), deBiais(d, BLANC), boule(gris, NOIR, 1));
@@ -841,8 +853,19 @@ public class Tests {
 
         /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
         private void refletCommence() {
-            assumeTrue(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
-                    boule(NOIR, gris, 1))), "étape non commencée : pour l'instant, face à la lampe et à l'œil, aucun reflet");
+            Couleur face = apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
+                    boule(NOIR, gris, 1));
+            if (pres(NOIR, face)) {
+                // un signe faux met le reflet ailleurs, là où la lumière est rasante
+                assumeTrue(refletRasant(1) || refletRasant(-1),
+                        "étape non commencée : pour l'instant, face à la lampe et à l'œil, aucun reflet");
+                verifier("face à la lampe et à l'œil, R.-V = 1 ; il y a un reflet, mais ailleurs : un signe faux ?", gris, face);
+            }
+        }
+
+        private boolean refletRasant(int cote) {
+            return !pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0.995 * cote, 0, 4 - sinus(0.995))),
+                    rayon(-sv, 0, 4 - cv, sv, 0, cv), boule(NOIR, gris, 1)));
         }
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("face à la lampe et à l'œil : Ks")
@@ -940,7 +963,7 @@ public class Tests {
         void commencee() {
             couleurCommencee();
             eteinte = couleur(null, boule);
-            for (eclairee = couleur(lampe, boule); ou < 15 && pres(eclairee, eteinte); eclairee = couleur(lampe, boule)) {
+            for (eclairee = couleur(lampe, boule); ou < ESSAIS && pres(eclairee, eteinte); eclairee = couleur(lampe, boule)) {
                 ou++;
             }
             assumeTrue(!pres(eclairee, eteinte), "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
@@ -1089,10 +1112,10 @@ public class Tests {
             Sphere mate = boule(0, ry * D, z + rz * D, tirer(1, 0.7, 1.2), teinte(0.25, 0.5, 0.75), NOIR, 1);
             Lampe derriere = orange(0, 0, tirer(8, 7.8, 9));
             Scene scene = scene(derriere, miroir(Ks), mate);
-            Couleur reflechie = vue(scene, reflechi(1), 1);
+            Couleur reflechie = aCote(reflechi(1), c -> !pres(NOIR, c), r -> vue(scene, r, 1));
             for (double t = 0.25; t < 2; t += 0.25) {
-                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, vue(scene, reflechi(t), 1)), "étape non évaluable : "
-                        + "la boule à refléter n'est pas éclairée, ou pas toujours de même (ombre d'elle-même ?)");
+                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, aCote(reflechi(t), c -> pres(reflechie, c),
+                        r -> vue(scene, r, 1))), "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même");
             }
             verifierReflet("à la profondeur 2, Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
                     Collections.singletonList(derriere), 2, mate);
@@ -1101,10 +1124,13 @@ public class Tests {
         @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule ne se reflète pas elle-même")
         void uneBouleNeSeRefletePasElleMeme() {
             Sphere miroir = boule(NOIR, gris, 1e5);
+            Scene seule = scene(null, miroir);
             for (double y = -0.55; y < 0.6; y += 0.1) {
-                Couleur vue = vue(scene(null, miroir), rayon(0.13, y, 0, 0.01, 0.02, 1), 1);
-                dire(vue.b > 0.025, "une boule seule ne reflète que le ciel, jamais noir ; vue à la hauteur " + y,
-                        "le ciel", lisible(vue.r, vue.v, vue.b));
+                for (double x = -0.53; x < 0.6; x += 0.1) {
+                    Couleur vue = vue(seule, rayon(x, y, 0, 0.01, 0.02, 1), 1);
+                    dire(vue.b > 0.025, "une boule seule ne reflète que le ciel, jamais noir ; vue de (" + nb(x) + ", " + nb(y) + ")",
+                            "le ciel", lisible(vue.r, vue.v, vue.b));
+                }
             }
         }
 

@@ -1,9 +1,12 @@
 package lancer;
 
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Paths;
 import java.util.Base64;
-import java.util.Collections;
-import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Interroge les méthodes publiques des classes d'un étudiant : ce qu'elles dessinent, et ce qu'elles répondent en chemin. */
 public final class Sonde {
@@ -23,7 +26,7 @@ public final class Sonde {
     }
 
     /** @param a largeur, hauteur, profondeur */
-    public static String dessiner(String fichier, String... a) {
+    public static String dessiner(String fichier, String... a) throws Exception {
         Scene scene = new Scene(fichier);
         int largeur = Integer.parseInt(a[0]);
         int profondeur = Integer.parseInt(a[2]);
@@ -44,17 +47,17 @@ public final class Sonde {
     }
 
     /** Des entiers : {@code getCouleurPixel} peut les vouloir. */
-    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur) {
+    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur) throws Exception {
         return new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
     }
 
-    private static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) {
+    private static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) throws Exception {
         PointContact contact = scene.getClosestIntersection(rayon, null);
         return contact == null ? rayon.getSkyColor() : contact.objet.getColor(scene, rayon, contact, profondeur);
     }
 
     /** @param a largeur, hauteur, profondeur ; ce que dessine TracerImage, où l'étudiant met l'anticrénelage */
-    public static String tracer(String fichier, String... a) {
+    public static String tracer(String fichier, String... a) throws Exception {
         int largeur = Integer.parseInt(a[0]);
         int hauteur = Integer.parseInt(a[1]);
         Couleur[] pixels = new Couleur[largeur * hauteur];
@@ -74,10 +77,10 @@ public final class Sonde {
     }
 
     /** @param a largeur, hauteur, xe, ye, profondeur ; rend {@code nom=x y z} pour chaque réponse, séparés par des tabulations */
-    public static String decrire(String fichier, String... a) {
+    public static String decrire(String fichier, String... a) throws Exception {
         Sonde chemin = new Sonde();
         try {
-            chemin.suivre(new Scene(fichier), new Camera(Integer.parseInt(a[0]), Integer.parseInt(a[1])), Double.parseDouble(a[2]),
+            chemin.suivre(fichier, new Camera(Integer.parseInt(a[0]), Integer.parseInt(a[1])), Double.parseDouble(a[2]),
                     Double.parseDouble(a[3]), Integer.parseInt(a[4]));
         } catch (Exception | Error e) {
             chemin.dire("arrêt", e);
@@ -85,7 +88,8 @@ public final class Sonde {
         return chemin.texte.toString();
     }
 
-    private void suivre(Scene scene, Camera camera, double xe, double ye, int profondeur) {
+    private void suivre(String fichier, Camera camera, double xe, double ye, int profondeur) throws Exception {
+        Scene scene = new Scene(fichier);
         Rayon rayon = camera.getRayon(xe, ye);
         dire("rayon, départ P", rayon.getP());
         dire("rayon, direction V", rayon.getV());
@@ -95,22 +99,30 @@ public final class Sonde {
             return;
         }
         Objet3D objet = contact.objet;
-        dire("objet rencontré, son rang dans la scène", scene.getObjets().indexOf(objet) + 1);
+        dire("objet rencontré, sa couleur Kd", objet.getKd());
         dire("distance", (float) contact.distance);
         dire("point de contact", contact);
         dire("normale N", objet.getNormale(contact));
-        Couleur Ks = objet.getKs();
-        List<Lampe> lampes = scene.getLampes();
-        for (int k = 0; k < lampes.size(); k++) {
-            Scene seule = new Scene(scene.getObjets(), Collections.singletonList(lampes.get(k)));
-            objet.setKs(new Couleur(0, 0, 0));
-            dire("lampe " + (k + 1) + " seule, sans Ks", parRayon(seule, camera.getRayon(xe, ye), 0));
-            objet.setKs(Ks);
-            dire("lampe " + (k + 1) + " seule, avec Ks", parRayon(seule, camera.getRayon(xe, ye), 0));
+        // une lampe à la fois, par un fichier : une scène n'a pas forcément d'autre constructeur
+        String[] sections = new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8).split("(?m)^(?=\\[)");
+        String objets = Stream.of(sections).filter(s -> !s.startsWith("[Lampe")).collect(Collectors.joining());
+        int k = 0;
+        for (String lampe : sections) {
+            if (lampe.startsWith("[Lampe")) {
+                k++;
+                dire("lampe " + k + " seule, sans Ks", eclairer(fichier, objets.replaceAll("(?m)^K[sr]=.*", "Ks=0 0 0") + lampe,
+                        camera, xe, ye));
+                dire("lampe " + k + " seule, avec Ks", eclairer(fichier, objets + lampe, camera, xe, ye));
+            }
         }
         for (int p = 0; p <= profondeur; p++) {
             dire("toutes les lampes, profondeur " + p, parRayon(scene, camera.getRayon(xe, ye), p));
         }
+    }
+
+    private static Couleur eclairer(String fichier, String scene, Camera camera, double xe, double ye) throws Exception {
+        Files.write(Paths.get(fichier), scene.getBytes(StandardCharsets.UTF_8));
+        return parRayon(new Scene(fichier), camera.getRayon(xe, ye), 0);
     }
 
     /** Sept chiffres : de quoi comparer, à l'œil aussi. */

@@ -69,6 +69,8 @@ public final class Auto {
     public Auto(Lancer prepare, double voulue, Integer reflets, Double seuil, int fils,
             Map<Variante, Section> variantes, Consumer<Auto> suivi) {
         this.voulue = voulue;
+        // une erreur se mesure sur des couleurs justes
+        prepare.sonder();
         limites = Limite.permises(reflets, seuil);
         essais = new Essais(prepare, fils);
         variantes.forEach((variante, sienne) -> {

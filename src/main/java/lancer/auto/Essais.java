@@ -48,12 +48,10 @@ final class Essais {
             int debut = faits;
             Equipe equipe = new Equipe("lancer");
             List<IntConsumer> ouvriers = new ArrayList<>();
-            List<Lancer> siens = new ArrayList<>();
             for (int k = 0; k < Math.min(fils, fin - debut); k++) {
                 Lancer sien = new Lancer(prepare.getScene().avec(prepare.getScene().getModele()), prepare.getCamera());
                 sien.getScene().getModele().setSeuil(seuil);
                 Vue vue = vue(equipe, sien, reflets);
-                siens.add(sien);
                 ouvriers.add(rang -> {
                     long commence = System.nanoTime();
                     essai.accept(debut + rang, vue);
@@ -61,7 +59,7 @@ final class Essais {
                 });
             }
             try {
-                equipe.faire(fin - debut, ouvriers, siens);
+                equipe.faire(fin - debut, ouvriers);
                 faits = fin;
             } catch (CancellationException e) {
                 if (rayons.get() <= borne) {

@@ -4,7 +4,7 @@ package lancer.commande;
 public final class Echec extends RuntimeException {
 
     /** Statuts : la machine a échoué (disque, mémoire, écran), ou la demande est fausse (option, valeur, scène). */
-    public static final int PANNE = 1;
+    public static final int MACHINE = 1;
     public static final int DEMANDE = 2;
 
     private static final long serialVersionUID = 1;
@@ -16,8 +16,8 @@ public final class Echec extends RuntimeException {
         this.code = code;
     }
 
-    public static Echec panne(String message) {
-        return new Echec(PANNE, message);
+    public static Echec machine(String message) {
+        return new Echec(MACHINE, message);
     }
 
     public static Echec demande(String message) {

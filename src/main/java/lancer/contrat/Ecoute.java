@@ -30,11 +30,10 @@ public final class Ecoute {
         public final double distance;
         private final Segment avant;
 
-        public final List<Eclairage> lampes = new ArrayList<>();
+        public final List<Terme> lampes = new ArrayList<>();
 
-        /** Termes dans l'ordre : un avant les lampes, un par lampe, celui du rayon réfléchi ; puis terme en cours. */
-        public final List<Eclairage> termes = new ArrayList<>();
-        public Eclairage enCours = suivre(new Eclairage(null, null, 0));
+        /** Termes dans l'ordre : un avant les lampes, un par lampe, celui du rayon réfléchi. */
+        public final List<Terme> termes = new ArrayList<>();
 
         /** Normale, direction réfléchie, produit des Ks ; {@code null} si l'objet ne les a pas notés. */
         public Vecteur N;
@@ -51,13 +50,7 @@ public final class Ecoute {
             this.contact = contact;
             this.avant = avant;
             distance = contact == null ? Constantes.INFINI : contact.distance;
-        }
-
-        /** Passe à ce terme : les ajouts suivants lui appartiennent. */
-        public Eclairage suivre(Eclairage terme) {
-            enCours = terme;
-            termes.add(terme);
-            return terme;
+            termes.add(new Terme(null, null, 0));
         }
 
         /** Couleur du contact, moins la somme des termes notés ; noire si les deux sont égales au bit près. */
@@ -69,7 +62,7 @@ public final class Ecoute {
     }
 
     /** Un terme de la somme : une lampe ou le rayon réfléchi, avec les couleurs ajoutées jusqu'au terme suivant. */
-    public static final class Eclairage {
+    public static final class Terme {
 
         /** La lampe, ou le rayon réfléchi ; {@code null} tous deux au début. {@code devant} est N·(lampe − contact). */
         public final Lampe lampe;
@@ -92,26 +85,38 @@ public final class Ecoute {
         /** Contact de l'objet qui cache la lampe, si l'inspecteur l'a cherché. */
         public PointContact cache;
 
-        public Eclairage(Lampe lampe, Segment suite, double devant) {
+        Terme(Lampe lampe, Segment suite, double devant) {
             this.lampe = lampe;
             this.suite = suite;
             this.devant = devant;
         }
 
-        /** Rang de l'apport dans {@link #ajouts} ; -1 si la lampe n'éclaire pas le contact. */
-        public int apport() {
-            int rang = ajouts.indexOf(produit);
+        /** L'ajout de la lampe ou du rayon réfléchi ; {@code null} s'il n'éclaire pas le contact. */
+        public Couleur apport() {
             boolean attendu = cache == null && produit != null && !produit.estNoire() && !ajouts.isEmpty();
-            return attendu ? Math.max(0, rang) : rang;
+            int rang = ajouts.indexOf(produit);
+            return rang >= 0 ? ajouts.get(rang) : attendu ? ajouts.get(0) : null;
         }
 
         public boolean eclaire() {
-            return apport() >= 0;
+            return apport() != null;
         }
     }
 
-    public Segment enCours() {
+    /** Le segment en cours. */
+    public Segment segment() {
         return enCours;
+    }
+
+    /** Le terme en cours : les ajouts suivants lui appartiennent. */
+    public Terme terme() {
+        return enCours.termes.get(enCours.termes.size() - 1);
+    }
+
+    /** Passe au terme de cette lampe. @param devant N·(lampe − contact) */
+    public void lampe(Lampe lampe, double devant) {
+        enCours.lampes.add(new Terme(lampe, null, devant));
+        enCours.termes.add(enCours.lampes.get(enCours.lampes.size() - 1));
     }
 
     /** Note un rayon de direction V et son contact, {@code null} pour le ciel. */
@@ -128,7 +133,7 @@ public final class Ecoute {
     /** Note un rayon d'ombre. {@code L} va du contact à la lampe. */
     public static void ombre(Ecoute e, Vecteur L, double distance) {
         if (e != null) {
-            Eclairage lampe = e.enCours.enCours;
+            Terme lampe = e.terme();
             lampe.L = new Vecteur(L.x, L.y, L.z);
             lampe.distance = distance;
         }
@@ -143,7 +148,8 @@ public final class Ecoute {
             e.enCours = segment.avant;
             if (e.enCours != null) {
                 Couleur Ks = e.enCours.contact.objet.getKs();
-                e.enCours.suivre(new Eclairage(null, segment, 0)).produit = Ks.mul(segment.vue);
+                e.enCours.termes.add(new Terme(null, segment, 0));
+                e.terme().produit = Ks.mul(segment.vue);
             }
         }
     }

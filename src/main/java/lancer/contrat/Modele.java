@@ -103,6 +103,11 @@ public final class Modele {
         this.recherche = recherche;
     }
 
+    /** {@link Recherche#getConstructionNs} de la recherche ; 0 s'il n'y en a pas. */
+    public long getConstructionNs() {
+        return recherche == null ? 0 : recherche.getConstructionNs();
+    }
+
     /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */
     public double getSeuil() {
         return seuil;

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import lancer.Couleur;
 
-/** Échec du calcul d'un pixel : une exception, un calcul trop long, ou une couleur qui n'est pas finie. */
+/** Échec du calcul d'un pixel : une exception, ou une couleur qui n'est pas finie. */
 public final class PixelFautif extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

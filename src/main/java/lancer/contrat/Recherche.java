@@ -25,8 +25,17 @@ public interface Recherche {
      */
     boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet);
 
-    /** La même recherche pour un fil, qui compte dans {@code compteurs}. */
+    /** La même recherche pour un fil, qui compte dans {@code compteurs} ; {@code null} si elle a un écart. */
     Recherche pourUnFil(Compteurs compteurs);
+
+    /** Vérifie que les objets sont ceux qu'elle a copiés. */
+    default void verifier() {
+    }
+
+    /** Phrase sur la première réponse qui diffère de celle des boucles ; {@code null} s'il n'y en a pas. */
+    default String getEcart() {
+        return null;
+    }
 
     /** Temps de construction des structures, pendant la préparation et pendant le dessin, en nanosecondes. */
     default long getConstructionNs() {

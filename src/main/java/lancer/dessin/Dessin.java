@@ -6,9 +6,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
-import java.util.function.IntConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -18,26 +16,27 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.fils.Calcul;
+import lancer.contrat.Recherche;
 import lancer.fils.Equipe;
-import lancer.fils.Retenu;
+import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
-import lancer.rapide.Sondage;
+import lancer.rapide.Preparation;
 import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /**
  * Un dessin : une scène, ses réglages, une taille, puis l'image et le lancer qui la dessine. Un fil lit, prépare et
  * dessine, dans cet ordre ; les autres fils lisent l'avancement. Chaque dessin a sa propre image.
  */
-public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
+public final class Dessin implements DoubleConsumer {
 
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -58,14 +57,12 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     private String vue;
     private ImageMemoire reference;
     private volatile Lancer lancer;
-    private volatile String ecart;
     private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
     private Runnable entracte;
     private long lectureNs;
     private long preparationNs;
-    private long construitNs;
 
     /** Un dessin de cette scène, qui n'est pas encore lue. @param erreur sortie des avertissements */
     public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
@@ -118,23 +115,20 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
      * @throws CancellationException si ce fil a été interrompu
      */
     public void lire() {
-        new Prealable() {
-            @Override
-            public void accept(int tache) {
-                long debut = System.nanoTime();
-                SceneLue nouvelle = lecture.lireScene(fichier, Dessin.this);
-                scene = new Scene(nouvelle.objets, nouvelle.lampes);
-                ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
-                regler(initiaux);
-                initiaux.verifier(options);
-                lectureNs = System.nanoTime() - debut;
-                lue = nouvelle;
-            }
-        }.faire("lecture");
+        Fil.commencer("lecture");
+        long debut = System.nanoTime();
+        SceneLue nouvelle = lecture.lireScene(fichier, this);
+        scene = new Scene(nouvelle.objets, nouvelle.lampes);
+        ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
+        regler(initiaux);
+        initiaux.verifier(options);
+        lectureNs = System.nanoTime() - debut;
+        lue = nouvelle;
     }
 
     /** Applique ces réglages à la scène lue. @throws SceneFautive si un réglage est refusé */
     public void regler(ReglagesDessin voulus) {
+        Fil.commencer("réglage");
         scene = scene.avec(voulus.getModele());
         reglages = voulus;
     }
@@ -142,6 +136,7 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
     @Override
     public void accept(double part) {
         avancement = part;
+        Fil.avancer();
     }
 
     /** Prépare la scène lue pour une image de cette taille. @throws CancellationException si ce fil est interrompu */
@@ -151,33 +146,20 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Prépare la scène lue pour cette image. @throws CancellationException si ce fil est interrompu */
     Lancer preparer(ImageMemoire vierge) {
+        Fil.commencer("préparation");
         avancement = 0;
         long debut = System.nanoTime();
-        Lancer[] pret = new Lancer[1];
-        new Prealable() {
-            @Override
-            public void accept(int tache) {
-                Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-                ecart = Sondage.choisir(scene, camera, options.simple, Dessin.this);
-                pret[0] = new Lancer(scene, camera);
-            }
-        }.faire("préparation");
-        pret[0].setSiLent(this);
-        construitNs = construitNs();
-        preparationNs = System.nanoTime() - debut;
+        Camera camera = new Camera(vierge.largeur, vierge.hauteur);
+        Preparation.choisir(scene, camera, options.simple, this);
+        preparationNs = System.nanoTime() - debut - scene.getModele().getConstructionNs();
         image = vierge;
-        lancer = pret[0];
+        lancer = new Lancer(scene, camera);
         return lancer;
     }
 
-    /** Exécute ce travail sous la même surveillance qu'une préparation. */
-    void preparer(Runnable travail) {
-        new Prealable() {
-            @Override
-            public void accept(int tache) {
-                travail.run();
-            }
-        }.faire("préparation");
+    /** Exécute ce travail dans un autre fil. Ce qui y dure dix secondes est nommé une fois, et continue. */
+    public void observer(Runnable travail) {
+        new Equipe("dessin", this::nommer).faire(travail);
     }
 
     /** Dessine une petite image, un rayon par pixel, que la fenêtre montre pendant le brouillon. */
@@ -210,31 +192,16 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
         }
     }
 
-    /** Travail qui précède le dessin. Il a son propre fil : une classe qui ne finit pas ne bloque que ce fil. */
-    private abstract class Prealable implements IntConsumer, Calcul {
-
-        void faire(String nom) {
-            try {
-                new Equipe("lancer").faire(1, Collections.singletonList(this), Collections.singletonList(this));
-            } catch (Retenu e) {
-                throw Echec.panne(nom + " de " + Texte.echappe(fichier) + " : " + Texte.cause(e, Texte.HORS_DE_JAVA));
-            }
-        }
-
-        @Override
-        public long getProgres(Thread fil) {
-            return Calcul.super.getProgres(fil) ^ Double.doubleToLongBits(avancement);
+    private void nommer(Fil lent) {
+        if (lenteur == null) {
+            String cause = "ce calcul dure depuis dix secondes" + Pile.ligne(lent.getStackTrace(), Pile.HORS_DU_MOTEUR);
+            lenteur = lent.getEtape() == null ? dire(lent.getX(), lent.getY(), cause)
+                    : lent.getEtape() + " de " + Texte.echappe(fichier) + " : " + cause;
+            Messages.avertir(Collections.singletonList(lenteur), erreur);
         }
     }
 
-    /** Avertit qu'un pixel est lent ; le dessin continue. */
-    @Override
-    public void accept(PixelFautif lent) {
-        lenteur = nommer(lent).getMessage();
-        Pannes.avertir(Collections.singletonList(lenteur), erreur);
-    }
-
-    /** Phrase qui nomme le premier pixel lent ; {@code null} s'il n'y en a pas. */
+    /** Phrase qui nomme le premier calcul qui dure dix secondes ; {@code null} s'il n'y en a pas. */
     public String getLenteur() {
         return lenteur;
     }
@@ -246,12 +213,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
      */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
-        Sondage.choisir(scene, camera, simple, part -> { });
+        Preparation.choisir(scene, camera, simple, part -> { });
         return new Lancer(scene, camera);
-    }
-
-    private long construitNs() {
-        return scene.getModele().getRecherche() == null ? 0 : scene.getModele().getRecherche().getConstructionNs();
     }
 
     public void finirBrouillon() {
@@ -296,7 +259,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        return ecart;
+        Recherche recherche = scene.getModele().getRecherche();
+        return recherche == null ? null : recherche.getEcart();
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
@@ -306,8 +270,8 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
 
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
     public void direEcart() {
-        if (ecart != null) {
-            Pannes.avertir(Collections.singletonList(ecart), erreur);
+        if (getEcart() != null) {
+            Messages.avertir(Collections.singletonList(getEcart()), erreur);
         }
     }
 
@@ -335,17 +299,19 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
                 + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
-                c.pixelsRaffines, lectureNs / NS_PAR_MS, (preparationNs + construitNs() - construitNs) / NS_PAR_MS,
+                c.pixelsRaffines, lectureNs / NS_PAR_MS,
+                (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 
     /** L'échec qui nomme un pixel de la scène lue dont le calcul a échoué. */
-    public Echec nommer(PixelFautif panne) {
-        // ce fil ne doit appeler aucune classe de la scène : elle pourrait ne pas finir
-        String[] classes = panne.getCause() instanceof Retenu
-                ? new String[] {"(?!" + Calcul.DU_PROGRAMME + ")" + Texte.HORS_DE_JAVA} : classes(scene);
-        return Echec.panne(Pannes.duPixel(panne, classes, reglages.getOptions(), fichier,
-                image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur));
+    public Echec nommer(PixelFautif faute) {
+        return Echec.machine(dire(faute.x, faute.y, Pile.cause(faute, classes(scene))));
+    }
+
+    private String dire(int x, int y, String cause) {
+        return Messages.duPixel(x, y, cause, reglages.getOptions(), fichier,
+                image == null ? largeur : image.largeur, image == null ? hauteur : image.hauteur);
     }
 
     /**
@@ -359,6 +325,6 @@ public final class Dessin implements DoubleConsumer, Consumer<PixelFautif> {
                 scene.getObjets().stream()).map(Modele::nom).distinct()
                 .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
         return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
-                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Texte.HORS_DE_JAVA};
+                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Pile.HORS_DE_JAVA};
     }
 }

@@ -3,7 +3,6 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,10 +15,11 @@ import lancer.auto.Candidat;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Etape;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -63,21 +63,27 @@ public final class SansFenetre {
      */
     public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
+        int[] statut = new int[1];
         try {
-            if (options.comparer != null) {
-                return travail.comparer();
-            }
-            if (options.pixel) {
-                travail.dessinerUnPixel();
-            } else if (options.vue != null) {
-                travail.dessinerUneVue();
-            } else {
-                travail.versFichiers();
-            }
-            return 0;
+            dessin.observer(() -> statut[0] = travail.faire());
+            return statut[0];
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }
+    }
+
+    private int faire() {
+        if (options.comparer != null) {
+            return comparer();
+        }
+        if (options.pixel) {
+            dessinerUnPixel();
+        } else if (options.vue != null) {
+            dessinerUneVue();
+        } else {
+            versFichiers();
+        }
+        return 0;
     }
 
     private void versFichiers() {
@@ -98,15 +104,15 @@ public final class SansFenetre {
         Ecriture.ecrire(dessin.getImage(), fichiers);
         if (options.statistiques) {
             String nombres = dessin.statistiques(lancer, traces);
-            Pannes.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
+            Messages.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
                     + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
                     auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         if (auto != null) {
-            Pannes.avertir(rapport(auto, essais), erreur);
+            Messages.avertir(rapport(auto, essais), erreur);
         }
         // les avertissements n'ont de sens que si le reste a réussi
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
     }
 
@@ -185,24 +191,21 @@ public final class SansFenetre {
                 .dessiner(options.vue, image, null);
         Ecriture.ecrire(image, fichiers);
         if (options.statistiques) {
-            Pannes.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
+            Messages.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
         }
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
         dessin.direEcart();
     }
 
     private void dessinerUnPixel() {
         dessin.lire();
-        Inspection[] prete = new Inspection[1];
-        dessin.preparer(() -> prete[0] = new Inspection(dessin.getScene(), dessin.getLue().origines,
+        Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
                 new Camera(options.largeur, options.hauteur), dessin.getReglages().getProfondeur(),
-                options.pixelX, options.pixelY));
-        Inspection pixel = prete[0];
+                options.pixelX, options.pixelY);
         pixel.faire();
-        List<String> lignes = new ArrayList<>();
-        dessin.preparer(() -> lignes.addAll(new Recit(pixel, Double::toString).lignes()));
-        Pannes.repondreEnUtf8(lignes, sortie);
-        Pannes.avertir(dessin.getLue().avertissements, erreur);
+        Fil.commencer("récit");
+        Messages.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
+        Messages.avertir(dessin.getLue().avertissements, erreur);
     }
 
     /** Compare deux images, et écrit celle des différences si elle est demandée. @return le statut de sortie */
@@ -221,7 +224,7 @@ public final class SansFenetre {
                     new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
                     fichiers);
         }
-        Pannes.repondre(comparaison.toString(), sortie);
+        Messages.repondre(comparaison.toString(), sortie);
         return comparaison.sontPareilles() ? 0 : 1;
     }
 }

@@ -16,11 +16,14 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
+import javax.swing.ComponentInputMap;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
@@ -96,6 +99,12 @@ final class Actions {
         return dites;
     }
 
+    /** Fait défiler ce texte d'une page, vers le haut si {@code rang} est nul. */
+    static void defiler(JScrollPane texte, int rang) {
+        JScrollBar barre = texte.getVerticalScrollBar();
+        barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
+    }
+
     private void executer(Ligne ligne, int rang) {
         ligne.faire.accept(rang);
         montrer();
@@ -108,11 +117,13 @@ final class Actions {
 
     /** Lie les touches de la table. Liées à la racine du cadre, elles manqueraient à un menu ouvert. */
     void lier(JComponent contenu) {
+        // en place, cette table serait relue à chaque touche qui s'y ajoute
+        ComponentInputMap touches = new ComponentInputMap(contenu);
         for (Ligne ligne : lignes) {
             for (int k = 0; k < ligne.touches.length; k++) {
                 int rang = k;
                 for (KeyStroke touche : Touches.de(ligne.touches[k])) {
-                    contenu.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(touche, touche);
+                    touches.put(touche, touche);
                     if (contenu.getActionMap().get(touche) == null) {
                         contenu.getActionMap().put(touche, new Touche(touche));
                     }
@@ -121,6 +132,7 @@ final class Actions {
                 }
             }
         }
+        contenu.setInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW, touches);
     }
 
     /** Ce que fait une touche : la première de ses lignes qui est possible. */

@@ -58,13 +58,13 @@ final class BarreEtat extends JPanel {
         resume.setToolTipText(texte);
     }
 
-    /** Résumé de l'image et de son coût. @param reduction rapport de sa taille à l'écran à sa taille réelle */
+    /** La taille de l'image. @param reduction rapport de sa taille à l'écran à sa taille réelle */
     static String resume(ImageMemoire image, double reduction) {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         String vue = image.echelle.isEmpty() ? "" : image.echelle + " ; ";
-        return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite + ", " + image.legende;
+        return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite;
     }
 
     /** Remplace les nombres du pixel par ce texte. */

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
@@ -24,7 +24,7 @@ import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
- * Suite des dessins de la fenêtre : début, fin, arrêt, panne. La scène montrée reste la même jusqu'à la première image
+ * Suite des dessins de la fenêtre : début, fin, arrêt, échec. La scène montrée reste la même jusqu'à la première image
  * d'une autre scène. {@link Tracage} calcule dans un autre fil ; tout est appelé ici dans le fil des événements.
  */
 final class Controleur {
@@ -69,15 +69,15 @@ final class Controleur {
         return seul;
     }
 
-    /** Confie une tâche à ce fil. Si elle échoue, {@code siPanne} reçoit le message, dans le fil des événements. */
-    static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siPanne) {
+    /** Confie une tâche à ce fil. Si elle échoue, {@code siEchec} reçoit le message, dans le fil des événements. */
+    static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siEchec) {
         return fil.submit(() -> {
             try {
                 tache.run();
             } catch (CancellationException e) {
                 // le résultat de cette tâche n'est plus demandé
             } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> siPanne.accept(Pannes.message(e)));
+                EventQueue.invokeLater(() -> siEchec.accept(Messages.message(e)));
             }
         });
     }
@@ -98,7 +98,7 @@ final class Controleur {
 
     /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
     String getCommande() {
-        return Pannes.commande("", etat.getReglages().getOptions(), etat.lecture.dessin.fichier, taille.get().width,
+        return Messages.commande("", etat.getReglages().getOptions(), etat.lecture.dessin.fichier, taille.get().width,
                 taille.get().height);
     }
 
@@ -149,7 +149,7 @@ final class Controleur {
         choisir(etat.choix.avec(etat.lecture.getLue()).avec(etat.getReglages().initiaux()), false);
     }
 
-    private void choisir(Etat.Choix voulu, boolean suite) {
+    private void choisir(Choix voulu, boolean suite) {
         etat = etat.choisir(voulu, suite);
         if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré
@@ -263,8 +263,9 @@ final class Controleur {
             finir();
         }
         // le geste a continué pendant le brouillon
-        if (courant == etat.courant && courant.choix != null && courant.choix.lecture == etat.lecture
-                && courant.choix != etat.choix && (fini || dessin.isBrouillonFait())) {
+        if (courant == etat.courant && courant.choix != null && etat.choix != null
+                && courant.choix.lue == etat.choix.lue && courant.choix != etat.choix
+                && (fini || dessin.isBrouillonFait())) {
             redessiner(true);
         }
     }
@@ -277,7 +278,7 @@ final class Controleur {
         }
         List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
         boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
-                etat.choix.pour(courant, true).scene).isEmpty();
+                etat.choix.pour(courant.getLu(), true).scene).isEmpty();
         if (defait) {
             avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
                     + " Ctrl+Z le déplace de nouveau");
@@ -290,30 +291,30 @@ final class Controleur {
     private void finir() {
         Tracage courant = etat.courant;
         courant.vue.countDown();
-        Throwable panne = courant.getPanne();
+        Throwable echec = courant.getEchec();
         Fautes fautes = courant.dessin.getLancer() == null ? null : courant.dessin.getLancer().getFautes();
         if (courant.isAcheve()) {
             Dessin fait = courant.dessin;
             // les sections ignorées, sans le reste de leur avertissement
             String ignorees = String.join("\n", fait.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            fait.getImage().legende = fait.getCout() + ", "
-                    + fait.getReglages() + ignorees + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
+            panneau.legendes.put(fait.getImage(), fait.getCout() + ", " + fait.getReglages() + ignorees
+                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots()));
             if (fait.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
             }
         }
         poser(etat.finir());
-        if (courant.aLire && courant.choix == null && (courant.version != null || panne != null)) {
+        if (courant.aLire && courant.choix == null && (courant.version != null || echec != null)) {
             surveillance.suivre(etat.demande, courant.version);
         }
-        if (panne instanceof SceneFautive && courant.aLire) {
-            refuser(Pannes.message(panne));
-        } else if (fautes != null && fautes.enMots() != null && !(panne instanceof Error)) {
-            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (panne == null ? "" : ", et aucun n'a pu l'être")
+        if (echec instanceof SceneFautive && courant.aLire) {
+            refuser(Messages.message(echec));
+        } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {
+            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (echec == null ? "" : ", et aucun n'a pu l'être")
                     + " ; le premier : " + courant.dessin.nommer(fautes.getPremiere()).getMessage());
-        } else if (panne != null || courant.isAcheve()) {
-            panneau.bandeau.dire(Sujet.DESSIN, panne == null ? "" : Pannes.message(panne));
+        } else if (echec != null || courant.isAcheve()) {
+            panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
         if (etat.montre == null && !etat.enCours) {
             panneau.dire("F5 pour lire la scène et la dessiner");

@@ -102,10 +102,10 @@ final class Enregistrement {
             return;
         }
         dossier = cible.getParentFile();
-        Controleur.confier(disque, () -> ecrire(image, cible, scene), panne -> {
+        Controleur.confier(disque, () -> ecrire(image, cible, scene), echec -> {
             echoue = cible;
             bandeau.dire(Sujet.AVIS, "");
-            bandeau.dire(Sujet.DISQUE, panne);
+            bandeau.dire(Sujet.DISQUE, echec);
         });
     }
 

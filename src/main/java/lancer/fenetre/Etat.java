@@ -7,7 +7,6 @@ import java.util.Objects;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.image.ImageMemoire;
-import lancer.scene.SceneLue;
 
 /** L'état de la fenêtre, que tous ses panneaux montrent. Immuable : {@link Controleur} le remplace par le suivant. */
 final class Etat {
@@ -47,48 +46,6 @@ final class Etat {
         this.montre = montre;
         this.entiere = entiere;
         this.avant = avant;
-    }
-
-    /** Ce que l'on choisit dans la fenêtre et que Ctrl+Z défait : les déplacements, les réglages, la vue. Immuable. */
-    static final class Choix {
-
-        final Tracage lecture;
-        /** La scène lue, avec les déplacements. */
-        final SceneLue scene;
-        final ReglagesDessin reglages;
-        /** La vue en fausses couleurs montrée à la place de l'image, ou {@code null}. */
-        final String vue;
-
-        Choix(Tracage lecture, SceneLue scene, ReglagesDessin reglages, String vue) {
-            this.lecture = lecture;
-            this.scene = scene;
-            this.reglages = reglages;
-            this.vue = vue;
-        }
-
-        Choix avec(SceneLue autre) {
-            return new Choix(lecture, autre, reglages, vue);
-        }
-
-        Choix avec(ReglagesDessin autres) {
-            return new Choix(lecture, scene, autres, vue);
-        }
-
-        Choix avec(String autreVue) {
-            return new Choix(lecture, scene, reglages, autreVue);
-        }
-
-        /** Les mêmes choix pour une scène qui vient d'être relue, ou pour une autre, dont rien n'est déplacé. */
-        Choix pour(Tracage relue, boolean malgreLeFichier) {
-            return relue == lecture ? this : new Choix(relue, relue.litLaSceneDe(lecture)
-                    ? relue.getLue().reporter(lecture.getLue(), scene, malgreLeFichier) : relue.getLue(),
-                    reglages.pour(relue.getInitiaux()), vue);
-        }
-
-        /** Vrai si quelque chose de déplacé n'est pas dans le fichier. */
-        boolean estDeplace() {
-            return scene != lecture.getLue();
-        }
     }
 
     ReglagesDessin getReglages() {
@@ -138,7 +95,7 @@ final class Etat {
     /** Défait le dernier choix, ou le refait. */
     Etat revenir(boolean refaire) {
         List<Choix> de = refaire ? futurs : passes;
-        Choix voulu = de.get(de.size() - 1).pour(lecture, true);
+        Choix voulu = de.get(de.size() - 1).pour(lecture.getLu(), true);
         List<Choix> reste = de.subList(0, de.size() - 1);
         List<Choix> vers = plus(refaire ? passes : futurs, choix);
         return new Etat(demande, lecture, voulu, refaire ? vers : reste, refaire ? reste : vers, courant, enCours,

@@ -24,10 +24,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.ImageIcon;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
-import javax.swing.JScrollBar;
-import javax.swing.JScrollPane;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
@@ -56,17 +53,14 @@ public final class Fenetre {
     final Onglets onglets;
     private final Runnable fin;
     private final BarreEtat barre;
-    private final Enregistrement enregistrement;
+    final Enregistrement enregistrement;
     private final Timer retaille;
     private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
-    private final Actions actions;
-    private final Prise prise;
+    final Prise prise;
     /** Vrai si l'image remplit la fenêtre. */
     boolean remplie;
     /** Position du cadre avant le plein écran ; {@code null} hors du plein écran. */
     private Rectangle place;
-    /** Le tableau des touches, créé à la première demande. */
-    private JDialog touches;
 
     Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
             ExecutorService dessins, Runnable fin) {
@@ -86,10 +80,6 @@ public final class Fenetre {
         contenus.put("Vitesse", () -> new PanneauVitesse(controleur));
         contenus.put("Scène", () -> new PanneauScene(controleur, prise, panneau));
         onglets = new Onglets(cadre, panneau, contenus);
-        Menus menus = new Menus(this, enregistrement, prise, variantes);
-        actions = menus.actions;
-        cadre.setJMenuBar(menus.barre);
-        actions.lier((JComponent) cadre.getContentPane());
     }
 
     /** @param premier le dessin déjà commencé, ou {@code null} */
@@ -224,7 +214,7 @@ public final class Fenetre {
         ImageMemoire voulue = tenue ? controleur.etat.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
-            panneau.dire(tenue ? "avant : " + voulue.legende : "");
+            panneau.dire(tenue ? "avant : " + panneau.legendes.get(voulue) : "");
             decrire();
         }
     }
@@ -232,33 +222,6 @@ public final class Fenetre {
     /** L'onglet Pixel s'il est visible, ou {@code null}. */
     Inspecteur pixel() {
         return onglets.getVisible(Inspecteur.class);
-    }
-
-    void montrerTouches() {
-        touches = touches == null ? Dialogues.touches(cadre, actions.dire()) : touches;
-        touches.setVisible(true);
-    }
-
-    boolean estTableauVisible() {
-        return touches != null && touches.isVisible();
-    }
-
-    boolean estTableauLong() {
-        return estTableauVisible() && Dialogues.ascenseur(touches).getVerticalScrollBar().isVisible();
-    }
-
-    void defilerTableau(int rang) {
-        defiler(Dialogues.ascenseur(touches), rang);
-    }
-
-    /** Fait défiler ce texte d'une page, vers le haut si {@code rang} est nul. */
-    static void defiler(JScrollPane texte, int rang) {
-        JScrollBar barre = texte.getVerticalScrollBar();
-        barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
-    }
-
-    void fermerTableau() {
-        touches.setVisible(false);
     }
 
     /** Arrête les dessins, ferme la fenêtre, et laisse finir les écritures en cours. */
@@ -326,7 +289,8 @@ public final class Fenetre {
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : controleur.etat.enCours ? null : controleur.getImageComplete();
-        String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image));
+        String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image))
+                + ", " + panneau.legendes.get(image);
         if (image != null) {
             barre.resumer(resume);
         }
@@ -341,7 +305,7 @@ public final class Fenetre {
             return;
         }
         barre.montrerPixel(image == panneau.apercu ? null : panneau.getPixelSouris(image), image,
-                image == null || image.legende == null);
+                !panneau.legendes.containsKey(image));
     }
 
     private void titrer() {

@@ -146,7 +146,7 @@ final class Inspecteur extends JPanel {
     }
 
     void defiler(int rang) {
-        Fenetre.defiler(ascenseur, rang);
+        Actions.defiler(ascenseur, rang);
     }
 
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
@@ -229,7 +229,7 @@ final class Inspecteur extends JPanel {
         enCours = nouvelle;
         verdict.setText("calcul…");
         arbre.repaint();
-        Controleur.confier(fil, () -> {
+        Controleur.confier(fil, () -> montre.observer(() -> {
             nouvelle.faireOuEchouer(voulu);
             List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
@@ -241,7 +241,7 @@ final class Inspecteur extends JPanel {
                     recevoir(nouvelle, racine, figure, garde);
                 }
             });
-        }, verdict::setText);
+        }), verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {

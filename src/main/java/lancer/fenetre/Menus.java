@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import lancer.commande.Etape;
@@ -22,15 +24,18 @@ final class Menus {
     private static final int[][] SENS = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
     private static final int SAUT = 10;
 
-    final Actions actions = new Actions();
-    final JMenuBar barre = new JMenuBar();
+    private final Actions actions = new Actions();
+    private final JMenuBar barre = new JMenuBar();
     private final Fenetre f;
     private final Controleur c;
     private final BooleanSupplier toujours = () -> true;
     private final BooleanSupplier scene;
     private final BooleanSupplier pixel;
+    /** Le tableau de F1, créé à la première demande. */
+    private JDialog touches;
 
-    Menus(Fenetre fenetre, Enregistrement enregistrement, Prise prise, List<String> variantes) {
+    /** Donne à cette fenêtre ses menus et ses touches. */
+    Menus(Fenetre fenetre, List<String> variantes) {
         f = fenetre;
         c = fenetre.controleur;
         scene = () -> reglages() != null;
@@ -38,25 +43,41 @@ final class Menus {
         // ces lignes passent avant celles des menus qui ont la même touche
         actions.ligne(null, "depuis le récit, le copier", () -> pixel.getAsBoolean() && f.pixel().aLeClavier(),
                 () -> f.pixel().copier(), "menu C");
-        actions.ligne(null, "faire défiler ce tableau", f::estTableauLong, f::defilerTableau, "PAGE_UP", "PAGE_DOWN");
+        actions.ligne(null, "faire défiler ce tableau", this::estTableauLong,
+                rang -> Actions.defiler(Dialogues.ascenseur(touches), rang), "PAGE_UP", "PAGE_DOWN");
         actions.ligne(null, "faire défiler le récit du pixel", pixel, rang -> f.pixel().defiler(rang), "PAGE_UP",
                 "PAGE_DOWN");
-        barre.add(fichier(enregistrement));
+        barre.add(fichier(f.enregistrement));
         barre.add(affichage());
-        barre.add(dessin(enregistrement, variantes));
+        barre.add(dessin(f.enregistrement, variantes));
         MenuScenes scenes = new MenuScenes(c);
         barre.add(scenes.remplir(actions.menu("Scènes",
                 actions.ligne("Scène suivante", "la scène suivante du dossier", () -> scenes.existe(1),
                         () -> scenes.ouvrir(1), "PAGE_DOWN"),
                 actions.ligne("Scène précédente", "la scène précédente", () -> scenes.existe(-1),
                         () -> scenes.ouvrir(-1), "PAGE_UP"))));
-        sansArticle(prise);
+        sansArticle(f.prise);
         JMenu aide = barre.add(actions.menu("Aide", actions.ligne("Touches", "ce tableau, qui reste ouvert", toujours,
-                f::montrerTouches, "F1")));
+                this::montrerTouches, "F1")));
         // A est la lettre d'Affichage
         aide.setMnemonic(KeyEvent.VK_I);
         actions.montrer();
         c.prevenir(actions::montrer);
+        f.cadre.setJMenuBar(barre);
+        actions.lier((JComponent) f.cadre.getContentPane());
+    }
+
+    private void montrerTouches() {
+        touches = touches == null ? Dialogues.touches(f.cadre, actions.dire()) : touches;
+        touches.setVisible(true);
+    }
+
+    private boolean estTableauVisible() {
+        return touches != null && touches.isVisible();
+    }
+
+    private boolean estTableauLong() {
+        return estTableauVisible() && Dialogues.ascenseur(touches).getVerticalScrollBar().isVisible();
     }
 
     private JMenu fichier(Enregistrement enregistrement) {
@@ -153,7 +174,7 @@ final class Menus {
 
     private void sansArticle(Prise prise) {
         actions.ligne(null, "lâcher ce qui est pris", prise::estPris, prise::lacher, "ESCAPE");
-        actions.ligne(null, "fermer ce tableau", f::estTableauVisible, f::fermerTableau, "ESCAPE");
+        actions.ligne(null, "fermer ce tableau", this::estTableauVisible, () -> touches.setVisible(false), "ESCAPE");
         actions.ligne(null, "fermer le panneau", f.onglets::estOuvert, f.onglets::fermer, "ESCAPE");
         actions.ligne(null, "quitter le plein écran", f::estEnPleinEcran, f::basculer, "ESCAPE");
         actions.ligne(null, "tenue, l'image d'avant", () -> c.etat.avant != null, () -> f.tenir(true), "SPACE");

@@ -7,12 +7,13 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.dessin.Dessin;
 import lancer.scene.Services;
 
@@ -46,7 +47,7 @@ public final class Ouverture {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.panne(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
+            throw Echec.machine(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
                     + System.getProperty("java.home")
                     + " ; attendu : un JDK complet, par exemple le paquet default-jdk, ou --image FICHIER.png"
                     : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
@@ -65,13 +66,15 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
-                ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
+                List<String> variantes = Services.nomsDesVariantes();
+                ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
+                new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
-            throw Echec.panne(Pannes.message(e.getCause()));
+            throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
+            throw Echec.machine("interrompu");
         }
         if (premier != null) {
             try {
@@ -81,7 +84,7 @@ public final class Ouverture {
                 throw e;
             }
             if (dessin.getLue() != null) {
-                Pannes.avertir(dessin.getLue().avertissements, erreur);
+                Messages.avertir(dessin.getLue().avertissements, erreur);
             }
         }
         return ouverte[0];

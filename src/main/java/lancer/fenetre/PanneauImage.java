@@ -18,6 +18,8 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
+import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
@@ -42,6 +44,8 @@ final class PanneauImage extends JPanel {
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
+    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
+    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
     ImageMemoire tenue;
     /** Une petite image, montrée pendant le calcul du brouillon. */
     ImageMemoire apercu;
@@ -312,7 +316,7 @@ final class PanneauImage extends JPanel {
 
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
-        boolean achevee = image.legende != null;
+        boolean achevee = legendes.containsKey(image);
         if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
             reduite = image(Reduction.moyenne(image, place.width, place.height,
                     achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);

@@ -130,7 +130,7 @@ final class PanneauVitesse extends JPanel {
                     enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
             fait.chronometrer();
             evaluer(scene, fait, montre);
-        }, panne -> etat.setText("Essais impossibles : " + panne));
+        }, echec -> etat.setText("Essais impossibles : " + echec));
     }
 
     /** Ajoute au graphique, depuis le fil des essais, le point des réglages de ce dessin. */
@@ -190,6 +190,6 @@ final class PanneauVitesse extends JPanel {
                     graphique.ajouterMesure(temps, erreur, incertitude);
                 }
             });
-        }, panne -> etat.setText("Mesure impossible : " + panne));
+        }, echec -> etat.setText("Mesure impossible : " + echec));
     }
 }

@@ -27,7 +27,7 @@ import lancer.PointContact;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Vecteur;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
@@ -183,7 +183,7 @@ final class Prise extends MouseAdapter {
                     ? nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène" : "";
             return refus.isEmpty() ? vu : -1;
         } catch (RuntimeException panne) {
-            refus = Pannes.message(panne);
+            refus = Messages.message(panne);
             return -1;
         }
     }

@@ -3,10 +3,10 @@ package lancer.fenetre;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 
 /**
@@ -17,12 +17,15 @@ final class Touches {
 
     /** Les touches de 0 à 9 d'un clavier français, sans Maj. */
     private static final String FRANCAIS = "à&é\"'(-è_ç";
-    private static final List<String> FLECHES = Arrays.asList("UP", "DOWN", "LEFT", "RIGHT");
 
-    /** Le nom de chaque touche, après sa notation : ceux de Java suivent la langue de la machine. */
-    private static final List<String> NOMS = Arrays.asList("ESCAPE", "Échap", "ENTER", "Entrée", "SPACE", "Espace",
-            "PAGE_UP", "Page précédente", "PAGE_DOWN", "Page suivante", "LEFT", "Gauche", "RIGHT", "Droite", "UP", "Haut",
-            "DOWN", "Bas", "-", "−");
+    /** Notation, nom et code d'une touche : les noms de Java suivent la langue de la machine. */
+    private static final Object[][] NOMMEES = {{"ESCAPE", "Échap", KeyEvent.VK_ESCAPE},
+        {"ENTER", "Entrée", KeyEvent.VK_ENTER}, {"SPACE", "Espace", KeyEvent.VK_SPACE},
+        {"PAGE_UP", "Page précédente", KeyEvent.VK_PAGE_UP}, {"PAGE_DOWN", "Page suivante", KeyEvent.VK_PAGE_DOWN},
+        {"-", "−", KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT}, {"UP", "Haut", KeyEvent.VK_UP, KeyEvent.VK_KP_UP},
+        {"DOWN", "Bas", KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN},
+        {"LEFT", "Gauche", KeyEvent.VK_LEFT, KeyEvent.VK_KP_LEFT},
+        {"RIGHT", "Droite", KeyEvent.VK_RIGHT, KeyEvent.VK_KP_RIGHT}};
 
     private Touches() {
     }
@@ -32,23 +35,39 @@ final class Touches {
         String touche = touche(notation);
         int avec = modificateurs(notation);
         int maj = avec | InputEvent.SHIFT_DOWN_MASK;
-        int[] codes;
-        if (touche.matches("\\d")) {
-            int n = Integer.parseInt(touche);
-            int francaise = KeyEvent.getExtendedKeyCodeForChar(FRANCAIS.charAt(n));
-            codes = new int[] {KeyEvent.VK_0 + n, avec, KeyEvent.VK_NUMPAD0 + n, avec, francaise, avec, francaise, maj,
-                KeyEvent.VK_0 + n, maj};
-        } else if (touche.equals("+")) {
-            codes = new int[] {KeyEvent.VK_PLUS, avec, KeyEvent.VK_ADD, avec, KeyEvent.VK_EQUALS, maj};
-        } else if (touche.equals("-")) {
-            codes = new int[] {KeyEvent.VK_MINUS, avec, KeyEvent.VK_SUBTRACT, avec};
+        List<KeyStroke> touches = new ArrayList<>();
+        char c = touche.charAt(0);
+        Object[] nommee = nommee(touche);
+        if (nommee != null) {
+            for (int k = 2; k < nommee.length; k++) {
+                touches.add(KeyStroke.getKeyStroke((Integer) nommee[k], avec, notation.startsWith("released ")));
+            }
+        } else if (Character.isDigit(c)) {
+            int francaise = KeyEvent.getExtendedKeyCodeForChar(FRANCAIS.charAt(c - '0'));
+            for (int code : new int[] {c, KeyEvent.VK_NUMPAD0 + c - '0', francaise}) {
+                touches.add(KeyStroke.getKeyStroke(code, avec));
+            }
+            touches.add(KeyStroke.getKeyStroke(francaise, maj));
+            touches.add(KeyStroke.getKeyStroke(c, maj));
+        } else if (c == '+') {
+            touches.add(KeyStroke.getKeyStroke(KeyEvent.VK_PLUS, avec));
+            touches.add(KeyStroke.getKeyStroke(KeyEvent.VK_ADD, avec));
+            touches.add(KeyStroke.getKeyStroke(KeyEvent.VK_EQUALS, maj));
         } else {
-            int code = KeyStroke.getKeyStroke(touche).getKeyCode();
-            int fleche = FLECHES.indexOf(touche);
-            codes = new int[] {code, avec, fleche < 0 ? code : KeyEvent.VK_KP_UP + fleche, avec};
+            // une lettre, ou F et un nombre
+            touches.add(KeyStroke.getKeyStroke(touche.length() == 1 ? c
+                    : KeyEvent.VK_F1 - 1 + Integer.parseInt(touche.substring(1)), avec));
         }
-        return IntStream.range(0, codes.length / 2).mapToObj(k -> KeyStroke.getKeyStroke(codes[2 * k], codes[2 * k + 1],
-                notation.startsWith("released "))).distinct().collect(Collectors.toList());
+        return touches;
+    }
+
+    private static Object[] nommee(String touche) {
+        for (Object[] nommee : NOMMEES) {
+            if (nommee[0].equals(touche)) {
+                return nommee;
+            }
+        }
+        return null;
     }
 
     private static String touche(String notation) {
@@ -65,8 +84,8 @@ final class Touches {
 
     /** Texte de ces touches, par exemple « Ctrl+Alt+1, 2, 3, 4 » : ce qui se répète n'est dit qu'une fois. */
     static String dire(String... notations) {
-        List<String> noms = Arrays.stream(notations).map(Touches::touche).map(touche -> NOMS.contains(touche)
-                ? NOMS.get(NOMS.indexOf(touche) + 1) : touche).collect(Collectors.toList());
+        List<String> noms = Arrays.stream(notations).map(Touches::touche).map(touche -> nommee(touche) == null
+                ? touche : (String) nommee(touche)[1]).collect(Collectors.toList());
         return notations[0].substring(0, notations[0].length() - touche(notations[0]).length())
                 .replace("menu", "Ctrl").replace("ctrl", "Ctrl").replace("alt", "Alt").replace("shift", "Maj")
                 .replace(' ', '+') + (noms.size() <= 4 ? String.join(", ", noms)

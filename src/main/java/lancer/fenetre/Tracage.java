@@ -11,14 +11,13 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
 
 /** Travail d'un dessin de la fenêtre, dans un autre fil : lire la scène si besoin, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
 
-    /** Attente maximale de l'affichage du brouillon, et attente d'un dessin avant de dire pourquoi il attend. */
+    /** Attente maximale de l'affichage du brouillon. */
     private static final long PATIENCE_MS = 2000;
 
     /** Temps passé à une étape avant de dire ce qui en reste. */
@@ -30,7 +29,7 @@ final class Tracage extends SwingWorker<Void, Void> {
     final Dessin dessin;
     final boolean aLire;
     private final Consumer<Dessin> programme;
-    private final Etat.Choix voulu;
+    private final Choix voulu;
     /** La taille de l'image à l'écran. */
     private final Dimension place;
     private final int fils;
@@ -38,16 +37,15 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
     /** Ce que dit ce fichier, sans aucun déplacement, puis ce qui est dessiné ; {@code null} avant sa lecture. */
-    private volatile SceneLue scene;
-    private volatile ReglagesDessin initiaux;
-    volatile Etat.Choix choix;
-    /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un pixel est lent. */
+    private volatile Choix lu;
+    volatile Choix choix;
+    /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un calcul dure. */
     boolean lueDite;
     boolean lenteurDite;
     private String etape;
     private long debutEtapeNs;
     private volatile long fin;
-    private volatile Throwable panne;
+    private volatile Throwable echec;
     private final CountDownLatch lue = new CountDownLatch(1);
     /** Ouvert quand le brouillon est affiché : l'image peut se dessiner. */
     final CountDownLatch vue = new CountDownLatch(1);
@@ -56,7 +54,7 @@ final class Tracage extends SwingWorker<Void, Void> {
      * @param voulu ce qui est choisi, {@code null} pour ce que disent la ligne de commande et le fichier
      * @param place la taille de l'image à l'écran, en pixels
      */
-    Tracage(Consumer<Dessin> programme, Dessin dessin, Etat.Choix voulu, Dimension place, int fils) {
+    Tracage(Consumer<Dessin> programme, Dessin dessin, Choix voulu, Dimension place, int fils) {
         this.place = place;
         this.fils = fils;
         this.programme = programme;
@@ -66,14 +64,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         choix = aLire ? null : voulu;
     }
 
-    /** La scène lue par ce dessin, telle qu'elle est dans son fichier ; {@code null} avant. */
-    SceneLue getLue() {
-        return scene;
+    Choix getLu() {
+        return lu;
     }
 
-    /** Les réglages de la ligne de commande et de ce fichier. */
-    ReglagesDessin getInitiaux() {
-        return initiaux;
+    /** La scène lue par ce dessin, telle qu'elle est dans son fichier. */
+    SceneLue getLue() {
+        return lu.lue;
     }
 
     boolean litLaSceneDe(Tracage autre) {
@@ -85,13 +82,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         try {
             lue.await(ms, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
-            throw Echec.panne("interrompu");
+            throw Echec.machine("interrompu");
         }
-        if (dessin.getLue() == null && panne instanceof Error) {
-            throw (Error) panne;
+        if (dessin.getLue() == null && echec instanceof Error) {
+            throw (Error) echec;
         }
-        if (dessin.getLue() == null && panne != null) {
-            throw (RuntimeException) panne;
+        if (dessin.getLue() == null && echec != null) {
+            throw (RuntimeException) echec;
         }
     }
 
@@ -113,29 +110,32 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
     }
 
+    private void travailler() {
+        if (aLire) {
+            version = FichierScene.version(dessin.fichier);
+            dessin.lire();
+            lu = new Choix(dessin.fichier, dessin.getLue(), dessin.getReglages());
+            choix = voulu == null ? lu : voulu.pour(lu, false);
+            lue.countDown();
+        }
+        if (!isCancelled()) {
+            if (voulu != null) {
+                dessin.changer(choix.scene, choix.reglages);
+            }
+            // si l'image est bien plus grande que sa place, son brouillon est long
+            if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
+                dessin.apercevoir(place.width, place.height, fils);
+            }
+            programme.accept(dessin);
+        }
+    }
+
     @Override
     protected Void doInBackground() {
         try {
-            if (aLire) {
-                version = FichierScene.version(dessin.fichier);
-                dessin.lire();
-                initiaux = dessin.getReglages();
-                scene = dessin.getLue();
-                choix = voulu == null ? new Etat.Choix(this, scene, initiaux, null) : voulu.pour(this, false);
-                lue.countDown();
-            }
-            if (!isCancelled()) {
-                if (voulu != null) {
-                    dessin.changer(choix.scene, choix.reglages);
-                }
-                // si l'image est bien plus grande que sa place, son brouillon est long
-                if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
-                    dessin.apercevoir(place.width, place.height, fils);
-                }
-                programme.accept(dessin);
-            }
+            dessin.observer(this::travailler);
         } catch (RuntimeException | Error e) {
-            panne = isCancelled() ? null : e;
+            echec = isCancelled() ? null : e;
         } finally {
             fin = System.nanoTime();
             lue.countDown();
@@ -148,13 +148,13 @@ final class Tracage extends SwingWorker<Void, Void> {
         fin = System.nanoTime();
     }
 
-    /** Panne qui a arrêté ce dessin ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
-    Throwable getPanne() {
-        return isDone() && !isCancelled() ? panne : null;
+    /** Échec qui a arrêté ce dessin ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
+    Throwable getEchec() {
+        return isDone() && !isCancelled() ? echec : null;
     }
 
     boolean isAcheve() {
-        return isDone() && !isCancelled() && panne == null;
+        return isDone() && !isCancelled() && echec == null;
     }
 
     /** Le temps passé depuis la demande, en nanosecondes. */
@@ -170,15 +170,12 @@ final class Tracage extends SwingWorker<Void, Void> {
     String getEtat() {
         // le résumé donne le temps du dessin seul ; ce temps compte aussi l'attente et la lecture
         return isAcheve() ? "terminé"
-                : getPanne() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
-                : (getPanne() != null ? "échec" : getEtape())
+                : getEchec() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
+                : (getEchec() != null ? "échec" : getEtape())
                 + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9) + getReste();
     }
 
     private String getEtape() {
-        if (getState() == StateValue.PENDING && TimeUnit.NANOSECONDS.toMillis(getDureeNs()) > PATIENCE_MS) {
-            return "attend que le dessin d'avant s'arrête";
-        }
         String nom = dessin.getLancer() != null ? dessin.isBrouillonFait() ? "dessin" : "brouillon"
                 : dessin.getLue() == null ? "lecture" : "préparation";
         if (!nom.equals(etape)) {

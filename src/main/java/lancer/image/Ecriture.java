@@ -13,6 +13,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Collections;
 import java.util.Map;
 import lancer.commande.Echec;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -37,9 +38,9 @@ public final class Ecriture {
         try {
             cible = suivre(Paths.get(nom).toAbsolutePath());
         } catch (InvalidPathException e) {
-            throw impossible("nom de fichier impossible" + Texte.horsLangue(nom));
+            throw impossible("nom de fichier impossible" + ErreurSysteme.horsLangue(nom));
         } catch (IOException e) {
-            throw impossible(raison(e) + Texte.horsLangue(nom));
+            throw impossible(raison(e) + ErreurSysteme.horsLangue(nom));
         }
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
@@ -141,12 +142,12 @@ public final class Ecriture {
     }
 
     private String raison(IOException e) {
-        return !(e instanceof NoSuchFileException) ? Texte.panne(e)
+        return !(e instanceof NoSuchFileException) ? ErreurSysteme.raison(e)
                 : cible != null && Files.isDirectory(cible.getParent()) ? "création refusée dans ce dossier"
                 : "le dossier n'existe pas";
     }
 
     private Echec impossible(String raison) {
-        return Echec.panne(Texte.echappe(nom) + " : écriture impossible, " + raison);
+        return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison);
     }
 }

@@ -21,9 +21,6 @@ public final class ImageMemoire implements Toile {
     /** Les trois nombres, tous égaux, d'un pixel où la vue ne trouve rien. */
     public static final float CIEL = -1;
 
-    /** Texte qui décrit l'image achevée : ses réglages, son coût ; {@code null} avant la fin. */
-    public volatile String legende;
-
     /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
     public volatile String sens = COULEUR;
 

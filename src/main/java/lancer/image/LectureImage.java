@@ -18,6 +18,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lancer.Couleur;
 import lancer.commande.Echec;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Lit un PNG ou un PFM à comparer. Les échantillons d'un PNG sont pris tels quels, sans gamma ni transparence. */
@@ -44,7 +45,8 @@ public final class LectureImage {
             return Texte.minuscules(nom).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
         } catch (IOException | InvalidPathException e) {
             throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + (e instanceof IOException
-                    ? Texte.panne((IOException) e) : "nom de fichier impossible" + Texte.horsLangue(nom))
+                    ? ErreurSysteme.raison((IOException) e) : "nom de fichier impossible"
+                    + ErreurSysteme.horsLangue(nom))
                     + " ; attendu : un PNG ou un PFM");
         }
     }

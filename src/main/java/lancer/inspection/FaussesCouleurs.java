@@ -18,6 +18,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 import lancer.texte.Nombre;
@@ -127,6 +128,7 @@ public final class FaussesCouleurs {
         for (int j = voulus.j0; j < voulus.j1; j++) {
             for (int i = voulus.i0; i < voulus.i1; i++) {
                 try {
+                    Fil.commencer(i, j);
                     scene.getCompteurs().primaires++;
                     Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                     PointContact contact = scene.getClosestIntersection(rayon);

@@ -15,8 +15,8 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -73,7 +73,7 @@ public final class Inspection implements Vue, Toile {
 
     private void faire(int rang) {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
-        equipe.faire(1, Collections.singletonList(tache -> expliquer(rang)), Collections.singletonList(lancer));
+        equipe.faire(() -> expliquer(rang));
     }
 
     /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les segments qui la précèdent. */
@@ -116,7 +116,7 @@ public final class Inspection implements Vue, Toile {
         }
     }
 
-    private static PointContact obstacle(Eclairage cachee, PointContact contact, Scene scene) {
+    private static PointContact obstacle(Terme cachee, PointContact contact, Scene scene) {
         boolean lointaine = Scene.estLointaine(cachee.lampe, contact);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
         Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());

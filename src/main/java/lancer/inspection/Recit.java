@@ -17,11 +17,11 @@ import lancer.Rayon;
 import lancer.Sphere;
 import lancer.Tuple;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Specularite;
 import lancer.texte.Nombre;
-import lancer.texte.Texte;
+import lancer.texte.Pile;
 
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
@@ -72,7 +72,7 @@ public final class Recit {
         lignes.addAll(contacts);
         segment = 0;
         if (pixel.getFaute() != null) {
-            lignes.add(dire("échec : %s", Texte.cause(pixel.getFaute(), Texte.HORS_DE_JAVA)));
+            lignes.add(dire("échec : %s", Pile.cause(pixel.getFaute(), Pile.HORS_DE_JAVA)));
         } else {
             Couleur somme = pixel.getCouleur();
             lignes.add(new Noeud(dire("somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF).texte, "somme", somme));
@@ -174,8 +174,8 @@ public final class Recit {
         if (segment.N == null) {
             return "";
         }
-        List<Eclairage> ajoutees = segment.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
-        boolean exactes = ajoutees.stream().allMatch(e -> e.ajouts.get(e.apport()).equals(e.produit));
+        List<Terme> ajoutees = segment.lampes.stream().filter(Terme::eclaire).collect(Collectors.toList());
+        boolean exactes = ajoutees.stream().allMatch(e -> e.apport().equals(e.produit));
         boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
         boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
         String lampes = ajoutees.size() == 1 ? "une lampe" : ajoutees.size() + " lampes";
@@ -187,7 +187,7 @@ public final class Recit {
         Couleur Ks = segment.contact.objet.getKs();
         String facteur = Ks.r == Ks.v && Ks.v == Ks.b ? Nombre.ecrire(Ks.r) : "(" + lue(Ks) + ")";
         segment.termes.stream().filter(terme -> terme.suite != null && terme.eclaire())
-                .forEach(terme -> termes.add(terme.ajouts.get(terme.apport()).equals(terme.produit)
+                .forEach(terme -> termes.add(terme.apport().equals(terme.produit)
                         ? facteur + " ⊗ " + nomDeLaVue(terme.suite) : "réfléchi"));
         if (!segment.inconnue().estNoire() || segment.termes.stream()
                 .anyMatch(terme -> terme.ajouts.size() > (terme.eclaire() ? 1 : 0))) {
@@ -216,11 +216,11 @@ public final class Recit {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        Map<String, List<Eclairage>> sorts = segment.lampes.stream().filter(lampe -> !lampe.eclaire())
+        Map<String, List<Terme>> sorts = segment.lampes.stream().filter(lampe -> !lampe.eclaire())
                 .collect(Collectors.groupingBy(Recit::sort, LinkedHashMap::new, Collectors.toList()));
         sorts.values().removeIf(lampes -> lampes.size() <= LAMPES);
-        for (Eclairage terme : segment.termes) {
-            List<Eclairage> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
+        for (Terme terme : segment.termes) {
+            List<Terme> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
             if (pareilles != null && pareilles.get(0) == terme) {
                 quoi = sort(terme);
                 lignes.add(dire("%d lampes %s", pareilles.size(), quoi).sur(
@@ -230,18 +230,18 @@ public final class Recit {
                         : dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
             quoi = "";
-            for (int k = 0; k < terme.ajouts.size(); k++) {
-                lignes.add(k != terme.apport() ? dire("autre terme = %s", terme.ajouts.get(k))
+            for (Couleur ajout : terme.ajouts) {
+                lignes.add(ajout != terme.apport() ? dire("autre terme = %s", ajout)
                         : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
                 quoi = "";
             }
         }
     }
 
-    private Noeud reflet(Segment segment, Eclairage terme) {
+    private Noeud reflet(Segment segment, Terme terme) {
         quoi = "réfléchi";
         return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(segment.contact.objet.getKs()), nomDeLaVue(terme.suite),
-                terme.ajouts.get(terme.apport())).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
+                terme.apport()).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
                 ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", segment.poids)), true);
     }
 
@@ -251,7 +251,7 @@ public final class Recit {
                 : format.replaceFirst(" = (?=.* = )", " : ").replace(" = %s", " ne donne pas %s"), valeurs);
     }
 
-    private Noeud lampe(Segment segment, Eclairage e) {
+    private Noeud lampe(Segment segment, Terme e) {
         quoi = pixel.nom(e.lampe);
         if (e.diffus == null) {
             return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
@@ -262,13 +262,13 @@ public final class Recit {
                     : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
             return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
         }
-        Couleur apport = e.ajouts.get(e.apport());
+        Couleur apport = e.apport();
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
                 : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", quoi, e.cosinus, apport);
         return titre.sur(facteurs(segment, e), true);
     }
 
-    private List<Noeud> facteurs(Segment segment, Eclairage e) {
+    private List<Noeud> facteurs(Segment segment, Terme e) {
         Couleur KL = e.lampe.getCouleur();
         Objet3D objet = segment.contact.objet;
         Specularite specularite = pixel.scene.getModele().getSpecularite();
@@ -317,7 +317,7 @@ public final class Recit {
         return lignes;
     }
 
-    private static String sort(Eclairage e) {
+    private static String sort(Terme e) {
         return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
                 : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
     }

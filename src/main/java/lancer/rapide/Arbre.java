@@ -1,9 +1,11 @@
 package lancer.rapide;
 
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import lancer.Constantes;
 import lancer.contrat.Recherche;
+import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
@@ -56,7 +58,9 @@ final class Arbre implements Intersections, Occultations {
             return noeuds;
         }
         try {
-            construction.lockInterruptibly();
+            while (!construction.tryLock(1, TimeUnit.SECONDS)) {
+                Fil.avancer();
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CancellationException("attente interrompue");

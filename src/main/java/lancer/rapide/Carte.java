@@ -3,7 +3,7 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.contrat.Recherche;
+import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
@@ -101,7 +101,7 @@ final class Carte implements Intersections, Occultations {
      * @return le nombre de cases examinées
      */
     private long noter(long cle) {
-        Recherche.obeir();
+        Fil.avancer();
         int k = (int) cle;
         float proche = Float.intBitsToFloat((int) (cle >>> 32));
         double[] g = spheres.geometrie;

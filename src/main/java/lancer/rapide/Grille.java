@@ -2,7 +2,7 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Constantes;
-import lancer.contrat.Recherche;
+import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
@@ -112,7 +112,7 @@ final class Grille implements Intersections {
         debut = new int[nx * ny * nz + 1];
         long cases = 0;
         for (int k : lesquelles) {
-            Recherche.obeir();
+            Fil.avancer();
             cases += noter(k);
             if (cases > (long) BOITES_PAR_SPHERE * lesquelles.length) {
                 return false;
@@ -129,7 +129,7 @@ final class Grille implements Intersections {
         entrees = new int[total];
         // de la dernière à la première, car chaque case se remplit par la fin
         for (int q = lesquelles.length - 1; q >= 0; q--) {
-            Recherche.obeir();
+            Fil.avancer();
             noter(lesquelles[q]);
         }
         return true;

@@ -9,9 +9,8 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Recherche;
-import lancer.fils.Calcul;
 import lancer.fils.Equipe;
+import lancer.fils.Fil;
 
 /**
  * Choix et construction des structures de recherche, selon la scène et l'image. Une préparation ne vaut que pour un
@@ -23,14 +22,14 @@ import lancer.fils.Equipe;
  * places de 8 octets, ou 8 Mo si c'est plus. Elles ont au plus une case de 12 octets par tuile de l'image, plus
  * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques prennent 170 ko, et ceux des ombres 1 Mo au plus.
  */
-public final class Preparation implements IntConsumer, Calcul {
+public final class Preparation implements IntConsumer {
 
     /** Nombre d'objets jusqu'auquel les boucles du cours sont plus rapides que toute structure. */
     private static final int DEUX = 2;
 
     /**
      * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène. Les boucles du cours y
-     * finissent avant la construction d'une structure et son sondage ({@code make mesure-processus}).
+     * finissent avant la construction d'une structure et son sondage.
      */
     private static final long VITE_FAIT = 1 << 20;
 
@@ -92,8 +91,13 @@ public final class Preparation implements IntConsumer, Calcul {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
+    /** Choisit la recherche de cette scène pour une image. @param simple vrai pour les boucles du cours */
+    public static void choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : pour(scene, camera, suivi));
+    }
+
     /** Dit si les structures, construction comprise, répondent plus vite à cette image que les boucles du cours. */
-    public static boolean estUtile(Scene scene, Camera camera) {
+    static boolean estUtile(Scene scene, Camera camera) {
         int objets = scene.getObjets().size();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
@@ -140,7 +144,7 @@ public final class Preparation implements IntConsumer, Calcul {
         boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
         int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
         for (int l = 0; assez && l < masquees; l++) {
-            Recherche.obeir();
+            Fil.avancer();
             if (!Scene.estLointaine(lampes.get(l), bout)) {
                 structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
             }
@@ -151,13 +155,13 @@ public final class Preparation implements IntConsumer, Calcul {
     private void construire() {
         int nombre = 2 + structures.ombres.length;
         int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        equipe.faire(nombre, Collections.nCopies(fils, this), Collections.nCopies(fils, this));
+        equipe.faire(nombre, Collections.nCopies(fils, this));
     }
 
     /** Construit la grille (rang 0), la carte d'une lampe, ou celle de l'œil (dernier rang). */
     @Override
     public void accept(int k) {
-        Recherche.obeir();
+        Fil.avancer();
         if (k == 0) {
             Grille grille = Grille.de(spheres, structures.arbre);
             structures.suivants = grille == null ? structures.arbre : grille;
@@ -166,7 +170,7 @@ public final class Preparation implements IntConsumer, Calcul {
         } else {
             structures.premiers = deLOeil();
         }
-        suivi.accept(PART_COPIE + (1 - PART_COPIE) * (1 + equipe.getFaites()) / (2 + structures.ombres.length));
+        suivi.accept(PART_COPIE + (1 - PART_COPIE) * equipe.getAvancement());
     }
 
     private Occultations deLaLampe(Lampe lampe) {

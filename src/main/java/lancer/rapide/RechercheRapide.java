@@ -1,19 +1,31 @@
 package lancer.rapide;
 
+import java.util.ArrayList;
+import java.util.List;
+import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
+import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.Sondable;
 
 /**
  * Recherche par les structures d'une {@link Preparation}. Chaque sorte de rayon a sa structure, qui vérifie d'abord si
  * elle accepte le rayon. Les fils partagent les structures ; chacun a son {@link EtatDeRecherche}.
  */
-public final class RechercheRapide implements Recherche {
+public final class RechercheRapide implements Recherche, Sondable {
+
+    private static final String SUITE = " : ce sont les boucles du cours qui dessinent ; si l'image change d'un essai "
+            + "à l'autre, essayez --fils 1";
+
+    /** Nombre d'objets au-delà duquel il y en a beaucoup ; nombre de ceux qui répondent à leur place. */
+    private static final int BEAUCOUP = 1000;
+    private static final int QUELQUES = 64;
 
     /** Nombre des premiers objets : un rayon d'ombre examine d'abord ceux d'entre eux qui ne sont pas des sphères. */
     private static final int PREMIERS = 8;
@@ -141,7 +153,45 @@ public final class RechercheRapide implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new RechercheRapide(structures, compteurs);
+        return structures.ecart == null ? new RechercheRapide(structures, compteurs) : null;
+    }
+
+    @Override
+    public void verifier() {
+        if (!spheres.sontEnPlace()) {
+            structures.ecart = "une sphère a changé de place ou de rayon après la préparation" + SUITE;
+        }
+    }
+
+    /**
+     * {@inheritDoc} Les boucles de beaucoup d'objets sont lentes : elles répondent à peu de rayons, et une scène de
+     * quelques-uns de ces objets répond aux autres. Les réponses ne sont comparées qu'une fois.
+     */
+    @Override
+    public boolean differe(Scene dessinee, Camera camera) {
+        verifier();
+        if (structures.ecart == null && !structures.sondees) {
+            structures.sondees = true;
+            String ecart = Sondage.ecart(dessinee, spheres, camera);
+            List<Objet3D> objets = dessinee.getObjets();
+            if (ecart == null && objets.size() > BEAUCOUP) {
+                List<Objet3D> quelques = new ArrayList<>();
+                for (long k = 0; k < QUELQUES; k++) {
+                    quelques.add(objets.get((int) ((2 * k + 1) * objets.size() / (2 * QUELQUES))));
+                }
+                Scene petite = new Scene(quelques, dessinee.getLampes());
+                Structures siennes = new Structures(new Spheres(quelques), dessinee.getLampes());
+                petite.getModele().setRecherche(new RechercheRapide(siennes, new Compteurs()));
+                ecart = Sondage.ecart(petite, siennes.spheres, camera);
+            }
+            structures.ecart = ecart == null ? null : ecart + SUITE;
+        }
+        return structures.ecart != null;
+    }
+
+    @Override
+    public String getEcart() {
+        return structures.ecart;
     }
 
     /** Nomme les structures que {@link Preparation} a choisies pour cette scène. */

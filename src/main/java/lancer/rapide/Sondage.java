@@ -1,149 +1,162 @@
 package lancer.rapide;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
-import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
+import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
- * Vérification, avant le dessin, de ce que la recherche rapide suppose des classes du cours. {@link Rayon} rend le
- * départ et la direction qu'il a reçus. Chaque sphère rend, et note dans le rayon, la distance que calcule
- * {@link Intersection}. Les boucles et la recherche donnent le même contact. Tout est comparé au bit près.
+ * Comparaison, après un dessin, des réponses de la recherche rapide avec celles des boucles de la scène dessinée, au
+ * bit près. Les rayons sont tirés au hasard : de l'écran, d'une lampe à travers une sphère, d'une sphère vers une
+ * autre.
  *
- * <p>Cette vérification est un sondage : {@value #RAYONS} rayons, {@value #SPHERES} sphères au plus. Une faute qui ne
- * change la réponse d'aucun de ces rayons n'est pas vue. Les rayons dépendent de la scène et de la taille.
+ * <p>Cette comparaison est un sondage : {@value #RAYONS} rayons au plus, et moins si la scène a beaucoup d'objets. Une
+ * faute qui ne change la réponse d'aucun de ces rayons n'est pas vue. Les rayons dépendent de la scène et de la taille.
  */
-public final class Sondage {
+final class Sondage {
 
-    private static final String SUITE = " : ce sont les boucles du cours qui dessinent";
-    static final int RAYONS = 240;
-    static final int SPHERES = 64;
+    static final int RAYONS = 600;
 
-    /** Les sphères choisies, dans l'ordre de la scène, et leur copie. */
-    private final List<Objet3D> tirees = new ArrayList<>();
-    private final Spheres plates;
-    /** La scène des sphères choisies, avec les boucles du cours, puis avec la recherche rapide. */
-    private final Scene boucles;
-    private final Scene rapide;
+    /** Nombre d'intersections que les boucles calculent, à peu près ; nombre minimal de rayons. */
+    private static final int EXAMENS = 1 << 18;
+    private static final int RAYONS_MIN = 6;
+
+    private final Scene scene;
+    private final Modele modele;
+    private final Recherche recherche;
+    private final Camera camera;
+    private final Spheres spheres;
+    private final Random hasard;
 
     /** Première différence, {@code null} tant qu'il n'y en a pas. */
     private String ecart;
 
-    private Sondage(Scene scene, RechercheRapide recherche) {
-        Spheres toutes = recherche.structures.spheres;
-        for (long k = 0, m = Math.min(SPHERES, toutes.nombre); k < m; k++) {
-            tirees.add(toutes.objets[(int) ((2 * k + 1) * toutes.nombre / (2 * m))]);
-        }
-        boolean entiere = tirees.size() == scene.getObjets().size();
-        plates = entiere ? toutes : new Spheres(tirees);
-        boucles = new Scene(tirees, scene.getLampes());
-        rapide = boucles.avec(new Modele());
-        rapide.getModele().setRecherche(entiere ? recherche.pourUnFil(rapide.getCompteurs())
-                : new RechercheRapide(new Structures(plates, scene.getLampes()), rapide.getCompteurs()));
-    }
-
-    /** Choisit la recherche de la scène. @return la raison de son refus par le sondage ; {@code null} sans refus */
-    public static String choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        RechercheRapide recherche = simple || !Preparation.estUtile(scene, camera) ? null
-                : Preparation.pour(scene, camera, suivi);
-        String ecart = recherche == null ? null : ecart(scene, camera, recherche);
-        scene.getModele().setRecherche(ecart == null ? recherche : null);
-        return ecart;
+    private Sondage(Scene scene, Spheres spheres, Camera camera) {
+        this.scene = scene;
+        this.camera = camera;
+        modele = scene.getModele();
+        recherche = modele.getRecherche();
+        this.spheres = spheres;
+        hasard = new Random(31L * (31 * Arrays.hashCode(spheres.geometrie) + camera.getLargeur())
+                + camera.getHauteur());
     }
 
     /**
-     * Sonde cette scène et sa recherche.
+     * Sonde cette scène et sa recherche rapide.
      *
+     * @param spheres celles que la recherche a copiées
      * @return la première différence, en une phrase ; {@code null} s'il n'y en a pas
      * @throws CancellationException si le fil appelant est interrompu
      */
-    public static String ecart(Scene scene, Camera camera, RechercheRapide recherche) {
+    static String ecart(Scene dessinee, Spheres spheres, Camera camera) {
         try {
-            Sondage sondage = new Sondage(scene, recherche);
-            Random hasard = new Random(31L * (31 * Arrays.hashCode(sondage.plates.geometrie) + camera.getLargeur())
-                    + camera.getHauteur());
-            for (int k = 0; k < RAYONS && !sondage.tirees.isEmpty() && sondage.ecart == null; k++) {
-                Recherche.obeir();
-                sondage.tirer(k, hasard, camera, scene.getLampes());
-            }
-            return sondage.ecart == null ? null : sondage.ecart + SUITE;
+            return new Sondage(dessinee, spheres, camera).sonder();
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
             // le dessin nommera le pixel qui échoue
-            return "une classe du cours échoue sur un rayon tiré au hasard" + SUITE;
+            return "une classe du cours échoue sur un rayon tiré au hasard";
         }
     }
 
-    /** Essaie tour à tour un rayon de l'écran, un rayon d'une lampe vers une sphère, un rayon qui part d'une sphère. */
-    private void tirer(int k, Random hasard, Camera camera, List<Lampe> lampes) {
-        int s = hasard.nextInt(tirees.size());
-        int g = Spheres.PAS * s;
-        Point surface = new Point(plates.geometrie[g], plates.geometrie[g + 1], plates.geometrie[g + 2])
-                .add(plates.geometrie[g + 3], direction(hasard));
+    private String sonder() {
+        int rayons = Math.max(RAYONS_MIN, Math.min(RAYONS, EXAMENS / Math.max(1, scene.getObjets().size())));
+        try {
+            for (int k = 0; k < rayons && spheres.nombre > 0 && ecart == null; k++) {
+                Fil.avancer();
+                tirer(k);
+            }
+            return ecart;
+        } finally {
+            modele.setRecherche(recherche);
+        }
+    }
+
+    private void tirer(int k) {
+        // chaque sphère à son tour
+        int s = (k / 3 + spheres.nombre / 2) % spheres.nombre;
+        List<Lampe> lampes = scene.getLampes();
+        Lampe lampe = lampes.isEmpty() ? null : lampes.get(hasard.nextInt(lampes.size()));
         if (k % 3 == 0) {
             Rayon rayon = camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
                     camera.getHauteur() * hasard.nextDouble());
-            rencontrer(rayon.getP(), rayon.getV(), null);
-        } else if (k % 3 == 1 && !lampes.isEmpty()) {
-            Lampe lampe = lampes.get(hasard.nextInt(lampes.size()));
-            Vecteur versLampe = new Vecteur(surface, lampe.getPosition());
-            if (versLampe.norme() > 0) {
-                Vecteur L = versLampe.normalized();
-                demander(lampe.getPosition(), L.neg());
-                exiger(boucles.estCachee(lampe, surface, L, versLampe.norme(), tirees.get(s))
-                        == rapide.estCachee(lampe, surface, L, versLampe.norme(), tirees.get(s)), "Scene.estCachee");
+            eclairer(lampe, suivre(rayon.getP(), rayon.getV(), null));
+        } else if (k % 3 == 1 && lampe != null) {
+            Vecteur V = new Vecteur(lampe.getPosition(), dans(s, hasard.nextDouble()));
+            if (V.norme() > 0) {
+                PointContact devant = suivre(lampe.getPosition(), V.normalized(), null);
+                eclairer(lampe, devant == null ? null : suivre(devant, V.normalized(), devant.objet));
             }
         } else {
-            rencontrer(surface, direction(hasard), tirees.get(s));
+            Point depart = dans(s, 1);
+            Vecteur V = new Vecteur(depart, dans(hasard.nextInt(spheres.nombre), hasard.nextDouble()));
+            if (V.norme() > 0) {
+                eclairer(lampe, suivre(depart, V.normalized(), spheres.objets[s]));
+            }
         }
     }
 
-    private static Vecteur direction(Random hasard) {
-        return new Vecteur(2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1)
-                .normalized();
+    /** Un point au hasard de la sphère s, à cette part du rayon. */
+    private Point dans(int s, double part) {
+        int g = Spheres.PAS * s;
+        Vecteur direction = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+        return new Point(spheres.geometrie[g], spheres.geometrie[g + 1], spheres.geometrie[g + 2])
+                .add(part * spheres.geometrie[g + 3], direction.normalized());
     }
 
-    private void rencontrer(Point P, Vecteur V, Objet3D saufLui) {
-        demander(P, V);
-        Rayon un = Rayon.dOmbre(P, V);
-        Rayon autre = Rayon.dOmbre(P, V);
-        boucles.getClosestIntersection(un, saufLui);
-        rapide.getClosestIntersection(autre, saufLui);
-        exiger(un.getObjet() == autre.getObjet() && Double.compare(un.getDistance(), autre.getDistance()) == 0,
-                "Scene.getClosestIntersection");
-    }
-
-    /** Compare la réponse de chaque sphère choisie. */
-    private void demander(Point P, Vecteur V) {
-        double[] g = plates.geometrie;
+    /** Compare les contacts de ce rayon. @return celui de la recherche */
+    private PointContact suivre(Point P, Vecteur V, Objet3D saufLui) {
+        Rayon attendu = Rayon.dOmbre(P, V);
+        modele.setRecherche(null);
+        scene.getClosestIntersection(attendu, saufLui);
         Rayon rayon = Rayon.dOmbre(P, V);
-        exiger(P.equals(rayon.getP()) && V.equals(rayon.getV()),
-                "Rayon, sur son départ et sa direction,");
-        for (int k = 0, s = 0; k < tirees.size(); k++, s += Spheres.PAS) {
-            double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            exiger(Double.compare(d, tirees.get(k).getIntersectionDistance(rayon)) == 0
-                    && Double.compare(d, rayon.getDistance()) == 0
-                    && rayon.getObjet() == (d == Double.POSITIVE_INFINITY ? null : tirees.get(k)),
-                    "Sphere.getIntersectionDistance");
+        modele.setRecherche(recherche);
+        PointContact contact = scene.getClosestIntersection(rayon, saufLui);
+        boolean pareils = rayon.getObjet() == attendu.getObjet()
+                && Double.compare(rayon.getDistance(), attendu.getDistance()) == 0;
+        exiger(pareils, "Scene.getClosestIntersection", P, V);
+        return contact;
+    }
+
+    /** Compare les ombres de cette lampe sur ce contact, s'il lui fait face. */
+    private void eclairer(Lampe lampe, PointContact contact) {
+        if (lampe != null && contact != null) {
+            Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+            if (contact.objet.getNormale(contact).dot(versLampe) > 0) {
+                Vecteur L = versLampe.normalized();
+                modele.setRecherche(null);
+                boolean attendu = scene.estCachee(lampe, contact, L, versLampe.norme(), contact.objet);
+                modele.setRecherche(recherche);
+                exiger(attendu == scene.estCachee(lampe, contact, L, versLampe.norme(), contact.objet),
+                        "Scene.estCachee", lampe.getPosition(), L.neg());
+            }
         }
     }
 
-    private void exiger(boolean juste, String qui) {
+    /** Note la première différence, et l'attribue à la distance d'une sphère si elle en vient. */
+    private void exiger(boolean juste, String qui, Point P, Vecteur V) {
         if (!juste && ecart == null) {
-            ecart = qui + " ne répond pas comme la recherche rapide";
+            double[] g = spheres.geometrie;
+            ecart = qui;
+            for (int k = 0, s = 0; k < spheres.nombre; k++, s += Spheres.PAS) {
+                double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, g[s], g[s + 1], g[s + 2], g[s + 3]);
+                if (Double.compare(d, spheres.objets[k].getIntersectionDistance(Rayon.dOmbre(P, V))) != 0) {
+                    ecart = "Sphere.getIntersectionDistance";
+                }
+            }
+            ecart += " ne répond pas comme la recherche rapide";
         }
     }
 }

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,8 +11,8 @@ import lancer.Sphere;
 
 /**
  * Copie des sphères d'une scène dans un tableau de nombres, où chacune a un numéro, dans l'ordre de la scène. Une
- * sphère y prend 32 octets, la moitié d'une ligne de cache. Les objets d'une autre classe, même dérivée de
- * {@link Sphere}, sont à part.
+ * sphère y prend 32 octets, la moitié d'une ligne de cache. Les autres objets sont à part, comme ceux d'une classe
+ * dérivée de {@link Sphere} qui déclare la distance, le centre ou le rayon.
  */
 final class Spheres {
 
@@ -27,12 +28,27 @@ final class Spheres {
     final Objet3D[] autres;
     final int[] rangAutres;
 
+    /** Les méthodes dont cette copie tient lieu. */
+    private static final List<String> COPIEES = Arrays.asList("getIntersectionDistance", "getCentre", "getRayon");
+
+    private static final ClassValue<Boolean> SPHERIQUE = new ClassValue<Boolean>() {
+        @Override
+        protected Boolean computeValue(Class<?> classe) {
+            Class<?> c = classe;
+            while (c != Objet3D.class && c != Sphere.class
+                    && Arrays.stream(c.getDeclaredMethods()).noneMatch(m -> COPIEES.contains(m.getName()))) {
+                c = c.getSuperclass();
+            }
+            return c == Sphere.class;
+        }
+    };
+
     private Map<Objet3D, Integer> numeros;
 
     Spheres(List<Objet3D> scene) {
         int n = 0;
         for (Objet3D objet : scene) {
-            if (objet.getClass() == Sphere.class) {
+            if (estUneSphere(objet)) {
                 n++;
             }
         }
@@ -46,7 +62,7 @@ final class Spheres {
         int a = 0;
         int r = 0;
         for (Objet3D objet : scene) {
-            if (objet.getClass() != Sphere.class) {
+            if (!estUneSphere(objet)) {
                 autres[a] = objet;
                 rangAutres[a++] = r++;
                 continue;
@@ -60,6 +76,28 @@ final class Spheres {
             rang[k] = r++;
             objets[k++] = objet;
         }
+    }
+
+    private static boolean estUneSphere(Objet3D objet) {
+        return objet.getClass() == Sphere.class || SPHERIQUE.get(objet.getClass());
+    }
+
+    /** Dit si la sphère k a encore le centre et le rayon qui ont été copiés. */
+    boolean estEnPlace(int k) {
+        Sphere s = (Sphere) objets[k];
+        Point c = s.getCentre();
+        int g = PAS * k;
+        return c.x == geometrie[g] && c.y == geometrie[g + 1] && c.z == geometrie[g + 2]
+                && s.getRayon() == geometrie[g + 3];
+    }
+
+    /** Dit si toutes les sphères sont en place. */
+    boolean sontEnPlace() {
+        int k = 0;
+        while (k < nombre && estEnPlace(k)) {
+            k++;
+        }
+        return k == nombre;
     }
 
     int[] toutes() {
@@ -77,7 +115,7 @@ final class Spheres {
 
     /** Le numéro de cet objet, -1 si ce n'est pas une sphère. La table est construite à la première demande. */
     synchronized int numero(Objet3D objet) {
-        if (objet == null || objet.getClass() != Sphere.class) {
+        if (!(objet instanceof Sphere)) {
             return -1;
         }
         if (numeros == null) {

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Lampe;
 
-/** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent : elles n'ont pas d'état. */
+/** Structures de recherche d'une scène, par sorte de rayon. Tous les fils les partagent. */
 final class Structures {
 
     final Spheres spheres;
@@ -20,6 +20,10 @@ final class Structures {
 
     /** Structures des rayons d'ombre de chaque lampe. */
     final Occultations[] ombres;
+
+    /** Première réponse qui diffère de celle des boucles du cours, {@code null} tant qu'il n'y en a pas. */
+    volatile String ecart;
+    boolean sondees;
 
     Structures(Spheres spheres, List<Lampe> lampes) {
         this.spheres = spheres;

@@ -12,6 +12,7 @@ import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.zip.CRC32;
 import lancer.SceneFautive;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Recherche du fichier d'une scène. */
@@ -46,7 +47,7 @@ public final class FichierScene {
         try {
             chemin = Paths.get(fichier);
         } catch (InvalidPathException e) {
-            throw inutilisable(fichier, "nom de fichier impossible" + Texte.horsLangue(fichier), e);
+            throw inutilisable(fichier, "nom de fichier impossible" + ErreurSysteme.horsLangue(fichier), e);
         }
         Path trouve = chemin;
         for (int k = 0; k < DOSSIERS_AU_DESSUS && !chemin.isAbsolute() && !Files.exists(trouve); k++) {
@@ -90,7 +91,7 @@ public final class FichierScene {
         try {
             chemin.toRealPath();
         } catch (IOException e) {
-            faute = pourquoi(e, Texte.panne(e));
+            faute = pourquoi(e, ErreurSysteme.raison(e));
         }
         if (chemin.isAbsolute() || !faute.equals(introuvable)) {
             return faute;
@@ -99,7 +100,7 @@ public final class FichierScene {
         int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
         return faute + " dans " + Texte.echappe(ici.toString()) + (plusHaut == 0 ? ""
                 : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
-                + Texte.horsLangue(ici.toString());
+                + ErreurSysteme.horsLangue(ici.toString());
     }
 
     /** Raison pour laquelle un fichier ne peut être lu, ou {@code sinon}. */

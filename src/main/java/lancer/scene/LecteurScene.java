@@ -21,6 +21,8 @@ import lancer.SceneFautive;
 import lancer.contrat.Forme;
 import lancer.contrat.Variante;
 import lancer.scene.Origines.Origine;
+import lancer.texte.ErreurSysteme;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
@@ -79,7 +81,7 @@ public final class LecteurScene {
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
             throw FichierScene.inutilisable(fichier,
-                    FichierScene.pourquoi(e, "lecture impossible (" + Texte.panne(e) + ")"), e);
+                    FichierScene.pourquoi(e, "lecture impossible (" + ErreurSysteme.raison(e) + ")"), e);
         }
         for (Map.Entry<String, Variante> presente : services.variantes.entrySet()) {
             SectionLue donnee = sectionsVariantes.get(presente.getKey());

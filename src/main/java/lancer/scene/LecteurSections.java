@@ -15,6 +15,7 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /** Passage d'une section à son objet ou à sa lampe, à la lecture du fichier comme après un changement. */
@@ -94,7 +95,7 @@ public final class LecteurSections {
             boolean refus = e.getMessage() != null
                     && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
             throw section.fautive(section.ligne, null, "section que " + classe + " ne sait pas lire : "
-                    + (refus ? Texte.cite(e.getMessage()) : Texte.cause(e, Pattern.quote(classe) + ".*")),
+                    + (refus ? Texte.cite(e.getMessage()) : Pile.cause(e, Pattern.quote(classe) + ".*")),
                     "des valeurs qui lui conviennent");
         }
     }

@@ -1,5 +1,6 @@
 package lancer.scene;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -76,6 +77,11 @@ public final class Services {
             }
             return inscrites;
         } catch (ServiceConfigurationError e) {
+            if (e.getCause() instanceof IOException) {
+                // JDK-4523159
+                throw new SceneFautive("META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a "
+                        + "un nom qui finit par « ! » ; attendu : le même jar dans un autre dossier", e);
+            }
             if (e.getCause() != null && !(e.getCause() instanceof ReflectiveOperationException)) {
                 // la classe convient : c'est son constructeur qui échoue
                 throw e;

@@ -18,6 +18,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
@@ -46,6 +48,21 @@ class ProcessusTest extends EssaiProcessus {
             assertEquals(0, statut(preparer(java(machine, "--lineaire", machine + ".pfm", "--taille=60x45", SCENE))), erreur());
         }
         assertArrayEquals(Files.readAllBytes(dossier.resolve("-Xint.pfm")), Files.readAllBytes(dossier.resolve("-Xcomp.pfm")));
+    }
+
+    /** Java coupe l'adresse d'une ressource au premier « !/ » (JDK-4523159). */
+    @Test
+    void unJarDansUnDossierQueJavaNeSaitPasLireEstRefuseEnUneLigne() throws Exception {
+        Path jar = Files.createDirectories(dossier.resolve("fini !")).resolve("nuit.jar");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(jar))) {
+            zip.putNextEntry(new ZipEntry("META-INF/services/lancer.contrat.Variante"));
+        }
+        List<String> commande = java("", "--image=a.png", SCENE);
+        int chemin = commande.indexOf("-cp") + 1;
+        commande.set(chemin, commande.get(chemin) + File.pathSeparator + jar);
+        assertEquals(2, statut(preparer(commande)));
+        assertEquals("lancer : META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a un nom qui finit par « ! » ; "
+                + "attendu : le même jar dans un autre dossier\n", erreur());
     }
 
     @Test

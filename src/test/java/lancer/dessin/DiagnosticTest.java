@@ -17,7 +17,7 @@ import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.essai.Plan;
-import lancer.texte.Texte;
+import lancer.texte.Pile;
 import org.junit.jupiter.api.Test;
 
 /** Un pixel qui échoue est situé dans la classe de la scène, ou de la variante, qui n'a pas tenu. */
@@ -60,7 +60,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Texte.cause(panne, Dessin.classes(scene)).replace(DiagnosticTest.class.getName(), "")
+        return Pile.cause(panne, Dessin.classes(scene)).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -93,7 +93,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Texte.cause(panne, Dessin.classes(scene(new Mur())));
+        String dit = Pile.cause(panne, Dessin.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 
@@ -108,8 +108,8 @@ class DiagnosticTest {
 
     @Test
     void unEchecQueJavaNeSituePlusLEstCommeLePremierDeSaSorte() {
-        String premier = Texte.cause(new PixelFautif(1.5, 1.5, new Repete(true)), Texte.HORS_DE_JAVA);
+        String premier = Pile.cause(new PixelFautif(1.5, 1.5, new Repete(true)), Pile.HORS_DE_JAVA);
         assertTrue(premier.matches(".*Repete: boum \\(.*DiagnosticTest.java:\\d+\\)"), premier);
-        assertEquals(premier, Texte.cause(new PixelFautif(2.5, 1.5, new Repete(false)), Texte.HORS_DE_JAVA));
+        assertEquals(premier, Pile.cause(new PixelFautif(2.5, 1.5, new Repete(false)), Pile.HORS_DE_JAVA));
     }
 }

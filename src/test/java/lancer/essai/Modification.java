@@ -3,14 +3,21 @@ package lancer.essai;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import javax.tools.ToolProvider;
 import lancer.Main;
+import org.ini4j.Config;
 
 /** De quoi changer une classe de la base comme le ferait un étudiant, et la recompiler. */
 public final class Modification {
@@ -20,15 +27,26 @@ public final class Modification {
     private Modification() {
     }
 
-    /** Le programme où ce texte de cette classe est remplacé par celui-ci ; {@code null} : par rien. */
-    public static Essai.Isole de(Path dossier, String classe, String ancienne, String nouvelle) throws IOException {
-        String source = new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
-        assertTrue(source.contains(ancienne), classe + " n'a plus « " + ancienne + " »");
-        Path changee = dossier.resolve(Paths.get(classe + ".java").getFileName());
-        Files.write(changee, source.replace(ancienne, nouvelle == null ? "" : nouvelle).getBytes(StandardCharsets.UTF_8));
+    /** Le programme où ce texte de cette classe est remplacé par celui-ci ({@code null} : par rien), et ainsi trois par trois. */
+    public static Essai.Isole de(Path dossier, String... classesAnciensNouveaux) throws IOException {
+        Map<String, String> sources = new LinkedHashMap<>();
+        for (int k = 0; k < classesAnciensNouveaux.length; k += 3) {
+            String classe = classesAnciensNouveaux[k];
+            String ancien = classesAnciensNouveaux[k + 1];
+            String nouveau = classesAnciensNouveaux[k + 2] == null ? "" : classesAnciensNouveaux[k + 2];
+            String source = sources.containsKey(classe) ? sources.get(classe)
+                    : new String(Files.readAllBytes(SOURCES.resolve(classe + ".java")), StandardCharsets.UTF_8);
+            assertTrue(source.contains(ancien), classe + " n'a plus « " + ancien + " »");
+            sources.put(classe, source.replace(ancien, nouveau));
+        }
         Path classes = Files.createDirectories(dossier.resolve("classes"));
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-nowarn", "-encoding", "UTF-8", "-d",
-                classes.toString(), "-cp", Essai.origine(Main.class).toString(), changee.toString()));
+        List<String> javac = new ArrayList<>(Arrays.asList("-nowarn", "-encoding", "UTF-8", "-d", classes.toString(),
+                "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
+        for (Map.Entry<String, String> changee : sources.entrySet()) {
+            Path source = dossier.resolve(Paths.get(changee.getKey() + ".java").getFileName());
+            javac.add(Files.write(source, changee.getValue().getBytes(StandardCharsets.UTF_8)).toString());
+        }
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])));
         return new Essai.Isole(Collections.singletonList(classes), Collections.<Path>emptyList());
     }
 }

@@ -28,7 +28,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
-import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -36,7 +35,7 @@ import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
-/** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, panne ; elle ne l'attend jamais. */
+/** La vie d'un dessin dans la fenêtre : lecture, préparation, brouillon puis image, arrêt, échec ; elle ne l'attend jamais. */
 class FenetreDessinTest extends EssaiFenetre {
 
     @Test
@@ -70,11 +69,11 @@ class FenetreDessinTest extends EssaiFenetre {
             private boolean premiere = true;
 
             @Override
-            public void drawPixel(Couleur coul, int xe, int ye) {
+            void peindre(int ye, Runnable peindre) {
                 if (!premiere) {
                     attendreSansEtreInterrompu(dessin);
                 }
-                super.drawPixel(coul, xe, ye);
+                super.peindre(ye, peindre);
             }
 
             @Override
@@ -114,11 +113,11 @@ class FenetreDessinTest extends EssaiFenetre {
         CountDownLatch repare = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void doTracerImage(int largeur, int hauteur) {
+            void tracer(Runnable dessiner) {
                 if (repare.getCount() > 0) {
                     throw new IllegalStateException("objet\nmal fait");
                 }
-                super.doTracerImage(largeur, hauteur);
+                super.tracer(dessiner);
             }
         });
         banc.attendreMessage("échec du programme : java.lang.IllegalStateException: objet\\nmal fait");
@@ -286,12 +285,11 @@ class FenetreDessinTest extends EssaiFenetre {
         }
 
         @Override
-        public void doTracerImage(int largeur, int hauteur) {
+        void tracer(Runnable dessiner) {
             if (retenue) {
                 attendreSansEtreInterrompu(suite);
-                return;
             }
-            super.doTracerImage(largeur, hauteur);
+            super.tracer(dessiner);
         }
     }
 
@@ -327,13 +325,12 @@ class FenetreDessinTest extends EssaiFenetre {
     }
 
     @Test
-    void unDessinQuiAttendQueCeluiDAvantSArreteLeDit() throws Exception {
+    void unDessinNAttendPasQueCeluiDAvantSArrete() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        banc.frapper(KeyEvent.VK_F5);
-        attendre("le suivant attend", () -> banc.resume.getText().startsWith("attend que le dessin d'avant s'arrête — "));
         programme.retenue = false;
+        banc.frapper(KeyEvent.VK_F5);
+        banc.attendreImage("le suivant se fait", attendue("--reflets=10"));
         programme.suite.countDown();
-        banc.attendreImage("puis se fait", attendue("--reflets=10"));
     }
 
     @Test

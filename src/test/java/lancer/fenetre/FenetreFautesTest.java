@@ -90,7 +90,7 @@ class FenetreFautesTest extends EssaiInspecteur {
 
     /** Les pixels qui sont là restent, la phrase se lit, et le dessin suivant se fait. */
     @Test
-    void unObjetQuiNeRendJamaisLaMainEstNommeEtNeRetientPasLeDessinSuivant() throws Exception {
+    void unObjetQuiNeRendJamaisLaMainEstNommeEchapArreteEtLeDessinSuivantSeFait() throws Exception {
         CountDownLatch fin = new CountDownLatch(1);
         AtomicBoolean retenu = new AtomicBoolean(true);
         banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
@@ -104,7 +104,9 @@ class FenetreFautesTest extends EssaiInspecteur {
         })));
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains(" : ce calcul dure depuis dix secondes (lancer."), banc.message());
-        attendre("le dessin s'arrête", () -> !banc.controleur.etat.enCours);
+        assertTrue(surFilEvenements(() -> banc.controleur.etat.enCours), "rien d'autre n'est fait");
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap l'arrête", () -> !banc.controleur.etat.enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);

@@ -35,7 +35,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.UIManager;
-import lancer.Couleur;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.essai.Essai;
@@ -98,11 +97,11 @@ class FenetreFichiersTest extends EssaiFenetre {
         CountDownLatch dessin = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void drawPixel(Couleur coul, int xe, int ye) {
+            void peindre(int ye, Runnable peindre) {
                 if (lent) {
                     attendreSansEtreInterrompu(dessin);
                 }
-                super.drawPixel(coul, xe, ye);
+                super.peindre(ye, peindre);
             }
         });
         int[] avant = banc.imageAchevee().codes;

@@ -21,7 +21,6 @@ import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JTree;
-import lancer.Couleur;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -181,12 +180,12 @@ class FenetreImageTest extends EssaiFenetre {
         CountDownLatch bas = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
-            public void drawPixel(Couleur coul, int xe, int ye) {
+            void peindre(int ye, Runnable peindre) {
                 // le brouillon attend avant le bas de l'image
                 if (ye >= H / 2 && !brouillonFait()) {
                     attendreSansEtreInterrompu(bas);
                 }
-                super.drawPixel(coul, xe, ye);
+                super.peindre(ye, peindre);
             }
         }.lent());
         attendre("le haut du brouillon se dit", () -> {

@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -46,7 +47,8 @@ class FenetreVitesseTest extends EssaiFenetre {
 
     /** L'image que la ligne de commande donne aux réglages présents. */
     private int[] presentsSansFenetre() throws Exception {
-        return attendue("--reflets=" + banc.controleur.etat.getReglages().getReflets(), "--seuil=" + banc.controleur.etat.getReglages().getSeuil());
+        ReglagesDessin presents = banc.controleur.etat.getReglages();
+        return attendue("--reflets=" + presents.getReflets(), "--seuil=" + presents.getSeuil());
     }
 
     /** Le plus à gauche des disques pleins du graphique : le plus rapide des réglages. */

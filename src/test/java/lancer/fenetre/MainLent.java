@@ -19,6 +19,7 @@ class MainLent extends Main {
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
     volatile boolean lent;
+    private volatile Dessin dernier = super.getDessin();
     private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
     private Consumer<SceneLue> apresLecture = lue -> { };
 
@@ -40,7 +41,7 @@ class MainLent extends Main {
 
     /** Vrai si le brouillon du dessin en cours est fait. */
     boolean brouillonFait() {
-        return getDessin().isBrouillonFait();
+        return dernier.isBrouillonFait();
     }
 
     /** Fait d'abord ceci, à chaque lecture. */
@@ -63,21 +64,46 @@ class MainLent extends Main {
         return lue;
     }
 
-    @Override
-    public void drawPixel(Couleur coul, int xe, int ye) {
-        super.drawPixel(coul, xe, ye);
+    /** Fait le dessin en cours. */
+    void tracer(Runnable dessiner) {
+        dessiner.run();
+    }
+
+    /** Peint un pixel de la ligne {@code ye} du dessin en cours. */
+    void peindre(int ye, Runnable peindre) {
+        peindre.run();
         if (lent && brouillonFait()) {
             LockSupport.parkNanos(PAUSE_NS);
         }
     }
 
+    private void dessiner(Dessin voulu) {
+        dernier = voulu;
+        new Main(this, voulu) {
+            @Override
+            public void doTracerImage(int largeur, int hauteur) {
+                tracer(() -> super.doTracerImage(largeur, hauteur));
+            }
+
+            @Override
+            public void drawPixel(Couleur coul, int xe, int ye) {
+                peindre(ye, () -> super.drawPixel(coul, xe, ye));
+            }
+
+            @Override
+            protected void dessiner() {
+                super.dessiner();
+            }
+        }.dessiner();
+    }
+
     /** Ouvre la fenêtre de ce programme. */
     Fenetre ouvrir(Runnable fin) {
-        return Ouverture.ouvrir(options, getDessin(), this::dessiner, BancFenetre.flux(erreur), fin);
+        return Ouverture.ouvrir(options, dernier, this::dessiner, BancFenetre.flux(erreur), fin);
     }
 
     @Override
     protected Dessin getDessin() {
-        return super.getDessin();
+        return dernier;
     }
 }

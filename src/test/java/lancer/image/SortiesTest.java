@@ -26,7 +26,7 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.Couleur;
 import lancer.commande.Echec;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.Ressources;
@@ -88,11 +88,11 @@ class SortiesTest extends EssaiCommande {
     @Test
     void unePanneDeLaMachineDitQuoiFaire() {
         assertEquals("trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2",
-                Pannes.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
-        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Pannes.message(new OutOfMemoryError()));
+                Messages.message(new OutOfMemoryError("unable to create native thread: possibly out of memory")));
+        assertEquals("mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …", Messages.message(new OutOfMemoryError()));
         assertEquals("échec du programme : java.lang.IllegalStateException: a\\nb (lancer.image.SortiesTest."
                 + "unePanneDeLaMachineDitQuoiFaire, SortiesTest.java)",
-                Pannes.message(new RuntimeException(new IllegalStateException("a\nb"))).replaceAll("java:\\d+", "java"));
+                Messages.message(new RuntimeException(new IllegalStateException("a\nb"))).replaceAll("java:\\d+", "java"));
     }
 
     @Test

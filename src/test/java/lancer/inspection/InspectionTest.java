@@ -21,8 +21,8 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.essai.Essai;
@@ -133,7 +133,7 @@ class InspectionTest {
         for (int x = 5; x < 80; x += 3) {
             Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30);
             for (Segment segment : pixel.getSegments()) {
-                for (Eclairage lampe : segment.lampes) {
+                for (Terme lampe : segment.lampes) {
                     if (lampe.L != null && !segment.contact.objet.getKs().estNoire()) {
                         double base = Specularite.PHONG.base(segment.V, segment.N, lampe.L, segment.R);
                         assertEquals(lampe.eclat, Specularite.puissance(base, segment.contact.objet.getNs()));

@@ -255,6 +255,28 @@ class IntersectionTest {
         assertEquals(attendu, new Point().add(new Vecteur(new Point(), rayon.calcContact())));
     }
 
+    /** Ramené sur sa sphère, il s'en écarterait de 4 u r, autant que la hauteur d'une lampe qui rase un grand sol. */
+    @Test
+    void unContactPlusProcheQueLeRayonNEstADistanceDeSaSphereQueParLesArrondisDeCeQuiEstProche() {
+        Random hasard = new Random(52);
+        double rameneEnRayons = 0;
+        for (int k = 0; k < 2_000; k++) {
+            double r = Math.pow(10, 1 + 11 * hasard.nextDouble());
+            Point C = new Point().add(direction(hasard).mul(r));
+            Point P = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+            Sphere sphere = new Sphere(C, r);
+            Rayon rayon = new Rayon(P, direction(hasard));
+            double t = sphere.getIntersectionDistance(rayon);
+            if (t < r) {
+                double ecart = Exact.ecartALaSurface(rayon.calcContact(), C, r);
+                assertEquals(0, ecart, 16 * U * (t + new Vecteur(new Point(), P).norme()), "graine 52, tirage " + k + ", r = " + r);
+                Point ramene = sphere.getPointDeSurface(P.add(t, rayon.getV()));
+                rameneEnRayons = Math.max(rameneEnRayons, Exact.ecartALaSurface(ramene, C, r) / r);
+            }
+        }
+        assertTrue(rameneEnRayons > U / 2, "ramenés, ils en sont à " + rameneEnRayons + " r");
+    }
+
     @Test
     void leCentreNeSeRameneNullePart() {
         Point centre = new Point(1, 2, 3);

@@ -11,7 +11,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.Test;
@@ -64,6 +66,25 @@ class MakefileTest extends EssaiProcessus {
         assertEquals("scenes/scene1.ini", scene(""));
     }
 
+    /** Les commandes java d'une image et de la fenêtre, avec cette définition ou aucune. */
+    private String commandes(String... definitions) throws IOException, InterruptedException {
+        List<String> commande = new ArrayList<>(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
+                "--eval", "commandes:;@echo '$(JAVA_IMAGE);$(JAVA_FENETRE)'", "commandes"));
+        commande.addAll(Arrays.asList(definitions));
+        ProcessBuilder make = preparer(commande);
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "JAVA", "JAVA_OPTIONS"));
+        assertEquals(0, statut(make), erreur());
+        return sortie().trim();
+    }
+
+    @Test
+    void lesOptionsMesureesSontCellesDUneImageEtCellesDeLUtilisateurLesRemplacent() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        assertEquals("java -XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m;java", commandes());
+        assertEquals("java -XX:+UseParallelGC;java -XX:+UseParallelGC", commandes("JAVA_OPTIONS=-XX:+UseParallelGC"));
+        assertEquals("java;java", commandes("JAVA_OPTIONS=").replace(" ", ""));
+    }
+
     @Test
     void seulesLesImagesDontUnPixelAChangeSontRemplacees() throws Exception {
         assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
@@ -76,7 +97,7 @@ class MakefileTest extends EssaiProcessus {
         Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
         Files.delete(dossier.resolve("images/nouvelle.png"));
         ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
-                "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "BASE=./target/lancer.jar", "--eval",
+                "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "JAVA_OPTIONS=", "BASE=./target/lancer.jar", "--eval",
                 "essai:;@$(call actualiser,neuves,images)", "essai"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());

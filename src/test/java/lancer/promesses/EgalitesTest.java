@@ -14,7 +14,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -77,14 +79,28 @@ class EgalitesTest {
         return new Scene(objets, lampes);
     }
 
+    /** Un sol de ce rayon, une boule posée devant lui, et une lampe qui le rase. */
+    private static Scene rasee(double rayon) {
+        return scene(Arrays.asList(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5), boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)),
+                new Lampe(new Point(-6, -0.999999, 12), new Couleur(1)));
+    }
+
     /** Rien dans le programme n'a d'unité de longueur : ni seuil de distance, ni décalage, ni case plus petite que tout. */
     @Test
     void grossirToutLeMondeParUnePuissanceDeDeuxNeChangePasUnBit() {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
         for (String nom : new String[] {"p1-quatre", "p2-sol", "p3-miroirs", "p4-foule"}) {
-            Scene scene = new Scene(Ressources.chemin("reference/" + nom + ".ini"));
+            scenes.put(nom, new Scene(Ressources.chemin("reference/" + nom + ".ini")));
+        }
+        for (double rayon : new double[] {5e3, 3e7, 9.9e7, 4e11}) {
+            scenes.put("lampe qui rase un sol de rayon " + rayon, rasee(rayon));
+        }
+        scenes.put("trois géantes", scene(Arrays.asList(boule(0, -9e7 - 1, 8, 9e7, 0.8, 0.3, 5), boule(-3e7 - 3, 0, 9, 3e7, 0.6, 0.5, 9),
+                boule(0, 0, 6e7 + 20, 6e7, 0.7, 0.2, 3)), new Lampe(new Point(1, 2, 3), new Couleur(1))));
+        scenes.forEach((nom, scene) -> {
             Ressources.Image attendue = imageRapide(scene, new CameraAgrandie(1), 5);
             assertTrue(memesBits(attendue, image(new Scene(scene.getObjets(), scene.getLampes()), 64, 48, 5, 2)), nom);
-            for (int k : new int[] {-300, -1, 300}) {
+            for (int k : new int[] {-300, -27, -1, 2, 300}) {
                 Camera camera = new CameraAgrandie(Math.scalb(1.0, k));
                 Scene grosse = agrandie(scene, Math.scalb(1.0, k));
                 Ressources.Image lisible = new Ressources.Image(64, 48);
@@ -92,7 +108,7 @@ class EgalitesTest {
                 assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);
                 assertTrue(memesBits(attendue, imageRapide(grosse, camera, 5)), nom + " fois 2^" + k + ", recherche rapide");
             }
-        }
+        });
     }
 
     /** Noire, au cœur d'une boule, ou sous le sol : une lampe que rien ne voit. */

@@ -19,6 +19,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.Sondable;
 import lancer.essai.RechercheSimple;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -187,9 +188,9 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                assertThrows(CancellationException.class, () ->
-                        Sondage.ecart(scene, CAMERA, new RechercheRapide(
-                        new Structures(new Spheres(scene.getObjets()), scene.getLampes()), new Compteurs())));
+                scene.getModele().setRecherche(new RechercheRapide(
+                        new Structures(new Spheres(scene.getObjets()), scene.getLampes()), new Compteurs()));
+                assertThrows(CancellationException.class, () -> ((Sondable) scene.getModele().getRecherche()).differe(scene, CAMERA));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }

@@ -32,7 +32,14 @@ class SondageTest {
         for (int k = 0; k < plates.nombre; k++) {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
-        return Sondage.ecart(scene, CAMERA, new RechercheRapide(new Structures(plates, scene.getLampes()), new Compteurs()));
+        scene.getModele().setRecherche(new RechercheRapide(new Structures(plates, scene.getLampes()), new Compteurs()));
+        return Sondage.ecart(scene, plates, CAMERA);
+    }
+
+    private static String ecart(Scene scene) {
+        RechercheRapide recherche = (RechercheRapide) scene.getModele().getRecherche();
+        recherche.differe(scene, CAMERA);
+        return recherche.getEcart();
     }
 
     @Test
@@ -42,7 +49,8 @@ class SondageTest {
         scenes.putAll(ScenesDEssai.hostiles(1000));
         scenes.forEach((nom, scene) -> {
             for (Preparation.Genre genre : Preparation.Genre.values()) {
-                assertNull(Sondage.ecart(scene, CAMERA, Preparation.pour(scene, CAMERA, genre, part -> { })), nom);
+                scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, genre, part -> { }));
+                assertNull(ecart(scene), nom);
             }
         });
     }
@@ -52,8 +60,7 @@ class SondageTest {
         ScenesDEssai.toutes(60).forEach((nom, scene) -> {
             Spheres spheres = new Spheres(scene.getObjets());
             if (spheres.nombre > 0 && spheres.autres.length == 0) {
-                assertEquals("Sphere.getIntersectionDistance ne répond pas comme la recherche rapide : ce sont les boucles du cours qui "
-                        + "dessinent", sonder(scene, 0.98), nom);
+                assertEquals("Sphere.getIntersectionDistance ne répond pas comme la recherche rapide", sonder(scene, 0.98), nom);
             }
         });
     }

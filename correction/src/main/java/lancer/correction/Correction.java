@@ -8,22 +8,20 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
-import lancer.correction.depot.Alias;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
 import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
+import lancer.correction.jugement.DossierDeResultats;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Jury;
 import lancer.correction.jugement.Resultat;
@@ -38,9 +36,6 @@ import lancer.correction.page.Pages;
 public final class Correction {
 
     private static final String RENDUS = "RENDUS";
-    private static final String RESULTATS = "resultats";
-    /** Fichier de la grille du corrigé, à côté des résultats. */
-    private static final String GRILLE = "corrige.csv";
     private static final List<String> AVEC_VALEUR =
             List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
 
@@ -55,7 +50,7 @@ public final class Correction {
         this.suivi = suivi;
         for (int k = 0; k < arguments.length && !demande.containsKey("--aide"); k++) {
             String nom = arguments[k];
-            if (List.of("--aide", "--help", "-h", "--sans-confinement", "--noter").contains(nom)) {
+            if (List.of("--aide", "--help", "-h", "--sans-confinement", "--noter", "--ajouter", "--profil-bwrap").contains(nom)) {
                 demande.put(nom.matches("--help|-h") ? "--aide" : nom, "");
             } else if (AVEC_VALEUR.contains(nom)) {
                 if (++k >= arguments.length || arguments[k].isEmpty()) {
@@ -69,9 +64,9 @@ public final class Correction {
                         + " » ; attendu : un dossier, ou une archive");
             }
         }
-        if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--noter", "--squelette", "--corrige"))) {
+        if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--profil-bwrap", "--noter", "--squelette", "--corrige"))) {
             throw new Panne(2, "aucun rendu à noter ; attendu : un dossier, ou l'archive de Moodle");
-        } else if (demande.containsKey("--noter") && demande.containsKey(RENDUS)) {
+        } else if (demande.containsKey("--noter") && (demande.containsKey(RENDUS) || demande.containsKey("--ajouter"))) {
             throw new Panne(2, "--noter ne prend pas de rendus : il note ceux qui ont été jugés");
         }
     }
@@ -88,6 +83,8 @@ public final class Correction {
             Map<String, String> demande = correction.demande;
             if (demande.containsKey("--aide")) {
                 sortie.print(SourcesDuCours.ressource("aide.txt"));
+            } else if (demande.containsKey("--profil-bwrap")) {
+                sortie.print(SourcesDuCours.ressource("bwrap.apparmor"));
             } else if (demande.containsKey("--squelette")) {
                 SourcesDuCours.ecrire(demande.get("--squelette"), null, sortie);
             } else if (demande.containsKey("--corrige")) {
@@ -118,37 +115,31 @@ public final class Correction {
     /** Juge chaque rendu, et écrit les résultats : un fichier par rendu, et la grille du corrigé. */
     private void juger(Path dossier) throws IOException {
         Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)));
+        boolean ajouter = demande.containsKey("--ajouter");
+        DossierDeResultats anciens = DossierDeResultats.chercher(dossier, ajouter);
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
-                    + " ; pour exécuter quand même le code des étudiants, qui pourra lire et écrire vos fichiers : "
-                    + "SANS_CONFINEMENT=1 (--sans-confinement)");
+                    + " ; sinon, un conteneur (docs/classe.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
+                    + "lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
         try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
-            AtomicInteger finis = new AtomicInteger();
-            Alias alias = new Alias(dossier, rendus.stream().map(r -> r.id).collect(Collectors.toList()));
-            List<Resultat> tous = jury.juger(rendus, alias, resultat -> suivi.println("correction : " + finis.incrementAndGet()
-                    + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
-            // les résultats sont écrits à la fin : une interruption n'en laisse pas une partie
-            Path resultats = Files.createDirectories(dossier.resolve(RESULTATS));
-            Set<String> noms = IntStream.range(0, tous.size()).mapToObj(rang -> rendus.get(rang).fichier(rang).replaceFirst("\\d+", ""))
-                    .collect(Collectors.toSet());
-            long autres = 0;
-            for (Path ancien : contenu(resultats)) {
-                String nom = ancien.getFileName().toString();
-                autres += nom.equals(GRILLE) || noms.contains(nom.replaceFirst("^\\d+", "").replace(".csv", "")) ? 0 : 1;
-                Files.delete(ancien);
-            }
+            List<Rendu> rendus = jury.lire(Path.of(demande.get(RENDUS)));
+            Set<String> ids = rendus.stream().map(r -> r.id).collect(Collectors.toSet());
+            long autres = anciens == null ? 0 : anciens.resultats.values().stream().filter(r -> !ids.contains(r.id)).count();
             if (autres > 0) {
-                suivi.println("correction : les résultats de " + autres + " autres rendus, jugés avant dans ce dossier, sont effacés ; "
-                        + "SORTIE=dossier (--sortie) juge à part");
+                suivi.println("correction : les résultats de " + (autres > 1 ? autres + " autres rendus" : "l'autre rendu")
+                        + " de ce dossier " + (ajouter ? "restent"
+                        : "seront effacés à la fin ; AJOUTER=1 (--ajouter) les garde, SORTIE=dossier (--sortie) juge à part"));
             }
-            jury.reference.grille.ecrire(resultats.resolve(GRILLE));
-            for (int rang = 0; rang < tous.size(); rang++) {
-                tous.get(rang).ecrire(resultats.resolve(rendus.get(rang).fichier(rang) + ".csv"));
+            suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
+            if (ajouter && anciens != null) {
+                jury.reference().grille.reprendre(anciens.grille);
             }
+            AtomicInteger finis = new AtomicInteger();
+            List<Resultat> tous = jury.juger(rendus, resultat -> suivi.println("correction : " + finis.incrementAndGet()
+                    + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
+            DossierDeResultats.ecrire(dossier, jury.reference().grille, rendus, tous, ajouter ? anciens : null);
         }
     }
 
@@ -167,49 +158,25 @@ public final class Correction {
         return Long.parseLong(texte);
     }
 
-    /** Les fichiers de résultats, par ordre alphabétique. */
-    private static List<Path> contenu(Path dossier) throws IOException {
-        try (Stream<Path> flux = Files.list(dossier)) {
-            return flux.filter(f -> f.toString().endsWith(".csv")).sorted().collect(Collectors.toList());
-        }
-    }
-
     /** Calcule les notes, les pages et les feuilles, à partir des résultats, du barème, des ajustements et de la feuille donnée. */
     private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
-        Path lu = dossier.resolve(RESULTATS).resolve(GRILLE);
-        GrilleDeNotation grille;
-        Map<Path, Resultat> resultats = new LinkedHashMap<>();
-        try {
-            grille = GrilleDeNotation.lire(lu);
-            for (Path fichier : contenu(lu.getParent())) {
-                lu = fichier;
-                if (!fichier.endsWith(GRILLE)) {
-                    resultats.put(fichier, Resultat.lire(fichier));
-                }
-            }
-        } catch (IOException | RuntimeException e) {
-            throw new Panne(2, "rien à noter : " + lu + " manque, ou est abîmé ; attendu : les résultats de make corriger, tous");
-        }
-        int rang = 0;
-        for (Path fichier : resultats.keySet()) {
-            if (!fichier.getFileName().toString().startsWith(String.format("%03d-", ++rang))) {
-                throw new Panne(2, "rien à noter : dans " + fichier.getParent() + ", le rendu numéro " + rang
-                        + " manque, ou y est deux fois ; attendu : les résultats de make corriger, tous");
-            }
-        }
-        Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille);
+        DossierDeResultats juges = new DossierDeResultats(dossier);
+        GrilleDeNotation grille = juges.grille;
+        Map<String, Resultat> resultats = juges.resultats;
+        Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille,
+                feuille == null ? 0 : feuille.sur);
         List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
         Ajustements ajustements = new Ajustements(dossier, ids, grille, bareme);
-        List<String> fautes = new ArrayList<>(new Alias(dossier, ids).fautes);
-        fautes.addAll(ajustements.fautes);
-        fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
+        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
         List<Eleve> eleves = new ArrayList<>();
-        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier.getFileName().toString().replace(".csv", ".html"),
-                grille, bareme, ajustements.de(resultat.id))));
+        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier + ".html", grille, bareme,
+                ajustements.de(resultat.id))));
+        eleves.sort(Comparator.comparing(e -> Depot.ordre(e.resultat.nom, e.resultat.id)));
         Eleve.comparer(eleves);
-        Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, bareme);
+        Collection<Eleve> sansNote = feuille == null ? List.of()
+                : feuille.ecrire(dossier, Files.createDirectories(dossier.resolve(".travail")), eleves);
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, fautes);
+        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

@@ -75,12 +75,13 @@ class BancTest extends ClasseEssai {
                     SourcesDuCours.DONNEES.forEach(c -> partie.put(c, SourcesDuCours.corrige(c)));
                 } else if (mots[0].equals("codage")) {
                     codage = Charset.forName(mots[1]);
-                } else if (mots[0].equals("alias")) {
-                    ALIAS.add(nom + "," + mots[1] + "," + mots[2]);
                 } else if (mots[0].equals("fichier")) {
                     fichiers.put("lancer-base/" + mots[1], "");
                 } else if (mots[0].equals("copie")) {
                     SourcesDuCours.A_COMPLETER.forEach(c -> fichiers.put(mots[1] + "/lancer/" + c + ".java", SourcesDuCours.squelette(c)));
+                } else if (mots[0].equals("brouillon")) {
+                    fichiers.put("lancer-base/lancer/" + ligne.substring(11 + mots[1].length()) + ".java",
+                            SourcesDuCours.squelette(mots[1]));
                 } else if (mots[0].equals("variante")) {
                     partie = new TreeMap<>(partie);
                     parties.put(mots[1], partie);
@@ -100,9 +101,6 @@ class BancTest extends ClasseEssai {
             }
         }
     }
-
-    /** Les noms déclarés à la place de ceux du cours. */
-    private static final List<String> ALIAS = new ArrayList<>(List.of("id,nom écrit,nom du cours"));
 
     private static List<Essai> lire() throws IOException {
         List<Essai> essais = new ArrayList<>();
@@ -137,7 +135,6 @@ class BancTest extends ClasseEssai {
         for (Essai essai : essais) {
             essai.ecrire(dossier.resolve("rendus").resolve(essai.nom));
         }
-        Files.write(Files.createDirectories(dossier.resolve("notes")).resolve("alias.csv"), ALIAS);
         Map<String, Map<String, String>> classe = noter(dossier.resolve("rendus"), dossier.resolve("notes"));
         String index = Files.readString(dossier.resolve("notes/index.html"));
         List<DynamicTest> verifications = new ArrayList<>();

@@ -184,8 +184,8 @@ class ClasseTest extends ClasseEssai {
         Files.writeString(bareme, Files.readString(dossier.resolve("bareme.ini")) + "qualité du code=3\n");
         renoter("--bareme", bareme);
         Map<String, String> avant = classe(dossier).get("106");
-        assertEquals(List.of("17.00", "20.00", "à noter"), List.of(avant.get("note"), avant.get("sur"), avant.get("qualité du code")),
-                "une ligne libre n'enlève rien avant d'être donnée");
+        assertEquals(List.of("17.00", "23.00", "à noter"), List.of(avant.get("note"), avant.get("sur"), avant.get("qualité du code")),
+                "une ligne libre entre dans le total, comme une extension");
         Path ajustements = dossier.resolve("ajustements.csv");
         Files.writeString(ajustements, "106;brume;0,75;à peine visible\n106;qualité du code;2,5;\n106;blinn;;\n");
         renoter("--bareme", bareme);
@@ -201,10 +201,10 @@ class ClasseTest extends ClasseEssai {
     void uneNoteDeLEnseignantResteASaTroisiemeFoisCommeALaPremiere() throws IOException {
         Path feuille = dossier.resolve("a-lui.csv");
         String nous = "Correction automatique : 16.75, étape atteinte, « x » ; le détail est dans le fichier de retour.";
-        String entete = "Identifiant,Note,Dernière modification (note),Feedback par commentaires\n";
-        Files.writeString(feuille, entete + "Participant106,\"8,50\",-,\nParticipant104,12.00,-,\"Bien vu " + nous
-                + "\"\nParticipant105,16.75,-,\"" + nous
-                + "\"\nParticipant103,,-,Absent\nParticipant102," + classe.get("102").get("note") + ",-,\n");
+        String entete = "Identifiant,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n";
+        Files.writeString(feuille, entete + "Participant106,\"8,50\",20.00,-,\nParticipant104,12.00,20.00,-,\"Bien vu " + nous
+                + "\"\nParticipant105,16.75,20.00,-,\"" + nous
+                + "\"\nParticipant103,,20.00,-,Absent\nParticipant102," + classe.get("102").get("note") + ",20.00,-,\n");
         String premiere = null;
         for (int fois = 0; fois < 3; fois++) {
             renoter("--notes", feuille);
@@ -213,10 +213,11 @@ class ClasseTest extends ClasseEssai {
             premiere = ecrit;
             contient(classe(dossier).get("106").get("à regarder"), "note de la feuille gardée, que nous n'avons pas écrite : 8,50 ; la "
                     + "nôtre serait 17.00");
-            contient(ecrit, "Participant106,\"8,50\",-,\n", "Participant104,12.00,-,Bien vu\n",
-                    "Participant105," + classe.get("105").get("note") + ",-,\"Correction automatique : " + classe.get("105").get("note"),
-                    "Participant103," + classe.get("103").get("note") + ",-,\"Absent Correction automatique : ",
-                    "Participant102," + classe.get("102").get("note") + ",-,\n");
+            contient(ecrit, "Participant106,\"8,50\",20.00,-,\n", "Participant104,12.00,20.00,-,Bien vu\n",
+                    "Participant105," + classe.get("105").get("note") + ",20.00,-,\"Correction automatique : "
+                    + classe.get("105").get("note"),
+                    "Participant103," + classe.get("103").get("note") + ",20.00,-,\"Absent Correction automatique : ",
+                    "Participant102," + classe.get("102").get("note") + ",20.00,-,\n");
             // déposée, puis donnée de nouveau par Moodle, elle en reste là
             Files.copy(dossier.resolve("notes-a-deposer.csv"), feuille, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
         }
@@ -226,10 +227,11 @@ class ClasseTest extends ClasseEssai {
     void lesMotsDeLEnseignantDansNotrePhraseSontLesSiens() throws IOException {
         Path feuille = dossier.resolve("melee.csv");
         String phrase = "Correction automatique : 12.00, mais voir mon mail ; le détail est dans le fichier de retour.";
-        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note),Feedback par commentaires\nParticipant106,12.00,-,\""
+        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note),Feedback par commentaires\n"
+                + "Participant106,12.00,20,-,\""
                 + phrase + "\"\n");
         renoter("--notes", feuille);
-        contient(Files.readString(dossier.resolve("notes-a-deposer.csv")), "Participant106,12.00,-,\"" + phrase);
+        contient(Files.readString(dossier.resolve("notes-a-deposer.csv")), "Participant106,12.00,20,-,\"" + phrase);
     }
 
     @Test
@@ -254,11 +256,12 @@ class ClasseTest extends ClasseEssai {
     @Test
     void sansColonneDeCommentairesSeulesLesCasesVidesSontRemplies() throws IOException {
         Path feuille = dossier.resolve("sans.csv");
-        Files.writeString(feuille, "Identifier,Grade,Last modified (grade)\nParticipant 106,17.00,-\nParticipant 104,3.00,-\n"
-                + "Participant 105,,-\n");
+        Files.writeString(feuille, "Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\n"
+                + "Participant 104,3.00,20.00,-\nParticipant 105,,20.00,-\n");
         renoter("--notes", feuille);
-        assertEquals("Identifier,Grade,Last modified (grade)\nParticipant 106,17.00,-\nParticipant 104,3.00,-\nParticipant 105,"
-                + classe.get("105").get("note") + ",-\n", Files.readString(dossier.resolve("notes-a-deposer.csv")));
+        assertEquals("Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\nParticipant 104,3.00,20.00,-\n"
+                + "Participant 105," + classe.get("105").get("note") + ",20.00,-\n",
+                Files.readString(dossier.resolve("notes-a-deposer.csv")));
         contient(classe(dossier).get("104").get("à regarder"), "la nôtre serait " + classe.get("104").get("note"));
     }
 
@@ -274,9 +277,9 @@ class ClasseTest extends ClasseEssai {
     private void verifierFeuille(String nom, String entete, String prefixe, String oui, String non) throws IOException {
         Path feuille = dossier.resolve(nom);
         String lignes = prefixe + "106,\"Étudiant, 6\",\"Remis \"\"à temps\"\"\",,10.00," + oui + ",hier,-,\"a\nb\",\n"
-                + prefixe + "104,Étudiant 4,x,3.00,20.00," + oui + ",hier,-,,Très bien !\n"
-                + prefixe + "105,Étudiant 5,x,,20.00," + non + ",hier,-,,\n"
-                + prefixe + "999,Étudiant absent,x,,20.00," + oui + ",,-,,\n";
+                + prefixe + "104,Étudiant 4,x,3.00,10.00," + oui + ",hier,-,,Très bien !\n"
+                + prefixe + "105,Étudiant 5,x,,10.00," + non + ",hier,-,,\n"
+                + prefixe + "999,Étudiant absent,x,,10.00," + oui + ",,-,,\n";
         Files.write(feuille, (entete + lignes).getBytes(StandardCharsets.UTF_8));
         Essai essai = renoter("--notes", feuille);
         contient(essai.erreur, "absents de la feuille, ou que Moodle y a verrouillés : Étudiant 1 (101), Étudiant 2 (102), "
@@ -311,13 +314,13 @@ class ClasseTest extends ClasseEssai {
         assertEquals(Double.parseDouble(classe.get("101").get("note")) + 2.5, Double.parseDouble(classe(dossier).get("101").get("note")),
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));
-        contient(page(dossier, "101"), "Donné par l&#39;enseignant : vu en TP");
+        contient(page(dossier, "101"), "Donné par l'enseignant : vu en TP");
     }
 
     @Test
     void unFichierAuxFinsDeLigneDeWindowsLesGarde() throws IOException {
         Path feuille = dossier.resolve("crlf.csv");
-        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note)\r\nParticipant104,,-\r\n");
+        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note)\r\nParticipant104,,20.00,-\r\n");
         renoter("--notes", feuille);
         assertEquals(-1, Files.readString(dossier.resolve("notes-a-deposer.csv")).replace("\r\n", "").indexOf('\n'));
     }

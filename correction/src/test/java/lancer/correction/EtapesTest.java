@@ -8,9 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -18,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 class EtapesTest {
 
     private static final Pattern SUIVANTE =
-            Pattern.compile("(?m)^L'étape suivante : (\\d)\\. .* ; à reprendre : (\\w+)\\.java:(\\d+)$");
+            Pattern.compile("(?m)^L'étape suivante : (\\d)\\. .* ; à (?:reprendre|compléter) : (\\w+)\\.java:(\\d+)$");
 
     @TempDir
     static Path dossier;
@@ -72,5 +74,24 @@ class EtapesTest {
         }
         assertTrue(tests.size() >= 50, tests.size() + " fautes");
         return tests;
+    }
+
+    @Test
+    void lesEtapesQueLOnNAPasCommenceesApresLambertSontACommencer() throws Exception {
+        String dit = new Programme(dossier).changer("Objet3D", "couleur.add(diffus).add(speculaire)", "couleur.add(diffus)")
+                .changer("Objet3D", "&& !estALOmbre(scene, lampe, contact)", "")
+                .changer("Objet3D", "couleur = couleur.add(Ks.mul(reflet));", "").bilan();
+        assertTrue(dit.matches("(?s).*\n6\\. [^\n]*/7 ; à commencer : pour l'instant, face à la lampe[^\n]*\n7\\. [^\n]*/6 ; à commencer : "
+                + "pour l'instant, une boule entre[^\n]*\n8\\. [^\n]*/8 ; à commencer : pour l'instant, une boule brillante.*"
+                + "L'étape suivante : 6\\. [^\n]* ; à compléter : Objet3D\\.java:\\d+\n.*") && !dit.contains("à reprendre"), dit);
+    }
+
+    @Test
+    void unSigneFauxDePhongEstRateEtNonPasACommencer() {
+        for (String[] faute : new String[][] {{"R.dot(L)", "-R.dot(L)"}, {"V.sub(N.mul(2 * N.dot(V)))", "V.add(N.mul(2 * N.dot(V)))"},
+            {"R.dot(L)", "new Vecteur(-R.x, R.y, -R.z).dot(L)"}}) {
+            Map<String, String> rates = new Programme(dossier).changer("Objet3D", faute[0], faute[1]).rates(0);
+            assertTrue(rates.size() >= 3 && rates.values().stream().noneMatch(r -> r.contains("étape non commencée")), rates.toString());
+        }
     }
 }

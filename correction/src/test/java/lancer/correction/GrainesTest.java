@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import lancer.Camera;
@@ -74,6 +75,29 @@ class GrainesTest {
                 .changer("Camera", "double focale = ", "double focale = (float) ")
                 .changer("Objet3D", "double cosinus = ", "float cosinus = (float) ").changer("Objet3D", "double eclat = ",
                         "float eclat = (float) ");
+    }
+
+    /** En double et en float, où le contact retrouve la boule elle-même, ou non : une seule vérification est chargée de le dire. */
+    @ParameterizedTest
+    @CsvSource({"'new Rayon(contact, lampe.getPosition())', null, this", "'new Rayon(lampe.getPosition(), contact)', null, this",
+        "'new Rayon(lampe.getPosition(), contact)', this, null", "'new Rayon(contact, lampe.getPosition())', null, null"})
+    void ceQuiDependDesArrondisCouteLesMemesVerificationsQuelleQueSoitLaGraine(String rayon, String ombre, String reflet) {
+        Set<String> attendus = new TreeSet<>();
+        if (ombre.equals("null")) {
+            attendus.add("Objet3D.uneBouleNeSeCachePasElleMeme");
+        }
+        if (reflet.equals("null")) {
+            attendus.add("Objet3D.uneBouleNeSeRefletePasElleMeme");
+        }
+        for (Programme programme : List.of(corrige(), enFloat())) {
+            programme.changer("Objet3D", "new Rayon(lampe.getPosition(), contact)", rayon)
+                    .changer("Objet3D", "(rayon, (Sphere) this)", "(rayon, (Sphere) " + ombre + ")")
+                    .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")")
+                    .rates(graines(100)).forEach((graine, rates) -> {
+                        rates.remove(GEANTE);
+                        assertEquals(attendus, rates.keySet(), "graine " + graine);
+                    });
+        }
     }
 
     @Test

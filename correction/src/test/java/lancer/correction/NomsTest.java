@@ -46,7 +46,7 @@ class NomsTest extends ClasseEssai {
             }
         }
         Path feuille = dossier.resolve("notes.csv");
-        Files.writeString(feuille, "Identifiant,Note,Dernière modification (note)\nParticipant11,,-\n");
+        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note)\nParticipant11,,20.00,-\n");
         Path pages = dossier.resolve("pages");
         Essai essai = executer("--sans-confinement", "--sortie", pages, "--notes", feuille, archive);
         assertEquals(0, essai.code, essai.erreur);
@@ -64,22 +64,40 @@ class NomsTest extends ClasseEssai {
         }
     }
 
-    @Test
-    void sansBwrapRienNeSExecuteEtCeQuIlFautTaperEstDit() throws IOException, InterruptedException {
+    /** Ce que dit le programme, sans confinement permis, si bwrap est le programme de ce dossier. */
+    private String sansConfinement(Path bwrap) throws IOException, InterruptedException {
         Path rendu = Files.createDirectories(dossier.resolve("rendu/src/lancer"));
         Files.writeString(rendu.resolve("Vecteur.java"), "package lancer; class Vecteur { }");
         ProcessBuilder programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), "-Dfile.encoding=UTF-8", Correction.class.getName(), "--sortie",
                 dossier.resolve("pages").toString(), dossier.resolve("rendu").toString());
-        programme.environment().put("PATH", dossier.toString());
+        programme.environment().put("PATH", bwrap.toString());
         Process lance = programme.redirectErrorStream(true).redirectOutput(dossier.resolve("dit").toFile()).start();
         assertTrue(lance.waitFor(2, TimeUnit.MINUTES));
         assertEquals(1, lance.exitValue());
         List<String> dit = Files.readAllLines(dossier.resolve("dit"));
         assertEquals(1, dit.size(), dit.toString());
-        contient(dit.get(0), "rien n'a été exécuté : bwrap n'", "SANS_CONFINEMENT=1 (--sans-confinement)");
+        return dit.get(0);
+    }
+
+    @Test
+    void sansBwrapRienNeSExecuteEtCeQuIlFautTaperEstDit() throws IOException, InterruptedException {
+        contient(sansConfinement(dossier), "rien n'a été exécuté : bwrap n'", "un conteneur (docs/classe.md)",
+                "SANS_CONFINEMENT=1 (--sans-confinement)");
         contient(Files.readString(DOCUMENT), "Sans `bwrap` (Windows, Mac), rien n'est exécuté et le statut est 1",
-                "`SANS_CONFINEMENT=1`");
+                "`SANS_CONFINEMENT=1`", "make profil-bwrap");
+    }
+
+    @Test
+    void siAppArmorRefuseLeRemedeEstDitAvantDExecuterSansConfinement() throws IOException, InterruptedException {
+        Path bwrap = Files.createDirectories(dossier.resolve("bin")).resolve("bwrap");
+        Files.writeString(bwrap, "#!/bin/sh\necho 'bwrap: setting up uid map: Permission denied' >&2\nexit 1\n");
+        assertTrue(bwrap.toFile().setExecutable(true));
+        String dit = sansConfinement(bwrap.getParent());
+        assertTrue(dit.matches(".*AppArmor.*make profil-bwrap.*conteneur.*SANS_CONFINEMENT=1.*"), dit);
+        Essai profil = executer("--profil-bwrap");
+        assertEquals(0, profil.code);
+        contient(profil.sortie, "profile bwrap /usr/bin/bwrap flags=(unconfined) {\n  userns,\n", "/etc/apparmor.d/bwrap");
     }
 
     @Test

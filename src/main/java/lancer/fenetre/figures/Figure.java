@@ -20,8 +20,8 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Inspection;
 
 /** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */
@@ -84,7 +84,7 @@ public final class Figure {
                 .findFirst().orElse(0);
     }
 
-    private void tracer(Point contact, Eclairage lampe) {
+    private void tracer(Point contact, Terme lampe) {
         Point position = lampe.lampe.getPosition();
         if (lampe.eclaire()) {
             tracer(contact, position, LAMPE, false);

@@ -26,8 +26,8 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Eclairage;
 import lancer.contrat.Ecoute.Segment;
+import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Inspection;
 
 /** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
@@ -148,7 +148,7 @@ public final class VueDeCote extends JPanel {
     }
 
     /** Peint une lampe, ou l'objet qui la cache ; en tirets jusqu'à une lampe cachée, si un rebond est choisi. */
-    private void eclairer(Graphics2D g, Point contact, Eclairage lampe) {
+    private void eclairer(Graphics2D g, Point contact, Terme lampe) {
         entourer(g, lampe.cache);
         g.setColor(LAMPE);
         if (lampe.eclaire() || lampe.cache != null && seul > 0) {

@@ -11,10 +11,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.enfant.Contenu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
@@ -32,14 +32,12 @@ public final class Projet {
             TEXTE, "UTF-8, et des espaces au lieu de tabulations",
             FIXME, "chaque FIXME est enlevé quand c'est fait"));
 
-    static final String DE_COTE = " : laissé de côté, ";
-
     /** Nombre maximal de copies du projet qui sont comparées. */
     private static final int COPIES_MAX = 3;
     private static final int NOMS_DITS = 5;
 
-    private static final Pattern VARIANTE =
-            Pattern.compile("(?i)(?:^|/)[^/]*?(brume|anti[-_ ]?alias|anti[-_ ]?crenelage|blinn)[^/]*/");
+    private static final Map<String, Pattern> VARIANTE = Map.of("brume", Pattern.compile("(?i)brume"),
+            "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|crenelage)"), "blinn", Pattern.compile("(?i)blinn"));
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
     private static final Pattern DE_TEST =
             Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
@@ -54,8 +52,8 @@ public final class Projet {
     /** Sources de chaque variante rendue. */
     public final Map<String, Map<String, String>> variantes = new LinkedHashMap<>();
     public final List<String> remarques;
-    /** Les classes du cours, sous les noms de l'étudiant. */
-    public final Cours cours;
+    /** Les classes du projet à compléter. */
+    public final Map<String, Type> squelette;
     /** Les classes du cours que l'étudiant a modifiées, par rapport au projet à compléter. */
     public final Set<String> changees;
     /** Écarts aux consignes de l'énoncé, par consigne. */
@@ -63,8 +61,8 @@ public final class Projet {
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
 
-    private Projet(Cours cours, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
-        this.cours = cours;
+    private Projet(Map<String, Type> squelette, Map<String, Type> types, Map<String, Map<String, Type>> autres, List<String> remarques) {
+        this.squelette = squelette;
         this.remarques = new ArrayList<>(remarques);
         this.types = types;
         List<String> signatures = new ArrayList<>();
@@ -74,7 +72,7 @@ public final class Projet {
             dire("jugé comme s'il avait les signatures du cours : " + quelques(signatures));
         }
         changees = SourcesDuCours.classes().stream().filter(c -> texte(c) != null
-                && !type(c).empreinte.equals(cours.squelette(c).empreinte)).collect(Collectors.toSet());
+                && !type(c).empreinte.equals(squelette.get(c).empreinte)).collect(Collectors.toSet());
     }
 
     /** Les textes, complétés par les méthodes de forme attendue. Les adaptations sont signalées une fois, sans pénalité. */
@@ -82,71 +80,125 @@ public final class Projet {
         Map<String, String> textes = new TreeMap<>();
         siens.forEach((nom, type) -> textes.put(nom, type.texte));
         SourcesDuCours.classes().stream().filter(c -> !SANS_PONT.contains(c))
-                .forEach(c -> textes.computeIfPresent("lancer/" + cours.classe(c),
-                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(cours.squelette(c), siens.get(nom), signatures))));
+                .forEach(c -> textes.computeIfPresent("lancer/" + c,
+                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(squelette.get(c), siens.get(nom), signatures)
+                        + (c.equals("Scene") ? parFichier(siens.get(nom)) : ""))));
         return textes;
+    }
+
+    /** Le constructeur par deux listes, que l'énoncé ne demande pas, s'il manque à cette scène : par un fichier. */
+    private static String parFichier(Type scene) {
+        return scene.methodes.stream().noneMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("List", "List")))
+                && scene.methodes.stream().anyMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("String")))
+                ? " public Scene(java.util.List<? extends Objet3D> p0, java.util.List<Lampe> p1) throws Exception { "
+                + "this(Appels.fichier(p0, p1)); Appels.garder(this, p0, p1); }" : "";
     }
 
     private static String quelques(Collection<String> noms) {
         return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
     }
 
-    /**
-     * Les copies du projet que contient un rendu, de la plus modifiée à la moins modifiée.
-     *
-     * @param commun le cours, sans noms changés ; @param alias noms que l'enseignant déclare changés : celui du cours, puis le sien
-     */
-    public static List<Projet> copies(Rendu rendu, Cours.LectureDeSources lecture, Cours commun, Map<String, String> alias) throws Arret {
+    /** Les copies du projet que contient un rendu ; la base que nomme son dossier d'abord. */
+    public static List<Projet> copies(Rendu rendu, Source.Lecture lecture, Map<String, Type> squelette) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
         fichiers.keySet().removeIf(chemin -> DE_TEST.matcher(chemin).matches());
-        Set<String> duCours = new TreeSet<>(SourcesDuCours.classes());
-        duCours.addAll(alias.values());
-        List<Type> tous = Source.lire(fichiers, lecture, duCours, remarques);
-        Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
-        for (Type type : tous) {
+        Map<String, List<Type>> racines = new TreeMap<>();
+        for (Type type : Source.lire(fichiers, lecture, remarques)) {
             String intrusion = type.source.intrusion(type.nom);
             if (intrusion != null) {
-                remarques.add(type.source.chemin + DE_COTE + intrusion);
-                continue;
+                remarques.add(type.source.chemin + Contenu.DE_COTE + intrusion);
+            } else {
+                racines.computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
             }
-            Matcher m = VARIANTE.matcher(Normalizer.normalize(type.source.racine, Normalizer.Form.NFD).replaceAll("\\p{M}", ""));
-            String partie = m.find() ? m.group(1).toLowerCase(Locale.ROOT).replaceFirst("^anti.*", "antialias") : "";
-            groupes.computeIfAbsent(partie, p -> new TreeMap<>()).computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
         }
+        Set<String> projets = racines.keySet().stream().filter(r -> racines.get(r).stream().anyMatch(Projet::aCompleter))
+                .map(Projet::dossier).collect(Collectors.toSet());
+        Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
+        racines.forEach((racine, siens) -> groupes.computeIfAbsent(partie(racine, projets), p -> new TreeMap<>()).put(racine, siens));
+        List<String> laisses = new ArrayList<>();
         Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
-        SourcesDuCours.VARIANTES.stream().filter(groupes::containsKey)
-                .forEach(nom -> variantes.put(nom, choisir(groupes.get(nom)).values().iterator().next()));
-        Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()));
-        if (bases.isEmpty()) {
+        for (String nom : SourcesDuCours.VARIANTES) {
+            Map<String, Map<String, Type>> siennes = choisir(groupes.getOrDefault(nom, Map.of()), laisses);
+            siennes.values().stream().findFirst().ifPresent(premiere -> variantes.put(nom, premiere));
+            if (siennes.size() > 1) {
+                laisses.add(plusieurs("de l'extension " + nom + " : montrée", siennes, siennes.keySet().iterator().next()));
+            }
+        }
+        Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()), laisses);
+        if (bases.isEmpty() || !variantes.isEmpty() && bases.values().stream().noneMatch(b -> b.values().stream()
+                .anyMatch(Projet::aCompleter))) {
             // une variante est une copie complète du projet
             String premiere = variantes.isEmpty() ? "" : variantes.keySet().iterator().next();
             remarques.add(premiere.isEmpty() ? "aucune classe à juger"
                     : "pas de projet de base : celui de « " + premiere + " » en tient lieu");
-            bases.put("", variantes.getOrDefault(premiere, new TreeMap<>()));
+            bases = Map.of("", variantes.getOrDefault(premiere, new TreeMap<>()));
         }
         Map<String, Set<String>> dites = new TreeMap<>();
         Stream.concat(bases.values().stream(), variantes.values().stream()).flatMap(classes -> classes.values().stream()).forEach(type ->
                 type.source.remarques.forEach(r -> dites.computeIfAbsent(r, q -> new TreeSet<>()).add(type.source.chemin)));
         dites.forEach((quoi, ou) -> remarques.add((ou.size() == 1 ? ou.iterator().next() + " : " + quoi
                 : quoi + " (" + ou.size() + " fichiers)")));
-        Map<String, String> declares = new TreeMap<>(alias);
-        declares.values().removeIf(nom -> tous.stream().noneMatch(t -> t.nom.equals(nom) || t.nommees().contains(nom)));
-        declares.keySet().removeIf(nom -> tous.stream().anyMatch(t -> t.nommees().contains(nom)));
-        Cours cours = declares.isEmpty() ? commun : new Cours(lecture, declares);
-        return bases.keySet().stream().limit(COPIES_MAX).map(racine -> {
-            Projet projet = new Projet(cours, bases.get(racine), variantes, remarques);
-            projet.consignes(rendu, dites.keySet());
-            remarques.stream().filter(r -> r.contains(DE_COTE)).forEach(r -> projet.aRegarder.add("arrêté : " + r));
-            alias.forEach(projet::declarer);
-            projet.absences(rendu.id);
-            if (bases.size() > 1) {
-                projet.dire("plusieurs copies du projet : jugée, « " + racine + " » ; laissée, « " + bases.keySet().stream()
-                        .filter(r -> !r.equals(racine)).collect(Collectors.joining(" », « ")) + " »");
+        List<Projet> copies = new ArrayList<>();
+        for (Map.Entry<String, Map<String, Type>> base : bases.entrySet()) {
+            if (copies.size() < COPIES_MAX) {
+                Projet projet = new Projet(squelette, base.getValue(), variantes, remarques);
+                projet.consignes(rendu, dites.keySet());
+                remarques.stream().filter(r -> r.contains(Contenu.DE_COTE)).forEach(projet.aRegarder::add);
+                laisses.forEach(projet::dire);
+                projet.absences();
+                if (bases.size() > 1) {
+                    projet.dire(plusieurs("du projet : jugée", bases, base.getKey()));
+                }
+                copies.add(projet);
             }
-            return projet;
-        }).sorted(Comparator.comparing(projet -> -projet.changees.size())).collect(Collectors.toList());
+        }
+        return copies;
+    }
+
+    private static boolean aCompleter(Type type) {
+        return SourcesDuCours.A_COMPLETER.contains(type.nom);
+    }
+
+    private static String plusieurs(String copies, Map<String, Map<String, Type>> toutes, String gardee) {
+        return "plusieurs copies " + copies + ", « " + gardee + " » ; laissée, « " + toutes.keySet().stream()
+                .filter(r -> !r.equals(gardee)).collect(Collectors.joining(" », « ")) + " »";
+    }
+
+    /** Le dossier du projet, qui contient ce dossier de sources. */
+    private static String dossier(String racine) {
+        return racine.replaceFirst("(?<![^/])src/(main/java/)?$", "");
+    }
+
+    private static String parent(String dossier) {
+        return dossier.substring(0, dossier.lastIndexOf('/', dossier.length() - 2) + 1);
+    }
+
+    /** L'extension que nomme le dossier d'un projet ou, à défaut, un dossier plus haut qui ne contient aucun autre projet nommé. */
+    private static String partie(String racine, Set<String> projets) {
+        String commun = projets.stream().findFirst().orElse("");
+        while (!commun.isEmpty() && (projets.contains(commun) || !tousDans(commun, projets))) {
+            commun = parent(commun);
+        }
+        return nommee(dossier(racine), commun, projets);
+    }
+
+    private static boolean tousDans(String dossier, Set<String> projets) {
+        return projets.stream().allMatch(p -> p.startsWith(dossier));
+    }
+
+    /** @param haut dossier dont le nom, et celui de tout dossier plus haut, ne dit rien */
+    private static String nommee(String bas, String haut, Set<String> projets) {
+        for (String d = bas; d.length() > haut.length(); d = parent(d)) {
+            String ici = d;
+            String nom = Normalizer.normalize(d.substring(parent(d).length()), Normalizer.Form.NFD).replaceAll("\\p{M}", "");
+            List<String> dites = VARIANTE.keySet().stream().filter(v -> VARIANTE.get(v).matcher(nom).find()).collect(Collectors.toList());
+            if (dites.size() == 1 && projets.stream().noneMatch(p -> p.startsWith(ici) && !nommee(p, ici, Set.of()).isEmpty())) {
+                return dites.get(0);
+            }
+        }
+        return "";
     }
 
     /** Ajoute une remarque pour l'étudiant et pour l'enseignant. */
@@ -155,30 +207,20 @@ public final class Projet {
         aRegarder.add(quoi);
     }
 
-    private void declarer(String duCours, String sien) {
-        if (cours.dans(duCours).equals(sien)) {
-            remarques.add(duCours + " s'appelle " + sien);
-            noter(NOMS, duCours + " s'appelle " + sien);
-        } else {
-            aRegarder.add("alias.csv : « " + sien + " » n'est le nom de rien dans ce rendu, ou « " + duCours + " » y est encore");
-        }
-    }
-
     /** Signale les classes et les méthodes absentes, avec les noms inconnus qui pourraient les remplacer. L'enseignant décide. */
-    private void absences(String id) {
-        List<Type> inconnus = types.values().stream().filter(t -> !SourcesDuCours.classes().contains(t.nom)
-                && SourcesDuCours.classes().stream().noneMatch(c -> cours.classe(c).equals(t.nom))).collect(Collectors.toList());
+    private void absences() {
+        List<Type> inconnus = types.values().stream().filter(t -> !SourcesDuCours.classes().contains(t.nom)).collect(Collectors.toList());
         List<String> absentes = new ArrayList<>();
         for (String classe : SourcesDuCours.classes()) {
-            Set<String> attendues = cours.squelette(classe).nommees();
+            Set<String> attendues = squelette.get(classe).nommees();
             if (texte(classe) != null) {
                 (SourcesDuCours.A_COMPLETER.contains(classe) ? attendues : Set.<String>of()).stream()
-                        .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> chercher(id, classe, m));
+                        .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> absente(classe, m));
             } else if (SourcesDuCours.A_COMPLETER.contains(classe) || !SANS_PONT.contains(classe) && !inconnus.isEmpty()
                     && types.values().stream().noneMatch(t -> t.noms.contains(classe))) {
                 String siens = inconnus.stream().filter(t -> 2 * t.parmi(attendues) > attendues.size()).map(t -> " ; " + t.nom + " a "
-                        + t.parmi(attendues) + " de ses " + attendues.size() + " méthodes" + declaration(id, t.nom, classe))
-                        .collect(Collectors.joining());
+                        + t.parmi(attendues) + " de ses " + attendues.size() + " méthodes : pour la juger, remplacez partout " + t.nom
+                        + " par " + classe + " dans une copie du rendu, et jugez cette copie").collect(Collectors.joining());
                 if (siens.isEmpty()) {
                     absentes.add(classe);
                 } else {
@@ -191,40 +233,27 @@ public final class Projet {
             aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
                     : " ; les classes qui ne sont pas du cours : " + inconnus.stream().map(t -> t.nom).collect(Collectors.joining(", "))));
         }
-        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(cours.squelette(c).nommees()) > 0).count();
-        List<String> autres = types.values().stream().map(t -> t.nom).filter(n -> !SourcesDuCours.classes().contains(n)).sorted()
-                .collect(Collectors.toList());
-        if (presentes < 2 && autres.size() > presentes) {
+        long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(squelette.get(c).nommees()) > 0).count();
+        if (presentes < 2 && inconnus.size() > presentes) {
             aRegarder.add(0, "un autre projet : " + (presentes == 0 ? "aucune" : "une") + " des " + SourcesDuCours.A_COMPLETER.size()
                     + " classes à compléter n'y est comme dans le cours ; les siennes sont "
-                    + quelques(autres));
+                    + quelques(inconnus.stream().map(t -> t.nom).sorted().collect(Collectors.toList())));
         }
     }
 
-    /** Cherche la seule méthode inconnue de mêmes types que la méthode absente ou, à défaut, une autre classe qui contient celle-ci. */
-    private void chercher(String id, String classe, String methode) {
-        Set<String> connues = cours.squelette(classe).nommees();
-        Set<String> semblables = cours.squelette(classe).methodes.stream().filter(m -> m.nom.equals(methode))
-                .flatMap(m -> type(classe).methodes.stream().filter(s -> !connues.contains(s.nom) && s.types.equals(m.types)
-                && s.rend.equals(m.rend))).map(s -> s.nom).collect(Collectors.toSet());
-        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode))
-                .collect(Collectors.toList());
-        if (semblables.size() == 1) {
-            String nom = semblables.iterator().next();
-            // si ce nom sert encore ailleurs, il ne peut être changé partout
-            String ligne = ailleurs.isEmpty() ? declaration(id, nom, methode) : "";
-            if (ligne.isEmpty() || aRegarder.stream().noneMatch(r -> r.endsWith(ligne))) {
-                aRegarder.add(classe + "." + methode + " absente ; " + nom + " prend et rend la même chose" + ligne);
-            }
-        } else if (semblables.isEmpty() && ailleurs.size() == 1 && !cours.squelette(ailleurs.get(0)).nommees().contains(methode)) {
-            String dit = "la méthode " + methode + " est dans " + ailleurs.get(0) + ", au lieu de " + classe;
-            dire(dit);
-            noter(NOMS, dit);
+    /** Signale une méthode absente, avec la classe qui la contient à sa place, ou celles de mêmes types dans la sienne. */
+    private void absente(String classe, String methode) {
+        List<String> ailleurs = SourcesDuCours.classes().stream().filter(c -> type(c).nommees().contains(methode)
+                && !squelette.get(c).nommees().contains(methode)).collect(Collectors.toList());
+        String siennes = type(classe).methodes.stream().filter(s -> !squelette.get(classe).nommees().contains(s.nom)
+                && squelette.get(classe).methodes.stream().anyMatch(m -> m.nom.equals(methode) && s.types.equals(m.types)
+                && s.rend.equals(m.rend))).map(s -> s.nom).distinct().collect(Collectors.joining(", "));
+        if (!siennes.isEmpty()) {
+            aRegarder.add(classe + "." + methode + " absente ; prend et rend la même chose : " + siennes);
+        } else if (!ailleurs.isEmpty()) {
+            dire("la méthode " + methode + " est dans " + String.join(", ", ailleurs) + ", au lieu de " + classe);
+            noter(NOMS, "la méthode " + methode + " n'est pas dans " + classe);
         }
-    }
-
-    private static String declaration(String id, String sien, String duCours) {
-        return " ; pour la déclarer, dans alias.csv : " + Alias.ligne(id, sien, duCours);
     }
 
     private void consignes(Rendu rendu, Set<String> arrangees) {
@@ -250,29 +279,39 @@ public final class Projet {
     /**
      * Choisit les copies du projet parmi les dossiers qui contiennent des classes. La première est le dossier qui a le plus de classes du
      * cours, complété par les dossiers qui n'ajoutent que des classes absentes. Les autres suivent.
+     *
+     * @param laisses reçoit les fichiers qui déclarent une classe lue dans un autre fichier
      */
-    private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes) {
+    private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes, List<String> laisses) {
         List<String> racines = new ArrayList<>(groupes.keySet());
-        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream()
-                .filter(t -> SourcesDuCours.A_COMPLETER.contains(t.nom)).count())
-                .thenComparing(String::length));
+        racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(Projet::aCompleter).map(t -> t.nom).distinct()
+                .count()).thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base")).thenComparing(String::length));
         Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
             List<Type> siens = groupes.get(racine);
-            Map<String, Type> copie = copies.values().stream().filter(c -> siens.stream().filter(t -> c.containsKey("lancer/" + t.nom))
-                    .count() <= 2).findFirst().orElseGet(() -> copies.computeIfAbsent(racine, r -> new TreeMap<>()));
-            siens.forEach(type -> copie.putIfAbsent(type.chemin(), type));
+            siens.sort(Comparator.comparing((Type t) -> t.source.rang(t.nom)).thenComparing(t -> t.source.chemin.split("/").length));
+            Map<String, Type> copie = copies.values().stream().filter(c -> siens.stream().map(Type::chemin).distinct()
+                    .filter(c::containsKey).count() <= 2).findFirst().orElseGet(() -> copies.computeIfAbsent(racine, r -> new TreeMap<>()));
+            for (Type type : siens) {
+                Type autre = copie.get(type.chemin());
+                Type garde = autre == null || type.source.rang(type.nom) < autre.source.rang(type.nom) ? type : autre;
+                copie.put(type.chemin(), garde);
+                if (autre != null) {
+                    laisses.add((garde == type ? autre : type).source.chemin + Contenu.DE_COTE + type.nom + " est dans "
+                            + garde.source.chemin);
+                }
+            }
         }
         return copies;
     }
 
-    /** Le texte d'une classe du cours, sous le nom de l'étudiant ; {@code null} si elle n'est pas rendue. */
+    /** Le texte d'une classe du cours ; {@code null} si elle n'est pas rendue. */
     public String texte(String classe) {
-        return base.get("lancer/" + cours.classe(classe));
+        return base.get("lancer/" + classe);
     }
 
     /** La classe lue ; vide si elle n'est pas rendue, ou si son fichier ne la déclare pas. */
     public Type type(String classe) {
-        return types.getOrDefault("lancer/" + cours.classe(classe), Type.rien(""));
+        return types.getOrDefault("lancer/" + classe, Type.rien(""));
     }
 }

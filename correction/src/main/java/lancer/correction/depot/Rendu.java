@@ -1,22 +1,23 @@
 package lancer.correction.depot;
 
+import java.io.DataInputStream;
+import java.io.IOException;
 import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import lancer.correction.enfant.Contenu;
 import lancer.correction.enfant.Echange;
+import lancer.correction.isolement.Arret;
 
 /** Le travail rendu par un étudiant : ses sources, ou la raison pour laquelle elles sont illisibles. */
 public final class Rendu {
 
-    /** Taille maximale d'un rendu décompressé, en octets, et nombre maximal de fichiers. */
-    static final long OCTETS_MAX = 50L << 20;
-    private static final int FICHIERS_MAX = 20_000;
-    private static final int SOURCES_MAX = 500;
-    private static final int PESEE_MAX = 6 << 20;
     /** Nombre maximal de caractères d'un nom : avec le suffixe de Moodle, il tient en 255 octets. */
     private static final int NOM_MAX = 70;
 
@@ -32,11 +33,6 @@ public final class Rendu {
     public final Set<String> outils = new TreeSet<>();
     /** Les bibliothèques (.jar) jointes, par leur nom. */
     public final Set<String> bibliotheques = new TreeSet<>();
-    /** Taille du rendu décompressé, en octets. */
-    long octets;
-    private int fichiers;
-    private long pesee;
-
     public Rendu(String id, String nom) {
         this.id = id;
         this.nom = nom;
@@ -54,33 +50,23 @@ public final class Rendu {
         return String.format("%03d-%s", rang + 1, lettres);
     }
 
-    /** @return faux s'il y a trop de sources, ou si elles sont trop grandes */
-    boolean ajouter(String chemin, byte[] contenu) {
-        pesee += contenu.length;
-        if (sources.size() >= SOURCES_MAX || pesee > PESEE_MAX) {
-            return false;
-        }
-        sources.put(chemin, contenu);
-        return true;
-    }
-
-    /** Termine la lecture, et abrège les messages. */
-    void conclure() {
-        if (octets > OCTETS_MAX || fichiers > FICHIERS_MAX) {
-            refus.add(octets > OCTETS_MAX ? "plus de " + (OCTETS_MAX >> 20) + " Mo une fois déplié"
-                    : "plus de " + FICHIERS_MAX + " fichiers");
+    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param noms voir {@link Contenu} */
+    void lire(Depot.Acces acces, Map<String, byte[]> noms) {
+        try {
+            DataInputStream contenu = noms.isEmpty() ? null : acces.demander(noms);
+            String faute = contenu == null ? "aucun fichier dans ce rendu" : Echange.lireTexte(contenu);
+            if (!faute.isEmpty()) {
+                refus.add(faute);
+                return;
+            }
+            sources.putAll(Echange.lireTout(contenu));
+            Iterator<?> listes = ((List<?>) Echange.lireValeur(contenu, o -> null)).iterator();
+            for (Collection<String> liste : List.of(refus, remarques, outils, bibliotheques)) {
+                ((List<?>) listes.next()).forEach(texte -> liste.add((String) texte));
+            }
+        } catch (Arret | IOException | RuntimeException | Error e) {
             sources.clear();
-        } else if (sources.isEmpty() && refus.isEmpty()) {
-            refus.add("aucun fichier .java dans ce rendu");
+            refus.add((e instanceof Arret ? e.getMessage() : Echange.protege("arrêté : " + e)) + " (en lisant ses fichiers)");
         }
-        Echange.abreger(refus);
-        Echange.abreger(remarques);
-    }
-
-    /** Compte un fichier de plus. @return faux s'il y a trop de fichiers, ou si le rendu décompressé est trop grand */
-    boolean compter(long deplus) {
-        octets += deplus;
-        fichiers++;
-        return octets <= OCTETS_MAX && fichiers <= FICHIERS_MAX;
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import lancer.correction.enfant.Echange;
 
 /** Une méthode ou un constructeur : son type de retour, son nom, les types de ses paramètres. */
 public final class Signature {
@@ -23,8 +24,6 @@ public final class Signature {
     public final String texte;
     /** Empreinte de l'arbre syntaxique. */
     public final String arbre;
-    /** Nombre d'instructions, imbriquées comprises. */
-    public final int instructions;
 
     Signature(List<?> lue, String fichier) {
         nom = (String) lue.get(0);
@@ -33,9 +32,8 @@ public final class Signature {
         statique = ((String) lue.get(3)).contains("static");
         privee = ((String) lue.get(3)).contains("private");
         int debut = Math.max(0, (Integer) lue.get(4));
-        texte = fichier.substring(debut, Math.min(debut + TEXTE_MAX, Math.max(debut, (Integer) lue.get(5))));
+        texte = Echange.couper(fichier.substring(debut, Math.max(debut, (Integer) lue.get(5))), TEXTE_MAX);
         arbre = (String) lue.get(6);
-        instructions = (Integer) lue.get(7);
     }
 
     public String signature() {

@@ -13,8 +13,10 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import lancer.correction.enfant.Contenu;
 import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
+import lancer.correction.modele.SourcesDuCours;
 
 /** Un fichier d'un rendu, et ses classes lues par le JDK. Elles sont mises dans le paquet {@code lancer}, même s'il en nomme un autre. */
 public final class Source {
@@ -26,7 +28,18 @@ public final class Source {
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
     private static final List<String> NOTRES = List.of("Appels", "Sonde");
 
+    private static final List<String> DU_COURS = SourcesDuCours.classes();
+
+    /** Lecture de textes Java : une valeur par texte, celle de {@link Lecteur#lire}. */
+    public interface Lecture {
+        List<?> lire(List<String> textes) throws Arret;
+    }
+
     final String chemin;
+    /** Le nom du fichier, sans son dossier ni « .java ». */
+    private final String nu;
+    /** Vrai si le fichier est dans le dossier du paquet qu'il déclare. */
+    private final boolean aSaPlace;
     /** Le dossier où commencent les paquets. */
     final String racine;
     /** Le paquet, après correction. */
@@ -45,9 +58,11 @@ public final class Source {
         paquet = (String) lu.get(0);
         entete = (Integer) lu.get(1);
         types = types(lu, texte);
+        nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
         String dossier = chemin.substring(0, chemin.lastIndexOf('/') + 1);
         String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
         racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
+        aSaPlace = paquet.isEmpty() || dossier.endsWith(suffixe);
         if (codage(octets) != StandardCharsets.UTF_8) {
             remarques.add("n'est pas en UTF-8, lu en " + codage(octets).name());
         }
@@ -58,31 +73,39 @@ public final class Source {
         return ((List<?>) lu.get(3)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
     }
 
-    /**
-     * Les classes de ces fichiers.
-     *
-     * @param duCours noms des classes du cours, et ceux de l'étudiant ; @param remarques reçoit les fichiers illisibles
-     */
-    static List<Type> lire(Map<String, byte[]> octets, Cours.LectureDeSources lecture, Set<String> duCours, List<String> remarques)
-            throws Arret {
+    /** Les classes du projet à compléter, par leur nom. */
+    public static Map<String, Type> squelette(Lecture lecture) throws Arret {
+        List<String> textes = DU_COURS.stream().map(SourcesDuCours::squelette).collect(Collectors.toList());
+        Iterator<?> lus = lecture.lire(textes).iterator();
+        return textes.stream().map(t -> types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
+    }
+
+    /** Les classes de ces fichiers. @param remarques reçoit les fichiers illisibles */
+    static List<Type> lire(Map<String, byte[]> octets, Lecture lecture, List<String> remarques) throws Arret {
         Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
         List<Source> fichiers = new ArrayList<>();
         for (String chemin : octets.keySet()) {
             List<?> lu = (List<?>) lus.next();
             if (lu == null) {
-                remarques.add(chemin + Projet.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
+                remarques.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
             } else {
                 fichiers.add(new Source(chemin, octets.get(chemin), lu));
             }
         }
-        Set<String> paquets = fichiers.stream().filter(f -> f.declare(duCours)).map(f -> f.paquet)
+        Set<String> paquets = fichiers.stream().filter(Source::declare).map(f -> f.paquet)
                 .collect(Collectors.toCollection(TreeSet::new));
-        return fichiers.stream().flatMap(f -> f.classes(paquets, duCours).stream()).collect(Collectors.toList());
+        return fichiers.stream().flatMap(f -> f.classes(paquets).stream()).collect(Collectors.toList());
     }
 
-    private boolean declare(Set<String> noms) {
-        return types.stream().anyMatch(t -> noms.contains(t.nom));
+    /** Dit s'il déclare une classe du cours. */
+    private boolean declare() {
+        return types.stream().anyMatch(t -> DU_COURS.contains(t.nom));
+    }
+
+    /** De plusieurs fichiers qui déclarent cette classe, le sien a le plus petit rang. */
+    int rang(String classe) {
+        return (nu.equals(classe) ? 0 : 2) + (aSaPlace ? 0 : 1);
     }
 
     /** L'en-tête, aux mêmes lignes, où ces paquets sont remplacés par {@code lancer}. */
@@ -110,19 +133,18 @@ public final class Source {
     }
 
     /** Ses classes, chacune avec son texte, aux mêmes lignes. Un fichier de plusieurs classes, dont une du cours, est séparé. */
-    private List<Type> classes(Set<String> paquets, Set<String> duCours) {
+    private List<Type> classes(Set<String> paquets) {
         String debut = arranger(paquets);
-        String nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
-        // « Vecteur (1).java », « Copie de Vecteur.java » : le nom déclaré est plus sûr que celui du fichier
-        String nom = !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
+        // « Vecteur (1).java », « AncienVecteur.java » : le nom déclaré est plus sûr que celui du fichier
+        String nom = types.size() == 1 || !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
         // une faute de syntaxe hors de toute classe peut avoir changé les limites des classes
-        if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare(duCours) || types.get(0).debut < entete
+        if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare() || types.get(0).debut < entete
                 || !((List<?>) lu.get(4)).stream().map(Integer.class::cast)
                 .allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
             Type sien = types.stream().filter(t -> t.nom.equals(nom)).findFirst().orElse(Type.rien(nom));
             return List.of(sien.placer(this, debut + texte.substring(entete), texte.length() - sien.fin));
         }
-        if (types.stream().anyMatch(t -> duCours.contains(t.nom) && !t.nom.equals(nom))) {
+        if (types.stream().anyMatch(t -> DU_COURS.contains(t.nom) && !t.nom.equals(nom))) {
             remarques.add("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
                     + ") : jugées à part");
         }
@@ -161,7 +183,7 @@ public final class Source {
         return new String(octets, codage(octets)).replace("\uFEFF", "").replace("\r\n", "\n").replace('\r', '\n');
     }
 
-    private static Charset codage(byte[] octets) {
+    public static Charset codage(byte[] octets) {
         if (octets.length >= 2 && (octets[0] == (byte) 0xFE && octets[1] == (byte) 0xFF || octets[0] == (byte) 0xFF
                 && octets[1] == (byte) 0xFE)) {
             return StandardCharsets.UTF_16;

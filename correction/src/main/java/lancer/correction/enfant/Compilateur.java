@@ -1,10 +1,7 @@
 package lancer.correction.enfant;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.PrintStream;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -43,23 +40,18 @@ public final class Compilateur {
     }
 
     public static void main(String[] args) throws IOException {
-        PrintStream sortie = System.out;
-        System.setOut(System.err);
         // le compilateur d'Eclipse, et non celui du JDK, qui est aussi un service
         JavaCompiler compilateur = ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::get)
                 .filter(c -> c.getClass().getName().startsWith("org.eclipse.")).findFirst().get();
         // un seul gestionnaire de fichiers pour tous : il garde ouvertes les archives des classes
         StandardJavaFileManager gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
-        DataInputStream demandes = new DataInputStream(System.in);
-        while (true) {
-            int numero = demandes.readInt();
-            DataInputStream demande = new DataInputStream(new ByteArrayInputStream(demandes.readNBytes(demandes.readInt())));
+        Echange.servir(demande -> {
             char sorte = demande.readChar();
             Map<String, byte[]> textes = Echange.lireTout(demande);
-            Echange.envoyer(sortie, numero, Echange.message(sorte == COMPILER ? compiler(compilateur, gestion, textes)
+            return sorte == COMPILER ? compiler(compilateur, gestion, textes)
                     : m -> Echange.ecrireValeur(m, Lecteur.lire(textes.values().stream().map(t -> new String(t, StandardCharsets.UTF_8))
-                    .collect(Collectors.toList())), o -> null)));
-        }
+                    .collect(Collectors.toList())), o -> null);
+        });
     }
 
     private static Echange.Redaction compiler(JavaCompiler compilateur, StandardJavaFileManager gestion, Map<String, byte[]> textes)

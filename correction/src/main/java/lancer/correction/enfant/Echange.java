@@ -1,11 +1,13 @@
 package lancer.correction.enfant;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -53,6 +55,23 @@ public final class Echange {
             m.write(message);
         }));
         flux.flush();
+    }
+
+    /** Traitement d'une demande, dont le résultat écrit la réponse. */
+    public interface Traitement {
+        Redaction traiter(DataInputStream demande) throws IOException;
+    }
+
+    /** Répond sans fin aux demandes de l'entrée standard, sur la sortie standard, où rien d'autre n'est plus écrit. */
+    public static void servir(Traitement traitement) throws IOException {
+        PrintStream sortie = System.out;
+        System.setOut(System.err);
+        DataInputStream demandes = new DataInputStream(System.in);
+        while (true) {
+            int numero = demandes.readInt();
+            byte[] demande = demandes.readNBytes(demandes.readInt());
+            envoyer(sortie, numero, message(traitement.traiter(new DataInputStream(new ByteArrayInputStream(demande)))));
+        }
     }
 
     public static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
@@ -168,8 +187,18 @@ public final class Echange {
 
     /** Le même, d'au plus {@code max} caractères, puis « … » s'il est coupé. */
     public static String protege(String texte, int max) {
-        String court = texte.length() > max ? texte.substring(0, max) + "…" : texte;
+        String court = texte.length() > max ? couper(texte, max) + "…" : texte;
         return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
+    }
+
+    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
+    public static String sansFormule(String texte) {
+        return protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
+    }
+
+    /** Le début d'un texte, d'au plus {@code max} caractères ; aucun n'est coupé en deux. */
+    public static String couper(String texte, int max) {
+        return texte.length() <= max ? texte : texte.substring(0, Character.isHighSurrogate(texte.charAt(max - 1)) ? max - 1 : max);
     }
 
     /** Limite une liste à quelques lignes de longueur limitée, pour une page. */

@@ -1,16 +1,12 @@
 package lancer.correction.enfant;
 
-import com.sun.source.tree.BlockTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
-import com.sun.source.tree.EmptyStatementTree;
+import com.sun.source.tree.IdentifierTree;
 import com.sun.source.tree.ImportTree;
-import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodTree;
-import com.sun.source.tree.ModifiersTree;
-import com.sun.source.tree.ParenthesizedTree;
-import com.sun.source.tree.StatementTree;
+import com.sun.source.tree.PrimitiveTypeTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.tree.VariableTree;
 import com.sun.source.util.JavacTask;
@@ -23,9 +19,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
@@ -63,7 +57,7 @@ public final class Lecteur {
      * Lit des fichiers. Pour chaque fichier : paquet, fin de l'en-tête, noms de l'en-tête, classes, positions des fautes de syntaxe. Pour
      * chaque nom de l'en-tête (le paquet, puis les préfixes de chaque importation, du plus long au plus court) : texte, début, fin. Pour
      * chaque classe : nom, début, fin, empreinte, noms utilisés, méthodes. Pour chaque méthode : nom, type de retour (vide pour un
-     * constructeur), types des paramètres, modificateurs, début, fin, empreinte, nombre d'instructions.
+     * constructeur), types des paramètres, modificateurs, début, fin, empreinte.
      *
      * @return une valeur par fichier, {@code null} si le lecteur échoue
      */
@@ -120,95 +114,42 @@ public final class Lecteur {
     }
 
     private List<?> classe(ClassTree classe) {
-        Empreinte tout = new Empreinte(List.of(classe));
-        return List.of(classe.getSimpleName().toString(), debut(classe), fin(classe), tout.condense(), tout.noms.stream().limit(NOMS_MAX)
-                .collect(Collectors.toList()), classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
-                .map(m -> methode((MethodTree) m, classe)).collect(Collectors.toList()));
+        Set<String> noms = new TreeSet<>();
+        new TreeScanner<Void, Void>() {
+            @Override
+            public Void scan(Tree arbre, Void rien) {
+                if (arbre instanceof IdentifierTree || arbre instanceof PrimitiveTypeTree) {
+                    noms.add(arbre.toString());
+                } else if (arbre instanceof VariableTree) {
+                    noms.add(((VariableTree) arbre).getName().toString());
+                } else if (arbre instanceof MemberSelectTree) {
+                    String nom = ((MemberSelectTree) arbre).getIdentifier().toString();
+                    noms.add(nom.equals("in") && arbre.toString().equals("System.in") ? "System.in" : nom);
+                }
+                return super.scan(arbre, rien);
+            }
+        }.scan(classe, null);
+        return List.of(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()), noms.stream()
+                .limit(NOMS_MAX).collect(Collectors.toList()), classe.getMembers().stream().filter(MethodTree.class::isInstance)
+                .limit(NOMS_MAX).map(m -> methode((MethodTree) m, classe)).collect(Collectors.toList()));
     }
 
     private List<?> methode(MethodTree methode, ClassTree classe) {
-        List<Tree> ensemble = new ArrayList<>(methode.getParameters());
-        ensemble.add(methode.getBody());
-        Empreinte sienne = new Empreinte(ensemble);
         boolean constructeur = methode.getReturnType() == null;
         return List.of((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
                 constructeur ? "" : type(methode.getReturnType()),
                 methode.getParameters().stream().map(p -> type(p.getType())).collect(Collectors.toList()),
-                methode.getModifiers().getFlags().toString(), debut(methode), fin(methode), sienne.condense(), sienne.instructions);
+                methode.getModifiers().getFlags().toString(), debut(methode), fin(methode),
+                condense(methode.getParameters() + " " + methode.getBody()));
+    }
+
+    /** L'arbre que le JDK écrit n'a ni commentaire, ni présentation. */
+    private static String condense(String arbre) {
+        return UUID.nameUUIDFromBytes(arbre.getBytes(StandardCharsets.UTF_8)).toString();
     }
 
     /** Le nom seul d'un type, sans paquet ni paramètres. */
     private static String type(Tree type) {
         return String.valueOf(type).replaceFirst("(?s)<.*", "").replaceFirst(".*\\.(?=\\w)", "");
-    }
-
-    /**
-     * L'arbre de méthodes ou de classes, en un texte. Il ignore les commentaires, la présentation, les parenthèses et les accolades
-     * inutiles, les accès, les noms des variables locales et des paramètres.
-     */
-    private static final class Empreinte extends TreeScanner<Void, Tree> {
-
-        private final StringBuilder texte = new StringBuilder();
-        private final Set<String> noms = new TreeSet<>();
-        private Map<String, Integer> locales = new HashMap<>();
-        private int declarees;
-        private int instructions;
-
-        Empreinte(List<? extends Tree> arbres) {
-            scan(arbres, null);
-        }
-
-        String condense() {
-            return UUID.nameUUIDFromBytes(texte.toString().getBytes(StandardCharsets.UTF_8)).toString();
-        }
-
-        @Override
-        public Void scan(Iterable<? extends Tree> arbres, Tree mere) {
-            List<Tree> pleins = new ArrayList<>();
-            if (arbres != null) {
-                arbres.forEach(pleins::add);
-            }
-            pleins.removeIf(EmptyStatementTree.class::isInstance);
-            texte.append(pleins.size() == 1 ? "" : "[");
-            super.scan(pleins, mere);
-            texte.append(pleins.size() == 1 ? "" : "]");
-            return null;
-        }
-
-        @Override
-        public Void scan(Tree arbre, Tree mere) {
-            if (arbre == null || arbre instanceof EmptyStatementTree || arbre instanceof ModifiersTree) {
-                texte.append(arbre != null && arbre.toString().contains("static") ? "static" : "-");
-                return null;
-            } else if (arbre instanceof BlockTree || arbre instanceof ParenthesizedTree) {
-                return super.scan(arbre, arbre);
-            }
-            Map<String, Integer> dehors = locales;
-            locales = arbre instanceof MethodTree ? new HashMap<>(locales) : locales;
-            boolean locale = arbre instanceof VariableTree && !(mere instanceof ClassTree);
-            if (locale) {
-                locales.put(((VariableTree) arbre).getName().toString(), declarees++);
-            }
-            instructions += arbre instanceof StatementTree && (!locale || mere instanceof BlockTree) ? 1 : 0;
-            Object nom = arbre instanceof ClassTree ? ((ClassTree) arbre).getSimpleName() : arbre instanceof MethodTree
-                    ? ((MethodTree) arbre).getName() : arbre instanceof MemberSelectTree ? ((MemberSelectTree) arbre).getIdentifier()
-                    : arbre instanceof VariableTree && !locale ? ((VariableTree) arbre).getName() : "";
-            noms.add(nom.toString());
-            texte.append(arbre.getKind()).append('(').append(nom);
-            int avant = texte.length();
-            super.scan(arbre, arbre);
-            if (texte.length() == avant && locales.containsKey(arbre.toString())) {
-                texte.append('#').append(locales.get(arbre.toString()));
-            } else if (texte.length() == avant) {
-                // une feuille de l'arbre : un nom, un type ou une valeur
-                texte.append(arbre);
-                noms.add(arbre instanceof LiteralTree ? "" : arbre.toString());
-            } else if (arbre instanceof MemberSelectTree && arbre.toString().equals("System.in")) {
-                noms.add("System.in");
-            }
-            texte.append(')');
-            locales = dehors;
-            return null;
-        }
     }
 }

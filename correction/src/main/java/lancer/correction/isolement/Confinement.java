@@ -21,16 +21,20 @@ public final class Confinement {
 
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
+    /** Nombre maximal de descripteurs d'un processus : chacun peut retenir de la mémoire du noyau. */
+    private static final int DESCRIPTEURS = 256;
     private static final int ESSAI_SECONDES = 20;
     /** Dossier de Java, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
     /**
      * Par processeur : son numéro (linux/audit.h), celui de l'appel clone, puis ceux des appels refusés. Ce sont fork, vfork, unshare, et
-     * ceux qui réservent une mémoire hors des processus (shmget, msgget, memfd_create, memfd_secret).
+     * ceux qui réservent une mémoire hors des processus (shmget, msgget, semget, memfd_create, memfd_secret, socket, io_uring_setup).
+     * L'appel socketpair reste permis, car Java en a besoin pour lire un fichier.
      */
-    private static final Map<String, int[]> APPELS = Map.of("amd64", new int[] {0xC000003E, 56, 57, 58, 272, 29, 68, 319, 447},
-            "aarch64", new int[] {0xC00000B7, 220, 97, 194, 186, 279, 447});
+    private static final Map<String, int[]> APPELS = Map.of(
+            "amd64", new int[] {0xC000003E, 56, 57, 58, 272, 29, 68, 64, 319, 447, 41, 425},
+            "aarch64", new int[] {0xC00000B7, 220, 97, 194, 186, 190, 279, 447, 198, 425});
     private static final int CLONE3 = 435;
 
     public final boolean confine;
@@ -96,7 +100,9 @@ public final class Confinement {
             }
             String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
             return new Confinement(processus.exitValue() == 0, processus.exitValue() == 0 ? ""
-                    : "bwrap refuse : " + dit.replaceAll("\\s+", " "), enPlus, filtre);
+                    : (dit.contains("uid map: Permission denied") ? "AppArmor ne laisse pas bwrap confiner (Ubuntu 23.10 et suivants) ; "
+                    + "pour le permettre : make profil-bwrap (--profil-bwrap) ; le message : " : "bwrap refuse : ")
+                    + dit.replaceAll("\\s+", " "), enPlus, filtre);
         } catch (IOException e) {
             return new Confinement(false, System.getProperty("os.name").startsWith("Linux")
                     ? "bwrap n'est pas installé (sudo apt-get install bubblewrap)" : "bwrap n'existe que sous Linux");
@@ -112,20 +118,23 @@ public final class Confinement {
      *
      * @param temporaire dossier provisoire, sans confinement
      * @param visibles vrai si les archives de ce chemin sont visibles, car aucun code d'étudiant ne s'exécute
+     * @param aLire un dossier ou un fichier à lire, visible sous le nom que donne {@link #lu}
      */
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
-            Limites limites) {
+            Limites limites, Path... aLire) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
-            // la taille des fichiers est limitée ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
-            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; f=$1; shift; exec \"$@\""
+            // les fichiers sont limités ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
+            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; ulimit -n " + DESCRIPTEURS + "; f=$1; shift; "
+                    + "exec \"$@\""
                     + (classes.equals(BOITE) ? " 8<\"$f\" 9<\"$0\"" : ""), chemin, String.valueOf(filtre)));
         }
         if (confine) {
             commande.addAll(enveloppe(enPlus));
             List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
             vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
+            Stream.of(aLire).forEach(f -> commande.addAll(List.of("--ro-bind", f.toString(), lu(f))));
             if (!visibles) {
                 commande.addAll(List.of("--seccomp", "8", "--ro-bind-data", "9", BOITE));
             }
@@ -142,6 +151,11 @@ public final class Confinement {
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
                 principale.getName()));
         return commande;
+    }
+
+    /** Le nom, dans une machine virtuelle, de ce qui y est à lire. */
+    public String lu(Path ici) {
+        return confine ? "/a-lire" : ici.toString();
     }
 
     private static List<String> enveloppe(List<String> enPlus) {

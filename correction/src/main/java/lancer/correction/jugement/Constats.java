@@ -14,8 +14,6 @@ final class Constats {
 
     /** Message d'une récursion sans fin, à distinguer d'une boucle sans fin. */
     private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
-    /** Nombre d'instructions au-delà duquel deux méthodes ne sont pas égales par hasard. */
-    private static final int LONGUE = 5;
 
     private final JugeRendu juge;
     private final Projet projet;
@@ -29,7 +27,7 @@ final class Constats {
 
     void dire() {
         consignes();
-        retenir();
+        juge.changees(SourcesDuCours.DONNEES).forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
         confronter();
         compiler();
     }
@@ -45,18 +43,6 @@ final class Constats {
                 .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
         Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(GrilleDeNotation.CONSIGNES + "." + nom,
                 projet.ecarts.containsKey(nom) ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
-    }
-
-    /** Retient les méthodes et les classes à comparer aux autres rendus : celles qui ne sont ni données, ni celles du corrigé. */
-    private void retenir() {
-        for (String classe : juge.changees(SourcesDuCours.classes())) {
-            Set<String> communs = projet.cours.arbres(classe);
-            projet.type(classe).methodes.stream().filter(m -> m.instructions > LONGUE && !communs.contains(m.arbre))
-                    .forEach(m -> resultat.arbres.put(classe + "." + m.signature(), m.arbre));
-        }
-        // un nom déclaré change l'empreinte de toutes les classes qui l'utilisent
-        juge.changees(projet.cours.renomme() ? List.of() : SourcesDuCours.DONNEES)
-                .forEach(c -> resultat.empreintes.put(c, projet.type(c).empreinte));
     }
 
     /** Compare l'image et les étapes, qui doivent concorder. */
@@ -90,7 +76,7 @@ final class Constats {
     /** Ajoute les fautes de compilation, d'abord celles qui coûtent des points. */
     private void compiler() {
         Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
-                .map(v -> projet.cours.classe(v.classe)).collect(Collectors.toSet());
+                .map(v -> v.classe).collect(Collectors.toSet());
         juge.siennes().stream().filter(Faute::demandeJava).findFirst().filter(f -> perdues.isEmpty())
                 .ifPresent(f -> resultat.regarder(f.toString()));
         juge.siennes().stream().sorted(Comparator.comparing(f -> !f.demandeJava() && !perdues.contains(f.classe())))

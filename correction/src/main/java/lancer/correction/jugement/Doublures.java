@@ -122,7 +122,8 @@ final class Doublures {
 
     /** Ajoute un appel. @return son numéro */
     private int numeroter(String appel, boolean muet) {
-        appels.append("public static Object m" + nombre + "(Object[] a) { " + (muet ? appel + "; return null" : "return " + appel)
+        appels.append("public static Object m" + nombre + "(Object[] a) throws Throwable { " + (muet ? appel + "; return null"
+                : "return " + appel)
                 + "; }\n");
         return nombre++;
     }

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import lancer.correction.Panne;
 import lancer.correction.modele.SourcesDuCours;
 import org.apache.commons.csv.CSVRecord;
 
@@ -66,7 +68,7 @@ public final class GrilleDeNotation {
     /** Images du corrigé : par scène, aux coordonnées entières puis au centre des pixels ; une par extension. */
     final Map<String, Image> images = new LinkedHashMap<>();
     /** Raison pour laquelle le code des étudiants s'est exécuté sans confinement ; vide s'il a été confiné. */
-    public final String sansConfinement;
+    private String sansConfinement;
 
     GrilleDeNotation(String sansConfinement) {
         this.sansConfinement = sansConfinement;
@@ -85,17 +87,38 @@ public final class GrilleDeNotation {
         return images.get(scene + (auCentre ? AU_CENTRE : ""));
     }
 
-    public void ecrire(Path fichier) throws IOException {
+    public String sansConfinement() {
+        return sansConfinement;
+    }
+
+    /**
+     * Prépare cette grille à servir aussi aux résultats d'un jugement précédent.
+     *
+     * @throws Panne si les critères n'étaient pas les mêmes
+     */
+    public void reprendre(GrilleDeNotation precedente) {
+        if (!criteres().equals(precedente.criteres())) {
+            throw new Panne(2, "rien n'est ajouté : les anciens résultats viennent d'une autre version du programme ; "
+                    + "attendu : toute la classe, sans AJOUTER");
+        }
+        sansConfinement = sansConfinement.isEmpty() ? precedente.sansConfinement : sansConfinement;
+    }
+
+    private List<String> criteres() {
+        return etapes.stream().flatMap(etape -> etape.criteres.stream()).map(c -> String.join("\0", c.etape, c.titreEtape, c.methode,
+                c.classe, c.titre, String.valueOf(c.compte))).collect(Collectors.toList());
+    }
+
+    void ecrire(Path fichier) throws IOException {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("sans confinement", sansConfinement));
-        etapes.forEach(etape -> etape.criteres.forEach(c ->
-                lignes.add(List.of("critère", c.etape, c.titreEtape, c.methode, c.classe, c.titre, c.compte))));
+        criteres().forEach(c -> lignes.add(List.of(("critère\0" + c).split("\0"))));
         images.forEach((nom, image) -> lignes.add(image.ligne(nom)));
         Resultat.ecrire(fichier, lignes);
     }
 
     /** @throws RuntimeException si ce fichier n'est pas une grille */
-    public static GrilleDeNotation lire(Path fichier) throws IOException {
+    static GrilleDeNotation lire(Path fichier) throws IOException {
         List<CSVRecord> lignes = Resultat.lignes(fichier);
         GrilleDeNotation grille = new GrilleDeNotation(lignes.get(0).get(1));
         for (CSVRecord l : lignes.subList(1, lignes.size())) {

@@ -57,17 +57,17 @@ final class JugeRendu implements AutoCloseable {
         ensemble = assembler(base(Map.of()));
     }
 
-    /** Compile des classes avec celles qui les appellent et les sondent, sous les noms de l'étudiant. */
+    /** Compile des classes avec celles qui les appellent et les sondent. */
     Assemblage assembler(Map<String, String> classes) throws Arret {
         Map<String, String> sources = new TreeMap<>(classes);
-        sources.put("lancer/Appels", projet.cours.dans(reference.appels));
-        sources.put("lancer/Sonde", projet.cours.dans(SourcesDuCours.ressource("sondes/lancer/Sonde.java")));
+        sources.put("lancer/Appels", reference.appels);
+        sources.put("lancer/Sonde", SourcesDuCours.ressource("sondes/lancer/Sonde.java"));
         return compilation.compiler(sources);
     }
 
     /** Sources du projet à compléter, remplacées par celles du rendu, puis par ces classes. */
     private Map<String, String> base(Map<String, String> enPlus) {
-        Map<String, String> sources = projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::squelette));
+        Map<String, String> sources = SourcesDuCours.tout(SourcesDuCours::squelette);
         sources.putAll(projet.base);
         sources.putAll(enPlus);
         return sources;
@@ -199,9 +199,9 @@ final class JugeRendu implements AutoCloseable {
         }
         // classes ajoutées par l'étudiant, puis corrigé, puis cette classe ; si elle n'est pas rendue, celle du projet à compléter
         Map<String, String> sources = new TreeMap<>(projet.base);
-        sources.putAll(projet.cours.dans(SourcesDuCours.tout(SourcesDuCours::corrige)));
-        sources.put("lancer/" + projet.cours.classe(classe), projet.texte(classe) != null ? projet.texte(classe)
-                : projet.cours.dans(SourcesDuCours.squelette(classe)));
+        sources.putAll(SourcesDuCours.tout(SourcesDuCours::corrige));
+        sources.put("lancer/" + classe, projet.texte(classe) != null ? projet.texte(classe)
+                : SourcesDuCours.squelette(classe));
         Assemblage seule = assembler(sources);
         // les classes de l'étudiant qu'elle utilise, puis celles que ces classes utilisent
         Set<String> avec = new LinkedHashSet<>();
@@ -214,7 +214,7 @@ final class JugeRendu implements AutoCloseable {
                 dependances.put(classe, cassees.isEmpty() ? String.join(", ", avec) : cassees);
                 break;
             }
-            avec.forEach(c -> sources.put("lancer/" + projet.cours.classe(c), projet.texte(c)));
+            avec.forEach(c -> sources.put("lancer/" + c, projet.texte(c)));
             seule = assembler(sources);
         }
         if (!avec.isEmpty() && !dependances.containsKey(classe)) {
@@ -229,15 +229,16 @@ final class JugeRendu implements AutoCloseable {
     private List<String> employees(Set<String> classes) {
         return SourcesDuCours.classes().stream().filter(c -> projet.texte(c) != null && !c.equals("Main")
                 && classes.stream().map(projet::type)
-                .anyMatch(t -> t.noms.contains(projet.cours.classe(c)) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
+                .anyMatch(t -> t.noms.contains(c) || t.noms.contains(c.toLowerCase(Locale.ROOT))))
                 .collect(Collectors.toList());
     }
 
     /** Dit si la classe, avec celles du corrigé, cause des fautes de compilation qu'elle ne cause pas dans le rendu. */
     private boolean fautesNouvelles(Assemblage seule, String classe) {
-        String sienne = projet.cours.classe(classe);
-        return seule.fautesDe(sienne).size() > ensemble.fautesDe(sienne).size() || seule.fautes.stream().anyMatch(f ->
-                SourcesDuCours.classes().contains(f.classe()) && !f.classe().equals(sienne) && ensemble.fautesDe(f.classe()).isEmpty());
+        // Main, que rien n'appelle ici, peut ignorer une exception que la classe annonce
+        return seule.fautesDe(classe).size() > ensemble.fautesDe(classe).size() || seule.fautes.stream().anyMatch(f -> !f.classe()
+                .equals("Main") && SourcesDuCours.classes().contains(f.classe()) && !f.classe().equals(classe)
+                && ensemble.fautesDe(f.classe()).isEmpty());
     }
 
     Verifications.Bilan lancer(Assemblage assemblage, List<Verification> verifications) {
@@ -274,7 +275,7 @@ final class JugeRendu implements AutoCloseable {
                     ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
                     : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
                     : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(projet.cours.classe(v.classe)).stream(), siennes().stream())
+                            : Stream.concat(this.ensemble.fautesDe(v.classe).stream(), siennes().stream())
                             .findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
@@ -285,7 +286,7 @@ final class JugeRendu implements AutoCloseable {
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
     private Map<String, Boolean> methodes(String classe) {
         Map<String, Boolean> noms = new TreeMap<>();
-        for (Signature m : projet.cours.squelette(classe).methodes) {
+        for (Signature m : projet.squelette.get(classe).methodes) {
             if (m.texte.contains("// FIXME")) {
                 noms.merge(m.nom, projet.type(classe).methodes.stream().noneMatch(s -> s.nom.equals(m.nom) && s.arbre.equals(m.arbre)),
                         Boolean::logicalAnd);
@@ -298,7 +299,7 @@ final class JugeRendu implements AutoCloseable {
     private Set<String> nommees(Verification v, String classe) {
         Set<String> toutes = methodes(classe).keySet();
         Set<String> nommees = toutes.stream().filter(m -> Pattern.compile("\\b" + m + "\\b")
-                .matcher(projet.cours.dans(v.titre)).find()).collect(Collectors.toCollection(TreeSet::new));
+                .matcher(v.titre).find()).collect(Collectors.toCollection(TreeSet::new));
         return nommees.isEmpty() ? toutes : nommees;
     }
 
@@ -307,7 +308,7 @@ final class JugeRendu implements AutoCloseable {
         String message = verdict.message.replace(NON_COMMENCEE, "");
         String ecrite = changees(SourcesDuCours.A_COMPLETER).stream()
                 .filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
-                && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && projet.cours.dans(message).contains(m.getKey())))
+                && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && message.contains(m.getKey())))
                 .findFirst().orElse(null);
         if (ecrite == null || ecrite.equals(v.classe)) {
             return ecrite == null ? verdict : new Verdict(Etat.RATE, message);

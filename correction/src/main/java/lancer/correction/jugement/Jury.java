@@ -2,6 +2,7 @@ package lancer.correction.jugement;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +17,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import lancer.correction.Panne;
-import lancer.correction.depot.Alias;
+import lancer.correction.depot.Depot;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Echange;
@@ -38,8 +39,9 @@ public final class Jury implements AutoCloseable {
     private final Limites limites;
     /** Machines virtuelles de compilation disponibles. */
     private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
-    public final Reference reference;
-    private Alias alias;
+    private final Confinement confinement;
+    private final long graine;
+    private Reference reference;
 
     /**
      * @param travail dossier de travail
@@ -53,22 +55,45 @@ public final class Jury implements AutoCloseable {
                     + (sansCompilateur ? ", sans son compilateur" : ""));
         }
         this.limites = limites;
-        System.setProperty(GRAINE, String.valueOf(graine));
+        this.confinement = confinement;
+        this.graine = graine;
         try {
             machines = new Machines(confinement, limites, travail.resolve("machines"));
-            // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
-            compilations.add(machines.new Compilation());
-            reference = new Reference(machines, compilations.peek(), confinement.manque, graine);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
-        } catch (Arret e) {
-            throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
         }
     }
 
+    /** Lit les rendus d'une classe : voir {@link Depot#lire}. */
+    public List<Rendu> lire(Path rendus) {
+        if (!Files.isReadable(rendus)) {
+            throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
+        }
+        try (Machines.Lecture lecture = machines.new Lecture(rendus.toRealPath())) {
+            return Depot.lire(rendus, lecture);
+        } catch (IOException e) {
+            throw new Panne(2, "rendus illisibles : " + e.getMessage());
+        }
+    }
+
+    /** Le corrigé, jugé une fois. */
+    public Reference reference() {
+        if (reference == null) {
+            System.setProperty(GRAINE, String.valueOf(graine));
+            try {
+                // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
+                compilations.add(machines.new Compilation());
+                reference = new Reference(machines, compilations.peek(), confinement.manque, graine);
+            } catch (Arret e) {
+                throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
+            }
+        }
+        return reference;
+    }
+
     /** @param fini appelé pour chaque rendu jugé, dans un fil quelconque */
-    public List<Resultat> juger(List<Rendu> rendus, Alias declares, Consumer<Resultat> fini) {
-        alias = declares;
+    public List<Resultat> juger(List<Rendu> rendus, Consumer<Resultat> fini) {
+        reference();
         ExecutorService ensemble = Executors.newFixedThreadPool(Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()));
         try {
             List<Future<Resultat>> premiers = rendus.stream().map(rendu -> ensemble.submit(() -> {
@@ -139,7 +164,7 @@ public final class Jury implements AutoCloseable {
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus de critères est gardée
-            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours, alias.de(rendu.id))) {
+            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.squelette)) {
                 try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
@@ -165,7 +190,9 @@ public final class Jury implements AutoCloseable {
     @Override
     public void close() {
         compilations.forEach(Machines.Compilation::close);
-        reference.close();
+        if (reference != null) {
+            reference.close();
+        }
         System.clearProperty(GRAINE);
     }
 }

@@ -1,5 +1,6 @@
 package lancer.correction.jugement;
 
+import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
@@ -20,7 +21,9 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
+import lancer.correction.depot.Depot;
 import lancer.correction.enfant.Compilateur;
+import lancer.correction.enfant.Contenu;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import lancer.correction.enfant.Lecteur;
@@ -28,6 +31,9 @@ import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
+import org.apache.commons.compress.archivers.zip.ZipFile;
+import org.apache.commons.io.function.IOSupplier;
+import org.apache.commons.lang3.ArrayFill;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
@@ -42,11 +48,10 @@ final class Machines {
     private final Path outillage;
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
-    private final String chemin = Stream.concat(
+    private final String chemin = chemin(Stream.concat(
             Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
-            .filter(c -> c.getName().startsWith("org.eclipse."))).map(Machines::lieu).distinct()
-            .collect(Collectors.joining(File.pathSeparator));
+            .filter(c -> c.getName().startsWith("org.eclipse."))));
 
     /** @param dossier son contenu est effacé */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
@@ -72,6 +77,10 @@ final class Machines {
                 Files.copy(classe, zip);
             }
         }
+    }
+
+    private static String chemin(Stream<Class<?>> classes) {
+        return classes.map(Machines::lieu).distinct().collect(Collectors.joining(File.pathSeparator));
     }
 
     /** L'archive ou le dossier d'une classe. */
@@ -107,16 +116,15 @@ final class Machines {
          * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
-        boolean lancer(Class<?> principale, String chemin, Limites siennes) {
+        boolean lancer(Class<?> principale, String chemin, Limites siennes, Echange.Redaction premiere, Path... aLire) {
             if (enfant != null) {
                 return false;
             }
-            boolean visibles = principale == Compilateur.class;
-            enfant = new Enfant(confinement.java(principale, chemin, visibles, outillage.getParent(), siennes), siennes);
+            enfant = new Enfant(confinement.java(principale, chemin, principale != Execution.class, outillage.getParent(), siennes, aLire),
+                    siennes);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
-                demander(demande(visibles ? Compilateur.COMPILER : Execution.CLASSES, Map.of()), Echange.REPONSE_MAX,
-                        DataInputStream::readAllBytes);
+                demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
                 return true;
             } catch (Arret e) {
                 throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
@@ -150,6 +158,28 @@ final class Machines {
                 enfant.close();
                 enfant = null;
             }
+        }
+    }
+
+    /** Machine virtuelle qui lit les dossiers et les archives d'une classe ; elle n'exécute aucun rendu. */
+    final class Lecture extends Machine implements Depot.Acces {
+
+        private final Path rendus;
+
+        Lecture(Path rendus) {
+            this.rendus = rendus;
+        }
+
+        @Override
+        public DataInputStream demander(Map<String, byte[]> noms) throws Arret {
+            lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
+                    Limites.DE_COMPILATION, m -> Echange.ecrireTout(m, Map.of()), rendus);
+            enfant.commencer(Limites.DE_COMPILATION.calcul);
+            Map<String, byte[]> demande = new LinkedHashMap<>();
+            demande.put(confinement.lu(rendus), new byte[0]);
+            demande.putAll(noms);
+            return demander(m -> Echange.ecrireTout(m, demande), Echange.GROSSE_REPONSE_MAX,
+                    reponse -> new DataInputStream(new ByteArrayInputStream(reponse.readAllBytes())));
         }
     }
 
@@ -190,7 +220,7 @@ final class Machines {
         private <T> T demander(char sorte, Map<String, String> textes, LectureDeReponse<T> lecture) throws Arret {
             Map<String, byte[]> octets = new LinkedHashMap<>();
             textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION);
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, demande(Compilateur.COMPILER, Map.of()));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
                 return demander(demande(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
@@ -245,7 +275,7 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
-            if (lancer(Execution.class, outillage.toString(), limites)) {
+            if (lancer(Execution.class, outillage.toString(), limites, demande(Execution.CLASSES, Map.of()))) {
                 demander(demande(Execution.CLASSES, classes), Echange.REPONSE_MAX, DataInputStream::readChar);
             }
             enfant.commencer(fois * limites.calcul);

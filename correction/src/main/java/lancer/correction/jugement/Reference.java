@@ -5,9 +5,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.depot.Cours;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
+import lancer.correction.depot.Source;
+import lancer.correction.depot.Type;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -29,7 +30,7 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Les classes du cours, lues par le JDK. */
-    final Cours cours;
+    final Map<String, Type> squelette;
     final Verifications junit;
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
@@ -45,11 +46,11 @@ public final class Reference implements AutoCloseable {
     /** @param graine le nombre d'où viennent les scènes jugées */
     Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
         this.graine = graine;
-        cours = new Cours(compilation::lire, Map.of());
+        this.squelette = Source.squelette(compilation::lire);
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
-        Projet projet = Projet.copies(squelette, compilation::lire, cours, Map.of()).get(0);
+        Projet projet = Projet.copies(squelette, compilation::lire, this.squelette).get(0);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();

@@ -1,6 +1,7 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -32,8 +33,6 @@ public final class Resultat {
     public final Map<String, Verdict> verdicts = new LinkedHashMap<>();
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
-    /** Empreinte de chaque longue méthode, {@code Classe.methode(types)}, qui n'est ni du projet à compléter, ni du corrigé. */
-    public final Map<String, String> arbres = new LinkedHashMap<>();
     /** Empreinte de chaque classe donnée que l'étudiant a modifiée. */
     public final Map<String, String> empreintes = new LinkedHashMap<>();
     /** Méthode de l'étudiant que vise chaque critère raté. */
@@ -73,11 +72,11 @@ public final class Resultat {
     }
 
     private Map<String, Map<String, String>> textes() {
-        return Map.of("empreinte", empreintes, "arbre", arbres, "methode", methodes);
+        return Map.of("empreinte", empreintes, "methode", methodes);
     }
 
     /** Écrit le résultat dans un fichier, une donnée par ligne : sa sorte, puis ses valeurs. */
-    public void ecrire(Path fichier) throws IOException {
+    void ecrire(Path fichier) throws IOException {
         List<List<?>> lignes = new ArrayList<>();
         lignes.add(List.of("étudiant", id, nom, nonCorrige, centre));
         listes().forEach((sorte, liste) -> liste.forEach(texte -> lignes.add(List.of(sorte, texte))));
@@ -91,7 +90,9 @@ public final class Resultat {
     }
 
     public static void ecrire(Path fichier, List<List<?>> lignes) throws IOException {
-        try (CSVPrinter csv = new CSVPrinter(Files.newBufferedWriter(fichier), CSVFormat.DEFAULT)) {
+        // ce flux remplace une moitié de caractère, que d'autres refusent
+        try (CSVPrinter csv = new CSVPrinter(new OutputStreamWriter(Files.newOutputStream(fichier), StandardCharsets.UTF_8),
+                CSVFormat.DEFAULT)) {
             csv.printRecords(lignes);
         }
     }
@@ -103,7 +104,7 @@ public final class Resultat {
     }
 
     /** @throws RuntimeException si ce fichier n'est pas celui d'un résultat */
-    public static Resultat lire(Path fichier) throws IOException {
+    static Resultat lire(Path fichier) throws IOException {
         List<CSVRecord> lignes = lignes(fichier);
         Resultat resultat = new Resultat(lignes.get(0).get(1), lignes.get(0).get(2));
         resultat.nonCorrige = Boolean.parseBoolean(lignes.get(0).get(3));

@@ -1,6 +1,7 @@
 package lancer.correction.note;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -9,13 +10,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lancer.correction.depot.Tableau;
+import lancer.correction.depot.Source;
+import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVRecord;
 
 /**
- * Les points que l'enseignant donne dans {@code ajustements.csv} ({@link Tableau}) : {@code id,critère,points,commentaire}. Le critère est
- * une étape du barème, une extension ou une ligne libre. Une ligne sans nombre ne donne pas de points.
+ * Les points que l'enseignant donne dans {@code ajustements.csv} : {@code id,critère,points,commentaire}, avec des virgules ou des
+ * points-virgules, avec ou sans titres. Le critère est une ligne du barème. Une ligne sans nombre ne donne pas de points ; une ligne
+ * fautive est signalée et ignorée.
  */
 public final class Ajustements {
 
@@ -37,30 +43,59 @@ public final class Ajustements {
 
     private final Map<String, Map<String, Ligne>> lignes = new HashMap<>();
     /** Les lignes refusées, et pourquoi. */
-    public final List<String> fautes;
+    public final List<String> fautes = new ArrayList<>();
 
     /** Lit {@code ajustements.csv} dans ce dossier, s'il existe. */
     public Ajustements(Path dossier, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
-        List<String> criteres = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
-        // critères dont le maximum s'ajoute à celui de la note
-        List<String> bornes = grille.etapes.stream().filter(e -> e.extension || e.libre()).map(e -> e.nom).collect(Collectors.toList());
-        fautes = Tableau.lire(dossier.resolve("ajustements.csv"), TITRES, ids, (id, ligne) -> {
-            String critere = ligne.get(1);
-            String points = ligne.get(2);
-            if (!criteres.contains(critere)) {
-                return "le critère « " + critere + " » n'existe pas ; attendu : un parmi " + String.join(", ", criteres);
-            } else if (points.isEmpty()) {
-                return "";
-            } else if (!points.matches("[+-]?\\d{1,4}([.,]\\d{1,6})?")) {
-                return "« " + points + " » ; attendu : un nombre de points";
+        Path fichier = dossier.resolve("ajustements.csv");
+        if (!Files.exists(fichier)) {
+            return;
+        }
+        try {
+            String texte = Source.decoder(Files.readAllBytes(fichier));
+            for (CSVRecord ligne : CSVParser.parse(texte, CSVFormat.DEFAULT.builder().setIgnoreSurroundingSpaces(true)
+                    .setDelimiter(texte.split("\n", 2)[0].contains(";") ? ';' : ',').get())) {
+                String faute = ligne.getRecordNumber() == 1 && ligne.get(0).equalsIgnoreCase("id") ? ""
+                        : prendre(ligne, ids, grille, bareme);
+                if (!faute.isEmpty()) {
+                    fautes.add("ajustements.csv, ligne " + ligne.getParser().getCurrentLineNumber() + " : " + faute);
+                }
             }
-            double nombre = Double.parseDouble(points.replace(',', '.'));
-            if (bornes.contains(critere) && (nombre < 0 || nombre > bareme.poids(critere))) {
-                return "« " + points + " » ; attendu : de 0 à " + bareme.poids(critere) + " pour « " + critere + " »";
-            }
-            return lignes.computeIfAbsent(id, i -> new LinkedHashMap<>()).putIfAbsent(critere, new Ligne(ligne.toList())) == null ? ""
-                    : "« " + critere + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";
-        });
+        } catch (IOException | RuntimeException e) {
+            fautes.add("ajustements.csv : la suite est illisible (" + e.getMessage() + ")");
+        }
+    }
+
+    /** @return la faute de cette ligne, vide s'il n'y en a pas */
+    private String prendre(CSVRecord ligne, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
+        String lu = ligne.get(0);
+        String id = ids.stream().filter(i -> lu.equals(i) || lu.equals(Echange.sansFormule(i))).findFirst()
+                .orElse(lu.replaceFirst("^\\D+", ""));
+        if (ligne.size() < 3 || ligne.size() > 4) {
+            return "attendu : " + TITRES;
+        }
+        String critere = ligne.get(1);
+        String points = ligne.get(2);
+        GrilleDeNotation.Etape etape = grille.etapes.stream().filter(e -> e.nom.equals(critere)).findFirst().orElse(null);
+        if (!ids.contains(id)) {
+            return "l'étudiant « " + lu + " » n'existe pas";
+        } else if (etape == null) {
+            return "le critère « " + critere + " » n'existe pas ; attendu : un parmi "
+                    + grille.etapes.stream().map(e -> e.nom).collect(Collectors.joining(", "))
+                    + ", ou une ligne de plus dans bareme.ini : bonus=+1, retard=-2";
+        } else if (points.isEmpty()) {
+            return "";
+        } else if (!points.matches("[+-]?\\d{1,4}([.,]\\d{1,6})?")) {
+            return "« " + points + " » ; attendu : un nombre de points";
+        }
+        // l'enseignant donne ce qu'il veut à une étape du cours, ou aux consignes
+        double nombre = Double.parseDouble(points.replace(',', '.'));
+        double borne = bareme.ecrits(critere);
+        if ((etape.extension || etape.libre()) && (nombre < Math.min(0, borne) || nombre > Math.max(0, borne))) {
+            return "« " + points + " » ; attendu : de " + (borne < 0 ? borne + " à 0" : "0 à " + borne) + " pour « " + critere + " »";
+        }
+        return lignes.computeIfAbsent(id, i -> new LinkedHashMap<>()).putIfAbsent(critere, new Ligne(ligne.toList())) == null ? ""
+                : "« " + critere + " » a déjà été donné à « " + id + " » plus haut ; cette ligne-ci est laissée";
     }
 
     /** Points donnés à cet étudiant, par critère. */
@@ -77,7 +112,7 @@ public final class Ajustements {
         for (Eleve eleve : eleves) {
             de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
             (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
-                    tableau.add(List.of(eleve.resultat.id, critere, "", "")));
+                    tableau.add(List.of(Echange.sansFormule(eleve.resultat.id), critere, "", "")));
         }
         Resultat.ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
     }

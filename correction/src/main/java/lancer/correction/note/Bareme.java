@@ -5,9 +5,11 @@ import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.depot.Source;
@@ -18,21 +20,28 @@ import org.ini4j.InvalidFileFormatException;
 import org.ini4j.Profile;
 
 /**
- * Les points de chaque étape, dans un petit fichier INI que l'enseignant peut changer. Il peut y ajouter des lignes libres (« qualité du
- * code=3 »), dont il donne lui-même les points.
+ * Les points de chaque étape, dans un petit fichier INI que l'enseignant peut changer. Il peut y ajouter des lignes libres, dont il donne
+ * lui-même les points : « qualité du code=3 » entre dans le total ; « bonus=+1 » et « retard=-2 » n'y entrent pas.
  */
 public final class Bareme {
 
-    private final Map<String, Double> poids = new HashMap<>();
-    /** La note maximale, sans les consignes, qui enlèvent des points, ni les lignes libres ({@link Eleve#sur}). */
+    private static final String NOMBRE = "\\d{1,4}(\\.\\d{1,6})?";
+
+    /** Points de chaque ligne dans le fichier ; négatifs si elle en enlève. */
+    private final Map<String, Double> points = new HashMap<>();
+    private final Set<String> horsTotal = new HashSet<>(Set.of(GrilleDeNotation.CONSIGNES));
+    /** La somme des points du fichier, sans les lignes hors du total. */
+    public final double somme;
+    /** La note maximale : celle de la feuille de notes ou, sans feuille, {@link #somme}. */
     public final double total;
 
     /**
      * Lit le barème, ou l'écrit d'abord s'il n'existe pas. Ses lignes libres sont ajoutées à la grille.
      *
+     * @param maximum la note maximale, à laquelle tous les points sont ramenés ; 0 : la somme des points
      * @throws Panne si le barème est fautif
      */
-    public Bareme(Path fichier, GrilleDeNotation grille) {
+    public Bareme(Path fichier, GrilleDeNotation grille, double maximum) {
         List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         Profile.Section section;
         try {
@@ -49,26 +58,30 @@ public final class Bareme {
         if (section == null) {
             throw new Panne(2, fichier + " : la section [Barème] manque");
         }
-        section.forEach((nom, points) -> {
+        section.forEach((nom, ecrits) -> {
             String faute = fichier + ", [Barème], " + nom;
             boolean connue = etapes.contains(nom);
             if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(nom)))) {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
+            }
+            String texte = ecrits == null ? "" : ecrits.trim().replace(',', '.');
+            if (!texte.matches((connue ? nom.equals(GrilleDeNotation.CONSIGNES) ? "-?" : "" : "[+-]?") + NOMBRE)) {
+                throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999"
+                        + (connue ? "" : ", de signe + pour un bonus, - pour une pénalité"));
             } else if (!connue) {
                 grille.etapes.add(new GrilleDeNotation.Etape(nom, nom));
             }
-            String texte = points == null ? "" : points.trim().replace(',', '.');
-            if (!texte.matches("\\d{1,4}(\\.\\d{1,6})?")) {
-                throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999");
+            if (texte.matches("[+-].*")) {
+                horsTotal.add(nom);
             }
-            poids.put(nom, Double.valueOf(texte));
+            points.put(nom, nom.equals(GrilleDeNotation.CONSIGNES) ? -Math.abs(Double.parseDouble(texte)) : Double.valueOf(texte));
         });
-        total = grille.etapes.stream().filter(e -> !e.libre() && !e.nom.equals(GrilleDeNotation.CONSIGNES))
-                .mapToDouble(e -> poids(e.nom)).sum();
-        if (total == 0) {
+        somme = points.entrySet().stream().filter(p -> !horsTotal(p.getKey())).mapToDouble(Map.Entry::getValue).sum();
+        if (somme == 0) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
         }
+        total = maximum > 0 ? maximum : somme;
     }
 
     /** Début d'une clé : une clé inconnue qui commence comme une étape est une étape mal écrite, et non une ligne libre. */
@@ -77,7 +90,23 @@ public final class Bareme {
         return bas.substring(0, Math.min(4, bas.length()));
     }
 
-    public double poids(String etape) {
-        return poids.getOrDefault(etape, 0.0);
+    /** Points d'une ligne dans le fichier ; négatifs si elle en enlève. */
+    double ecrits(String ligne) {
+        return points.getOrDefault(ligne, 0.0);
+    }
+
+    /** Les mêmes points, sur {@link #total}. */
+    public double poids(String ligne) {
+        return ramener(ecrits(ligne));
+    }
+
+    /** Ramène à {@link #total} des points du fichier, ou d'un ajustement. */
+    double ramener(double nombre) {
+        return nombre * total / somme;
+    }
+
+    /** Vrai pour les consignes, un bonus ou une pénalité. */
+    public boolean horsTotal(String ligne) {
+        return horsTotal.contains(ligne);
     }
 }

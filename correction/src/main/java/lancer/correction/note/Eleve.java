@@ -1,7 +1,6 @@
 package lancer.correction.note;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,9 +19,6 @@ import lancer.correction.modele.SourcesDuCours;
  */
 public final class Eleve {
 
-    /** Nombre de méthodes égales à partir duquel deux rendus sont signalés. */
-    private static final int PAREILLES = 3;
-
     /** Une étape notée, ou une ligne libre du barème. */
     public static final class Part {
 
@@ -31,22 +27,25 @@ public final class Eleve {
         /** Vrai si l'enseignant doit encore donner les points. */
         public final boolean aNoter;
         public final double points;
-        /** Nombre maximal de points ; 0 pour les consignes, qui enlèvent des points. */
+        /** Nombre maximal de points ; 0 pour une ligne hors du total. */
         public final double sur;
         /** Points que l'enseignant a donnés, ou {@code null}. */
         public final Ajustements.Ligne ajustement;
         private final List<Verdict> verdicts;
 
-        Part(List<Verification> criteres, Resultat resultat, double poids, boolean enleve, Ajustements.Ligne ajustement) {
+        Part(GrilleDeNotation.Etape etape, Resultat resultat, Bareme bareme, Ajustements.Ligne ajustement) {
             // un critère que le projet à compléter réussit ne rapporte rien, mais le rater coûte
-            verdicts = criteres.stream().filter(c -> c.compte || resultat.verdict(c).rate()).map(resultat::verdict)
+            verdicts = etape.criteres.stream().filter(c -> c.compte || resultat.verdict(c).rate()).map(resultat::verdict)
                     .collect(Collectors.toList());
             comptent = verdicts.size();
             reussis = verdicts.stream().filter(Verdict::compte).count();
-            aNoter = ajustement == null && poids > 0 && (criteres.isEmpty() || nombre(Verdict.Etat.A_NOTER) > 0);
-            sur = enleve ? 0 : poids;
+            double poids = bareme.poids(etape.nom);
+            boolean hors = bareme.horsTotal(etape.nom);
+            aNoter = ajustement == null && !hors && poids > 0 && (etape.libre() || nombre(Verdict.Etat.A_NOTER) > 0);
+            sur = hors ? 0 : poids;
             this.ajustement = ajustement;
-            points = ajustement != null ? ajustement.points : (comptent == 0 ? 0 : poids * reussis / comptent) - (enleve ? poids : 0);
+            points = ajustement != null ? bareme.ramener(ajustement.points)
+                    : comptent == 0 || hors && reussis == comptent ? 0 : poids * (hors ? comptent - reussis : reussis) / comptent;
         }
 
         private long nombre(Verdict.Etat etat) {
@@ -79,8 +78,8 @@ public final class Eleve {
     public final String atteinte;
     /** La première étape du cours incomplète après laquelle aucune n'est complète ; vide si la dernière l'est. */
     public final String arret;
-    /** La note maximale : celle du barème, plus les lignes libres dont les points sont donnés. */
-    public final double sur;
+    /** La note, de 0 à {@link Bareme#total}. */
+    public final double note;
 
     /** @param siens points que l'enseignant a donnés à cet étudiant */
     public Eleve(Resultat resultat, String page, GrilleDeNotation grille, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
@@ -92,12 +91,9 @@ public final class Eleve {
         List<String> manquent = new ArrayList<>();
         List<String> extensions = new ArrayList<>();
         List<String> aNoter = new ArrayList<>();
-        double maximum = bareme.total;
         for (GrilleDeNotation.Etape etape : grille.etapes) {
-            Part part = new Part(etape.criteres, resultat, bareme.poids(etape.nom), etape.nom.equals(GrilleDeNotation.CONSIGNES),
-                    siens.get(etape.nom));
+            Part part = new Part(etape, resultat, bareme, siens.get(etape.nom));
             parts.put(etape.nom, part);
-            maximum += etape.libre() && part.ajustement != null ? part.sur : 0;
             if (etape.duCours() && part.complete()) {
                 derniere = etape.titre;
                 avant.forEach(e -> manquent.add(e.titre));
@@ -108,9 +104,9 @@ public final class Eleve {
                 (part.aNoter ? aNoter : extensions).add(etape.court);
             }
         }
-        sur = maximum;
+        note = Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()));
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
-        atteinte = (derniere.isEmpty() ? total() > 0 ? "aucune en entier" : "aucune" : derniere)
+        atteinte = (derniere.isEmpty() ? note > 0 ? "aucune en entier" : "aucune" : derniere)
                 + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
                 + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions))
                 + (aNoter.isEmpty() ? "" : " ; extensions à noter : " + String.join(", ", aNoter));
@@ -118,17 +114,12 @@ public final class Eleve {
         dire("perdus par ce qui n'a pu être évalué", Verdict.Etat.NON_EVALUABLE, List.of());
     }
 
-    /** Les points obtenus, sur {@link #sur}, jamais négatifs. */
-    public double total() {
-        return Math.max(0, parts.values().stream().mapToDouble(p -> p.points).sum());
-    }
-
     /** Noms des extensions rendues et des lignes libres dont les points ne sont pas encore donnés. */
     public List<String> aNoter() {
         return parts.entrySet().stream().filter(p -> p.getValue().aNoter).map(Map.Entry::getKey).collect(Collectors.toList());
     }
 
-    public double perdus(Verdict.Etat etat) {
+    private double perdus(Verdict.Etat etat) {
         return parts.values().stream().mapToDouble(p -> p.perdus(etat)).sum();
     }
 
@@ -140,27 +131,17 @@ public final class Eleve {
         }
     }
 
+    /** Points perdus par ce qui n'a pu être évalué. */
+    public double nonEvaluables() {
+        return perdus(Verdict.Etat.NON_EVALUABLE);
+    }
+
     public boolean illisible() {
         return !resultat.refus.isEmpty();
     }
 
-    /** Signale ce qui ne se voit qu'en comparant les rendus : méthodes égales, classe donnée modifiée. */
+    /** Signale les classes données que peu de rendus ont changées, ou changées ainsi. */
     public static void comparer(List<Eleve> eleves) {
-        Map<String, Integer> nombres = new HashMap<>();
-        eleves.forEach(e -> e.resultat.arbres.values().stream().distinct().forEach(a -> nombres.merge(a, 1, Integer::sum)));
-        // une méthode commune à presque tous vient du cours
-        nombres.values().removeIf(n -> n > 2 && 4 * n > 3 * eleves.size());
-        for (Eleve e : eleves) {
-            for (Eleve autre : eleves) {
-                List<String> pareilles = e == autre ? List.of() : e.resultat.arbres.entrySet().stream()
-                        .filter(m -> nombres.containsKey(m.getValue()) && autre.resultat.arbres.containsValue(m.getValue()))
-                        .map(Map.Entry::getKey).collect(Collectors.toList());
-                if (pareilles.size() >= PAREILLES) {
-                    e.aRegarder.add("pareil à " + autre.resultat.nom + ", aux noms des variables et à la présentation près : "
-                            + String.join(", ", pareilles));
-                }
-            }
-        }
         for (String classe : SourcesDuCours.DONNEES) {
             Map<String, List<Eleve>> textes = eleves.stream().filter(e -> !classe.equals("Main")
                     && e.resultat.empreintes.containsKey(classe))

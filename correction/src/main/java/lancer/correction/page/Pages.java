@@ -1,55 +1,110 @@
 package lancer.correction.page;
 
+import freemarker.core.HTMLOutputFormat;
+import freemarker.template.Configuration;
+import freemarker.template.DefaultObjectWrapperBuilder;
+import freemarker.template.TemplateException;
+import freemarker.template.TemplateExceptionHandler;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.StringWriter;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.LinkedHashMap;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Locale;
-import java.util.stream.Collectors;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
 import lancer.correction.enfant.Echange;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Image;
+import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Resultat;
 import lancer.correction.jugement.Verdict;
 import lancer.correction.jugement.Verification;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 
-/** Les pages d'une classe : celle de chaque rendu, celle de tous, et le tableau. */
+/**
+ * Les pages d'une classe, d'après les gabarits de {@code resources/pages} : celle de chaque rendu, celle de tous ; et le tableau. Les
+ * gabarits échappent tout texte, et lisent cet objet sous le nom {@code pages}.
+ */
 public final class Pages {
 
-    private static final int REMARQUES_MONTREES = 3;
-
-    final GrilleDeNotation grille;
-    final Bareme bareme;
+    private final Configuration gabarits = new Configuration(Configuration.VERSION_2_3_34);
+    private final GrilleDeNotation grille;
+    private final Bareme bareme;
+    /** Messages et méthodes déjà montrés ouverts sur la page en cours. */
+    private final Set<String> deplies = new HashSet<>();
 
     public Pages(GrilleDeNotation grille, Bareme bareme) {
         this.grille = grille;
         this.bareme = bareme;
+        gabarits.setClassForTemplateLoading(Pages.class, "/pages");
+        gabarits.setDefaultEncoding("UTF-8");
+        gabarits.setLocale(Locale.FRANCE);
+        gabarits.setNumberFormat("0.##");
+        gabarits.setTemplateExceptionHandler(TemplateExceptionHandler.RETHROW_HANDLER);
+        gabarits.setLogTemplateExceptions(false);
+        DefaultObjectWrapperBuilder objets = new DefaultObjectWrapperBuilder(Configuration.VERSION_2_3_34);
+        objets.setExposeFields(true);
+        gabarits.setObjectWrapper(objets.build());
     }
 
     /**
-     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}.
+     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}. Une page que l'on ne peut écrire ne coûte qu'elle.
      *
      * @param avis messages à montrer en tête
      */
     public void ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
-        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "*.html")) {
+        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "[0-9][0-9][0-9]*-*.html")) {
             for (Path ancienne : anciennes) {
                 Files.delete(ancienne);
             }
         }
-        for (Eleve eleve : eleves) {
-            Files.writeString(etudiants.resolve(eleve.page), new PageEleve(this, eleve).ecrire());
+        List<Object> rangees = new ArrayList<>();
+        try {
+            for (Eleve eleve : eleves) {
+                String rangee;
+                String page;
+                try {
+                    rangee = remplir("rangee", Map.of("eleve", eleve));
+                    page = remplir("eleve", Map.of("eleve", eleve));
+                } catch (IOException | TemplateException | RuntimeException | Error e) {
+                    Throwable cause = e;
+                    while (cause.getCause() != null) {
+                        cause = cause.getCause();
+                    }
+                    String panne = "sa page n'a pas pu être écrite (" + Echange.protege(cause.toString()) + ")";
+                    eleve.aRegarder.add(panne);
+                    rangee = remplir("rangee", Map.of("eleve", eleve, "panne", panne));
+                    page = remplir("eleve", Map.of("eleve", eleve, "panne", panne));
+                }
+                rangees.add(HTMLOutputFormat.INSTANCE.fromMarkup(rangee));
+                Files.writeString(etudiants.resolve(eleve.page), page);
+            }
+            Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "rangees", rangees, "avis", avis)));
+        } catch (TemplateException e) {
+            throw new IOException(e);
         }
-        Files.writeString(dossier.resolve("index.html"), classe(eleves, avis));
         tableau(dossier.resolve("classe.csv"), eleves);
+    }
+
+    private String remplir(String gabarit, Map<String, ?> donnees) throws IOException, TemplateException {
+        deplies.clear();
+        Map<String, Object> toutes = new HashMap<>(donnees);
+        toutes.putAll(Map.of("pages", this, "grille", grille, "bareme", bareme, "scenes", new ArrayList<>(Reference.SCENES.keySet())));
+        StringWriter page = new StringWriter();
+        gabarits.getTemplate(gabarit + ".ftlh").process(toutes, page);
+        return Echange.NUISIBLES.matcher(page.toString()).replaceAll("�");
     }
 
     private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
@@ -61,155 +116,61 @@ public final class Pages {
             // un rendu qui n'a pu être jugé n'a pas de note
             boolean juge = !e.illisible();
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
-                    juge ? String.format(Locale.ROOT, "%.2f", e.total()) : "", String.format(Locale.ROOT, "%.2f", e.sur),
+                    juge ? String.format(Locale.ROOT, "%.2f", e.note) : "", String.format(Locale.ROOT, "%.2f", bareme.total),
                     juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
-            e.parts.values().forEach(part -> ligne.add(juge ? PageEleve.combien(part) : ""));
-            ligne.replaceAll(Pages::sansFormule);
+            e.parts.values().forEach(part -> ligne.add(juge ? combien(part) : ""));
+            ligne.replaceAll(Echange::sansFormule);
             lignes.add(ligne);
         }
         Resultat.ecrire(fichier, lignes);
     }
 
-    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
-    static String sansFormule(String texte) {
-        return Echange.protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
+    /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
+    public String combien(Eleve.Part part) {
+        return part.aNoter ? "à noter" : part.ajustement != null ? nombre(part.points) + (part.sur > 0 ? "/" + nombre(part.sur) : "")
+                : part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
     }
 
-    private String classe(List<Eleve> eleves, List<String> avis) {
-        Html html = new Html();
-        List<Eleve> lisibles = eleves.stream().filter(e -> !e.illisible()).collect(Collectors.toList());
-        int autres = eleves.size() - lisibles.size();
-        html.element("h1", "La classe").element("p", eleves.size() + (eleves.size() > 1 ? " rendus" : " rendu")
-                + (autres > 0 ? ", dont " + autres + " que l'on n'a pas pu juger" : "") + (lisibles.isEmpty() ? ""
-                : " ; moyenne " + (autres > 0 ? "des autres " : "") + Html.nombre(bareme.total * lisibles.stream()
-                .mapToDouble(e -> e.total() / e.sur).average().orElse(0)) + " sur " + Html.nombre(bareme.total)));
-        avis.forEach(a -> html.element("p class=\"avis\"", a));
-        if (!grille.sansConfinement.isEmpty()) {
-            html.element("p class=\"avis\"", "Le code des étudiants a été exécuté sans confinement : " + grille.sansConfinement
-                    + ". Il a pu lire et écrire les fichiers de cette machine, ces résultats compris.");
-        }
-        aRegarder(html, eleves);
-        html.element("h2", "Où la classe s'arrête");
-        ouLaClasseSArrete(html, lisibles);
-        html.brut("<h2>Les rendus</h2>\n<table class=\"classe\">\n<tr><th class=\"vignette\">")
-                .image(grille.getImage("scene1", false), 2, "l'image du corrigé").brut("celle du corrigé"
-                + "<th>nom<th class=\"n\">note sur ").dire(Html.nombre(bareme.total)).brut("<th>étape atteinte");
-        grille.etapes.forEach(e -> html.brut("<th class=\"debout\">").element("span", e.court));
-        html.brut("</tr>\n");
-        eleves.forEach(eleve -> ligne(html, eleve));
-        html.brut("</table>\n<p class=\"petit gris\">")
-                .dire("Dans chaque case, les vérifications réussies, toutes les classes ensemble ou chacune seule "
-                + "parmi celles du corrigé. Vert : tout ; jaune : une partie ; rouge : rien ; bleu : à noter ; gris : pas commencé, "
-                + "ou non évaluable, ce qui ne rapporte rien ; un astérisque : des points donnés à la main. Les points de "
-                + "chaque étape sont dans bareme.ini, ceux que l'on donne à la main dans ajustements.csv : après les avoir "
-                + "changés, make noter refait les notes et les pages.").brut("</p>\n");
-        return html.page("La classe");
+    private static String nombre(double x) {
+        return String.format(Locale.FRANCE, "%.2f", x).replaceFirst(",?0+$", "");
     }
 
-    private static Html nommer(Html html, Eleve eleve) {
-        return html.brut("<a href=\"etudiants/").dire(eleve.page).brut("\">").dire(eleve.resultat.nom).brut("</a>");
+    /** La sorte d'une part : sa couleur, dans {@code commun.ftlh}. */
+    public String sorte(Eleve.Part part) {
+        return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
+                : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }
 
-    /** Liste de ce que l'enseignant doit décider. */
-    private void aRegarder(Html html, List<Eleve> eleves) {
-        List<Eleve> siens = eleves.stream().filter(e -> !e.aRegarder.isEmpty()).collect(Collectors.toList());
-        html.element("h2", "À regarder").brut(siens.isEmpty()
-                ? "<p>Aucun rendu : partout, l'image et les étapes disent la même chose.</p>\n" : "<table>\n");
-        for (Eleve eleve : siens) {
-            nommer(html.brut("<tr><td>"), eleve).brut("<td class=\"n\">").dire(eleve.illisible() ? "sans note" : noteDe(eleve))
-                    .brut("<td class=\"petit\">");
-            eleve.aRegarder.forEach(raison -> html.element("div", raison));
-            html.brut("</tr>\n");
-        }
-        html.brut(siens.isEmpty() ? "" : "</table>\n");
+    public double moyenne(List<Eleve> eleves) {
+        return eleves.stream().mapToDouble(e -> e.note).average().orElse(0);
     }
 
-    /** La première faute à corriger, dans l'ordre des étapes. */
-    void aReprendre(Eleve eleve, Html html, String debut, String fin) {
+    /** Vrai la première fois que la page en cours demande ce texte. */
+    public boolean nouveau(String texte) {
+        return deplies.add(texte);
+    }
+
+    /** La première faute à corriger, dans l'ordre des étapes : l'étape, le critère et le verdict ; {@code null} s'il n'y en a pas. */
+    public List<?> aReprendre(Eleve eleve) {
         for (GrilleDeNotation.Etape etape : grille.etapes) {
             for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.rate() && bareme.poids(etape.nom) > 0) {
-                    html.brut(debut).element("strong", etape.titre)
-                            .dire((critere.classe.isEmpty() ? ", " : ", classe " + critere.classe + " : ") + critere.titre).brut("<br>")
-                            .element("code", verdict.message).brut(fin);
-                    return;
+                if (verdict.rate() && bareme.poids(etape.nom) != 0) {
+                    return List.of(etape, critere, verdict);
                 }
             }
         }
+        return null;
     }
 
-    private void ligne(Html html, Eleve eleve) {
-        html.brut("<tr><td class=\"vignette\" rowspan=\"2\">").image(eleve.resultat.images.get("scene1"), 2, "son image");
-        nommer(html.brut("<td>"), eleve).brut("<br>").element("span class=\"petit gris\"",
-                eleve.resultat.id.equals(eleve.resultat.nom) ? "" : eleve.resultat.id);
-        int colonnes = grille.etapes.size();
-        if (eleve.illisible()) {
-            html.brut("<td class=\"n\">–<td colspan=\"" + (colonnes + 1) + "\">")
-                    .dire("sans note : " + String.join(" ; ", eleve.resultat.refus));
-        } else {
-            html.brut("<td class=\"n\">").dire(noteDe(eleve)).brut("<td class=\"petit\">").dire(eleve.atteinte);
-            eleve.parts.values().forEach(part -> html.brut("<td class=\"c\">").brut(PageEleve.pastille(part)));
-        }
-        html.brut("</tr>\n<tr><td class=\"petit\" colspan=\"" + (colonnes + 3) + "\">");
-        if (!eleve.illisible()) {
-            aReprendre(eleve, html, "à reprendre d'abord : ", " ");
-        }
-        List<String> remarques = eleve.resultat.remarques;
-        html.element("span class=\"gris\"", remarques.stream().limit(REMARQUES_MONTREES).collect(Collectors.joining(" ; "))
-                + (remarques.size() > REMARQUES_MONTREES ? " ; …" : ""));
-        extensions(eleve, html, 4);
-        html.brut("</tr>\n");
-    }
-
-    /** La note, suivie de son maximum si des lignes libres l'ont changé. */
-    private String noteDe(Eleve eleve) {
-        return String.format(Locale.FRANCE, "%.2f", eleve.total()) + (eleve.sur == bareme.total ? ""
-                : "/" + Html.nombre(eleve.sur));
-    }
-
-    /** Pour chaque extension rendue : son image, celle de la base du même étudiant, celle du corrigé. */
-    void extensions(Eleve eleve, Html html, int reduction) {
-        Map<String, Image> images = eleve.resultat.images;
-        grille.etapes.stream().filter(e -> e.extension && images.containsKey(e.nom)).forEach(e -> {
-            html.brut("<div class=\"extension\">");
-            html.figure(images.get(e.nom), reduction, e.court);
-            html.figure(images.get(e.nom + GrilleDeNotation.BASE), reduction, "la base");
-            html.figure(grille.getImage(e.nom, false), reduction, "le corrigé");
-            html.brut("</div>\n");
-        });
-    }
-
-    /** Tableau, par étape, du nombre de rendus complets, partiels ou nuls, et des étudiants qui l'ont finie ou s'y sont arrêtés. */
-    private void ouLaClasseSArrete(Html html, List<Eleve> eleves) {
-        Map<GrilleDeNotation.Etape, Long> arrets = new LinkedHashMap<>();
-        grille.etapes.stream().filter(e -> !e.libre()).forEach(etape -> arrets.put(etape, bareme.poids(etape.nom) == 0 ? 0
-                : eleves.stream().filter(e -> e.arret.equals(etape.nom)).count()));
-        long plus = Collections.max(arrets.values());
-        if (plus > 0) {
-            html.brut("<p>L'étape qui arrête le plus d'étudiants : ").element("strong", arrets.keySet().stream()
-                    .filter(e -> arrets.get(e) == plus).map(e -> e.titre).collect(Collectors.joining(", ")))
-                    .brut(" (" + plus + ")</p>\n");
-        }
-        html.brut("<table class=\"barres\">\n<tr><th>étape<th>vert, tout ; jaune, une partie ; rouge, rien ; bleu, à noter ; gris, "
-                + "pas commencé<th>finie par<th>n'ont fini ni celle-là, ni aucune de celles qui la suivent</tr>\n");
-        for (GrilleDeNotation.Etape etape : arrets.keySet()) {
-            html.brut("<tr><td>").dire(etape.titre).brut("<td><div class=\"barre\">");
-            for (String sorte : List.of("complet", "partiel", "rate", "a_noter", "vide")) {
-                long n = eleves.stream().filter(e -> sorte.equals(PageEleve.classe(e.parts.get(etape.nom)))).count();
-                html.brut(n == 0 ? "" : "<span class=\"e " + sorte + "\" style=\"flex:" + n + "\">" + n + "</span>");
-            }
-            html.brut("</div>");
-            for (boolean finie : new boolean[] {true, false}) {
-                List<Eleve> siens = eleves.stream().filter(e -> finie ? e.parts.get(etape.nom).complete()
-                        : e.arret.equals(etape.nom)).collect(Collectors.toList());
-                html.brut("<td class=\"petit\">").brut(siens.isEmpty() ? "" : "<details><summary>" + siens.size() + "</summary>");
-                siens.forEach(e -> nommer(html.brut("<br>"), e));
-                html.brut(siens.isEmpty() ? "" : "</details>");
-            }
-            html.brut("</tr>\n");
-        }
-        html.brut("</table>\n");
+    /** Un PNG en base 64. @param reduction un pixel sur ce nombre est montré, dans chaque sens */
+    public String png(Image montree, int reduction) throws IOException {
+        BufferedImage image = new BufferedImage(montree.largeur / reduction, montree.hauteur / reduction, BufferedImage.TYPE_INT_RGB);
+        IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
+                image.setRGB(x, y, montree.code(reduction * x, reduction * y))));
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", octets);
+        return Base64.getEncoder().encodeToString(octets.toByteArray());
     }
 }

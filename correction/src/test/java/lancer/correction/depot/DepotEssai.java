@@ -2,13 +2,19 @@ package lancer.correction.depot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import lancer.correction.enfant.Contenu;
+import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import org.junit.jupiter.api.BeforeEach;
@@ -19,7 +25,7 @@ abstract class DepotEssai {
 
     static final String CLASSE = "package lancer;\npublic class Vecteur extends Tuple {\n}\n";
 
-    private static Cours cours;
+    private static Map<String, Type> squelette;
 
     @TempDir
     Path dossier;
@@ -35,19 +41,29 @@ abstract class DepotEssai {
         Files.write(fichier, texte.getBytes(StandardCharsets.UTF_8));
     }
 
-    Map<String, Rendu> lire(Path lieu) {
-        return Depot.lire(lieu).stream().collect(Collectors.toMap(r -> r.id, r -> r));
+    static List<Rendu> classe(Path lieu) {
+        return Depot.lire(lieu, noms -> repondre(lieu, noms));
     }
 
-    static Projet projet(Rendu rendu) {
-        return projet(rendu, Map.of());
+    static DataInputStream repondre(Path lieu, Map<String, byte[]> noms) {
+        Map<String, byte[]> demande = new LinkedHashMap<>(Map.of(lieu.toString(), new byte[0]));
+        demande.putAll(noms);
+        try {
+            return new DataInputStream(new ByteArrayInputStream(Echange.message(Contenu.repondre(demande))));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    Map<String, Rendu> lire(Path lieu) {
+        return classe(lieu).stream().collect(Collectors.toMap(r -> r.id, r -> r));
     }
 
     /** Lu dans cette machine virtuelle-ci : rien de ces essais n'est hostile au JDK. */
-    static Projet projet(Rendu rendu, Map<String, String> alias) {
+    static Projet projet(Rendu rendu) {
         try {
-            cours = cours == null ? new Cours(Lecteur::lire, Map.of()) : cours;
-            return Projet.copies(rendu, Lecteur::lire, cours, alias).get(0);
+            squelette = squelette == null ? Source.squelette(Lecteur::lire) : squelette;
+            return Projet.copies(rendu, Lecteur::lire, squelette).get(0);
         } catch (Arret e) {
             throw new AssertionError(e);
         }

@@ -3,6 +3,7 @@ package lancer.correction.depot;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
@@ -13,13 +14,17 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.ClasseEssai;
 import lancer.correction.Panne;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Ce que Moodle donne : des dossiers, des archives, et ce qui en est refusé. */
 class DepotTest extends DepotEssai {
@@ -35,7 +40,7 @@ class DepotTest extends DepotEssai {
         verifier(lus.get("11"), "Étudiant 1");
         verifier(lus.get("12"), "Étudiant 1");
         verifier(lus.get("13"), "Participant");
-        assertEquals(List.of("aucun fichier .java dans ce rendu"), lus.get("14").refus);
+        assertEquals(List.of("aucun fichier dans ce rendu"), lus.get("14").refus);
     }
 
     @Test
@@ -174,7 +179,7 @@ class DepotTest extends DepotEssai {
         // une barre à l'envers n'est pas celle d'un dossier : celui-là n'entre pas chez un autre
         ecrire(rendus.resolve("martin/lancer/Vecteur.java"), CLASSE);
         ClasseEssai.archiver(rendus.resolve("martin"), rendus.resolve("martin\\dupont.zip"), "");
-        List<Rendu> lus = Depot.lire(rendus);
+        List<Rendu> lus = classe(rendus);
         assertEquals(10, lus.size());
         TreeSet<String> ids = new TreeSet<>();
         TreeSet<String> fichiers = new TreeSet<>();
@@ -222,14 +227,114 @@ class DepotTest extends DepotEssai {
                 octets[hasard.nextInt(octets.length)] = (byte) hasard.nextInt();
             }
             Rendu rendu = new Rendu("1", "un");
-            rendu.ajouter(nom + ".java", octets);
+            rendu.sources.put(nom + ".java", octets);
             projet(rendu).base.keySet().forEach(cle -> assertTrue(cle.matches("(\\w+/)*[\\p{L}_$][\\p{L}\\p{N}_$]*"), cle));
+        }
+    }
+
+    private static byte[] zip(Map<String, byte[]> entrees) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        try (ZipOutputStream zip = new ZipOutputStream(octets)) {
+            for (Map.Entry<String, byte[]> entree : entrees.entrySet()) {
+                zip.putNextEntry(new ZipEntry(entree.getKey()));
+                zip.write(entree.getValue());
+            }
+        }
+        return octets.toByteArray();
+    }
+
+    private Rendu deposer(String nom, byte[] archive) throws IOException {
+        Files.write(Files.createDirectories(rendus.resolve("Étudiant 1_11_assignsubmission_file")).resolve(nom), archive);
+        return lire(rendus).get("11");
+    }
+
+    /** Ce que 7-Zip sait écrire et que la bibliothèque, seule, ne sait pas lire. */
+    @ParameterizedTest
+    @CsvSource({"95, XZ", "93, ZSTD", "14, LZMA", "98, PPMD", "177, 177"})
+    void uneCompressionQuiNEstPasLueEstNommeeUneFois(int methode, String nom) throws IOException {
+        byte[] archive = zip(Map.of("лучи/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8), "лучи/Point.java", new byte[9]));
+        ByteBuffer octets = ByteBuffer.wrap(archive).order(ByteOrder.LITTLE_ENDIAN);
+        for (int k = 0; k < archive.length - 4; k++) {
+            int decalage = octets.getInt(k) == 0x04034b50 ? 8 : octets.getInt(k) == 0x02014b50 ? 10 : 0;
+            if (decalage > 0) {
+                octets.putShort(k + decalage, (short) methode);
+            }
+        }
+        assertEquals(List.of("光线.zip : archive comprimée d'une façon qui n'est pas lue ici (" + nom + ") ; à déplier à la main"),
+                deposer("光线.zip", archive).refus);
+    }
+
+    @Test
+    void desFichesParMillionsNeSontPasRetenuesAQuelqueProfondeurQueCeSoit() throws IOException {
+        byte[] une = zip(Map.of("é", new byte[0]));
+        int fiche = 0;
+        while (ByteBuffer.wrap(une).getInt(fiche) != 0x504b0102) {
+            fiche++;
+        }
+        int fin = une.length - 22;
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        octets.write(une, 0, fiche);
+        for (int k = 0; k < 900_000; k++) {
+            octets.write(une, fiche, fin - fiche);
+        }
+        octets.write(ByteBuffer.wrap(une, fin, 22).order(ByteOrder.LITTLE_ENDIAN).putInt(fin + 12, octets.size() - fiche).array(), fin, 22);
+        byte[] archive = octets.toByteArray();
+        for (int niveau = 0; niveau < 3; niveau++) {
+            Rendu rendu = deposer("tp.zip", archive);
+            assertEquals(List.of("plus de 20000 fichiers"), rendu.refus);
+            archive = zip(Map.of("n" + niveau + ".zip", archive));
+        }
+    }
+
+    @Test
+    void desNomsTresLongsNeDemandentPasPlusDeTempsQueDAutres() throws IOException {
+        Map<String, byte[]> entrees = new TreeMap<>();
+        for (int k = 0; k < 19_000; k++) {
+            entrees.put("aé/".repeat(240) + k, new byte[0]);
+        }
+        entrees.put("lancer/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8));
+        assertEquals(1, deposer("tp.zip", zip(Map.of("dedans.zip", zip(entrees)))).sources.size());
+        entrees.clear();
+        for (int k = 0; k < 300; k++) {
+            entrees.put("x".repeat(60_000) + k, new byte[0]);
+        }
+        entrees.put("lancer/Vecteur.java", CLASSE.getBytes(StandardCharsets.UTF_8));
+        Rendu rendu = deposer("tp.zip", zip(entrees));
+        assertEquals(List.of("des noms de plus de 1000 caractères : laissés de côté"), rendu.refus);
+        for (int k = 0; k < 25_000; k++) {
+            entrees.put("tp/.git/objects/" + k, new byte[0]);
+        }
+        assertEquals(rendu.refus, deposer("tp.zip", zip(entrees)).refus, "ce que des outils ajoutent ne compte pas");
+        assertEquals(1, rendu.sources.size());
+    }
+
+    @Test
+    void ceQuiEstRenduSansSourceEstNomme() throws IOException {
+        assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : Отчёт.txt, проект.jar"),
+                deposer("tp.zip", zip(Map.of("a/Отчёт.txt", new byte[9], "проект.jar", new byte[9]))).refus);
+        assertEquals(List.of("aucun fichier .java dans ce rendu ; il est vide"), deposer("tp.zip", zip(Map.of("a/", new byte[0]))).refus);
+    }
+
+    @Test
+    void uneLectureArreteeNeCouteQueSonRendu() throws IOException {
+        for (String nom : List.of("a", "b", "c")) {
+            ecrire(rendus.resolve(nom).resolve("lancer/Vecteur.java"), CLASSE);
+        }
+        for (Error cause : List.of(new NoClassDefFoundError("org/x/Y"), new OutOfMemoryError("x"), new StackOverflowError())) {
+            Map<String, Rendu> lus = Depot.lire(rendus, noms -> {
+                if (noms.containsKey("b")) {
+                    throw cause;
+                }
+                return repondre(rendus, noms);
+            }).stream().collect(Collectors.toMap(r -> r.id, r -> r));
+            assertEquals(List.of("arrêté : " + cause + " (en lisant ses fichiers)"), lus.get("b").refus);
+            assertEquals(List.of(1, 0, 1), lus.values().stream().map(r -> r.sources.size()).collect(Collectors.toList()));
         }
     }
 
     @Test
     void rienEstRefuseEnUnePhrase() {
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(dossier.resolve("absent"))).code);
-        assertEquals(2, Assertions.assertThrows(Panne.class, () -> Depot.lire(rendus)).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> classe(dossier.resolve("absent"))).code);
+        assertEquals(2, Assertions.assertThrows(Panne.class, () -> classe(rendus)).code);
     }
 }

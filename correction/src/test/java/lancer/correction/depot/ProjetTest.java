@@ -10,11 +10,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Ce que les étudiants mettent dans un rendu : des projets, des copies, des classes. */
 class ProjetTest extends DepotEssai {
@@ -69,15 +72,9 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        String declarer = " ; pour la déclarer, dans alias.csv : 11,";
-        assertEquals(List.of("Sphere.getNormale absente ; normale prend et rend la même chose" + declarer + "normale,getNormale",
-                "Scene absente ; Monde a 3 de ses 3 méthodes" + declarer + "Monde,Scene"), lu.aRegarder);
-        assertEquals("class Scene", lu.cours.dans("class Scene"));
-        Projet declare = projet(rendu, new TreeMap<>(Map.of("Scene", "Monde", "getNormale", "normale", "Camera", "Appareil")));
-        assertEquals("class Monde { normale() }", declare.cours.dans("class Scene { getNormale() }"));
-        assertEquals(List.of("alias.csv : « Appareil » n'est le nom de rien dans ce rendu, ou « Camera » y est encore"), declare.aRegarder);
-        assertTrue(declare.changees.contains("Scene") && declare.texte("Scene").contains("class Monde"));
-        assertEquals("Scene s'appelle Monde ; getNormale s'appelle normale", declare.ecarts.get(Projet.NOMS));
+        assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
+                "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
+                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale"), lu.aRegarder);
     }
 
     @Test
@@ -123,6 +120,82 @@ class ProjetTest extends DepotEssai {
         Projet projet = projet(lire(rendus).get("11"));
         assertEquals(List.of("brume", "antialias", "blinn"), List.copyOf(projet.variantes.keySet()));
         assertEquals(1, projet.base.size(), "Tests, de l'étudiant, n'en est pas");
+    }
+
+    /** Écrit ces classes du corrigé dans ce dossier du rendu ; le texte de chacune dit où elle est. */
+    private void projet(String dossier, String... classes) throws IOException {
+        for (String classe : classes) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file").resolve(dossier).resolve(classe + ".java"),
+                    "package lancer; public class " + SourcesDuCours.classes().stream().filter(classe::contains).findFirst().get()
+                    + " { /* " + dossier + " */ }");
+        }
+    }
+
+    @Test
+    void leFichierQuiALeNomDeSaClasseEstLeSienEtLesAutresSontNommes() throws IOException {
+        String src = "TP/src/main/java/lancer";
+        projet(src, "Lancer", "Camera", "Rayon", "Point", "Scene", "Lancer - Copie", "Camera copie 2", "Copie de Rayon", "Копия Point");
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/" + src + "/AncienneScene.java"),
+                "package lancer; class Scene { } class Outil { }");
+        // du plus sûr au moins sûr : le dossier du paquet, puis le plus proche du projet
+        projet(src + "/ancien", "Rayon");
+        projet("TP", "Point");
+        projet("TP/src", "Sphere");
+        projet("vieux/src/lancer", "Sphere");
+        Projet lu = projet(lire(rendus).get("11"));
+        for (String classe : List.of("Lancer", "Camera", "Rayon", "Point", "Scene")) {
+            assertTrue(lu.texte(classe).contains("/* " + src + " */"), lu.texte(classe));
+        }
+        assertTrue(lu.texte("Sphere").contains("/* vieux/src/lancer */"), lu.texte("Sphere"));
+        assertTrue(lu.base.containsKey("lancer/Outil"), "d'un fichier laissé, la classe qu'il déclare seul reste");
+        assertEquals(new TreeSet<>(List.of("Lancer - Copie", "Camera copie 2", "Copie de Rayon", "Копия Point", "AncienneScene",
+                "ancien/Rayon", "Point", "Sphere")), lu.aRegarder.stream().filter(r -> r.contains(" : laissé de côté, "))
+                .map(r -> r.replaceFirst("\\.java : .*", "").replaceFirst("(" + src + "|TP(/src)?)/", ""))
+                .collect(Collectors.toCollection(TreeSet::new)));
+    }
+
+    @Test
+    void unFichierMalNommeEtSeulEstCeluiDeSaClasse() throws IOException {
+        projet("lancer", "AncienVecteur", "Point (1)");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals("[lancer/Point, lancer/Vecteur]", lu.base.keySet().toString());
+    }
+
+    /** À gauche, les dossiers d'un rendu ; à droite, celui de la base, puis de chaque extension. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "TP1-base-brume-antialias-blinn/lancer-base;TP1-base-brume-antialias-blinn/brume | lancer-base brume=brume",
+        "TP1 avec brume/base;TP1 avec brume/Brume;TP1 avec brume/anti-crénelage;TP1 avec brume/Blinn "
+            + "| base brume=Brume antialias=anti-crénelage blinn=Blinn",
+        "brume | brume brume=brume", "Мой проект blinn/x | x", "TP-brume-blinn | TP-brume-blinn",
+        "rendu/base;rendu/extensions (brume)/AntialiasingAdaptatif;rendu/extensions (brume)/Brume "
+            + "| base antialias=AntialiasingAdaptatif brume=Brume",
+        "Base;PlanXZ;Creux | Base", "brume/lancer-java;base/lancer-java | base/lancer-java brume=brume/lancer-java",
+        ".;brume | . brume=brume"})
+    void uneExtensionEstNommeeParUnDossierQuiContientUnProjet(String dossiers, String attendus) throws IOException {
+        for (String dossier : dossiers.split(";")) {
+            projet(dossier + "/src/main/java/lancer", "Vecteur", "Point", "Rayon", "Camera");
+        }
+        Projet lu = projet(lire(rendus).get("11"));
+        Map<String, String> lieux = new TreeMap<>();
+        lu.variantes.forEach((nom, classes) -> lieux.put(nom, classes.get("lancer/Vecteur")));
+        for (String attendu : attendus.split(" ")) {
+            String[] deux = attendu.split("=");
+            String texte = deux.length == 1 ? lu.texte("Vecteur") : lieux.remove(deux[0]);
+            assertTrue(texte != null && texte.contains(deux[deux.length - 1] + "/src/main/java"), attendu + " : " + texte);
+        }
+        assertEquals(Map.of(), lieux);
+    }
+
+    @Test
+    void uneMethodeCoupeeNeLEstPasAuMilieuDUnCaractere() throws IOException {
+        for (int decalage = 0; decalage < 2; decalage++) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Camera.java"), "package lancer; class Camera { "
+                    + " ".repeat(decalage) + "Rayon getRayon() { /*" + "x".repeat(decalage) + "\uD835\uDC31".repeat(4000)
+                    + "*/ return null; } }");
+            String texte = projet(lire(rendus).get("11")).type("Camera").methodes.get(0).texte;
+            assertEquals(texte, new String(texte.getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8));
+        }
     }
 
     @Test

@@ -146,17 +146,24 @@ class EnfantTest {
 
     @Test
     void confineNiProgrammeNiMemoireQuiNeSeraitAPersonne() throws Exception {
+        String appels = System.getProperty("os.arch").equals("aarch64") ? "[279, 97, 425]" : "[319, 272, 425]";
+        assertEquals("-1 -1 -1 non non non non non non 256", confine("/usr/bin/perl", "-e", "my $n = 'a' x 200; my $a = " + appels
+                + "; print syscall($a->[0], $n, 0), ' ', syscall($a->[1], 0x10000000), ' ', syscall($a->[2], 4, $n), ' ', "
+                + "shmget(0, 4096, 01600) // 'non', ' ', msgget(0, 01600) // 'non', ' ', semget(0, 9, 01600) // 'non', ' ', "
+                + "(map { (socket(my $s, $_, 1, 0) ? 'oui' : 'non'), ' ' } 1, 2), fork // 'non', ' '; "
+                + "open($f[$k], '<', '/dev/null') while $k++ < 999; print 3 + grep { defined } map { $_ && fileno $_ } @f"));
+    }
+
+    /** Ce que dit cette commande, dans la boîte où s'exécute un rendu, à la place de Java. */
+    private static String confine(String... dedans) throws Exception {
         Confinement confinement = Confinement.essayer();
-        assumeTrue(confinement.confine && new File("/usr/bin/perl").canExecute(), confinement.manque);
+        assumeTrue(confinement.confine && new File(dedans[0]).canExecute(), confinement.manque);
         String archive = Paths.get("pom.xml").toAbsolutePath().toString();
         List<String> java = confinement.java(Echo.class, archive, false, Paths.get("target"), LIMITES);
         List<String> commande = new ArrayList<>(java.subList(0, java.lastIndexOf(System.getProperty("java.home") + "/bin/java")));
-        String appels = System.getProperty("os.arch").equals("aarch64") ? "[279, 97]" : "[319, 272]";
-        commande.addAll(List.of("/usr/bin/perl", "-e", "my $n = 'a'; my $a = " + appels + "; print syscall($a->[0], $n, 0), ' ', "
-                + "syscall($a->[1], 0x10000000), ' ', shmget(0, 4096, 01600) // 'non', ' ', msgget(0, 01600) // 'non', ' ', "
-                + "fork // 'non'"));
-        Process perl = new ProcessBuilder(commande).redirectErrorStream(true).start();
-        assertEquals("-1 -1 non non non", new String(perl.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        commande.addAll(List.of(dedans));
+        Process processus = new ProcessBuilder(commande).redirectErrorStream(true).start();
+        return new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     }
 
     @Test

@@ -166,7 +166,7 @@ class HostilesTest extends JuryEssai {
         List<Resultat> resultats = new ArrayList<>();
         for (Limites limites : List.of(new Limites(10, 60, 160, 0), PATIENTES)) {
             try (Jury jury = new Jury(travail, new Confinement(false, ""), limites, GRAINE)) {
-                resultats.add(juger(jury, rendus, travail).get("un"));
+                resultats.add(juger(jury, rendus).get("un"));
             }
         }
         assertFalse(resultats.get(0).nonCorrige, "ce n'est pas une panne");

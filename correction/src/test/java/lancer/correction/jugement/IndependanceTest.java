@@ -97,7 +97,7 @@ class IndependanceTest extends JuryEssai {
             assertTrue(dit.startsWith("arrêté : a répondu"), nom + " : " + dit);
             assertTrue(resultats.get(nom).aRegarder.toString().contains("arrêté : a répondu"), nom + " se voit à l'index");
         }
-        assertTrue(resultats.get("paquet").aRegarder.toString().contains("arrêté : "), resultats.get("paquet").aRegarder.toString());
+        assertTrue(resultats.get("paquet").aRegarder.toString().contains(" : laissé de côté, "));
         Resultat curieux = resultats.get("curieux");
         String vu = curieux.verdicts.get(SOUSTRACTION).message;
         assertTrue(vu.contains("vu{") && Stream.of(dossier, travail).noneMatch(lieu -> vu.contains(lieu.getFileName().toString())), vu);

@@ -11,8 +11,6 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
-import lancer.correction.depot.Alias;
-import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
@@ -55,12 +53,12 @@ abstract class JuryEssai extends ClasseEssai {
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) throws IOException {
-        return juger(jury(confinement, limites), rendus, travail(confinement, limites));
+        return juger(jury(confinement, limites), rendus);
     }
 
-    static Map<String, Resultat> juger(Jury jury, Path rendus, Path travail) throws IOException {
-        List<Rendu> liste = Depot.lire(rendus);
-        List<Resultat> tous = jury.juger(liste, new Alias(travail, List.of()), resultat -> { });
+    static Map<String, Resultat> juger(Jury jury, Path rendus) {
+        List<Rendu> liste = jury.lire(rendus);
+        List<Resultat> tous = jury.juger(liste, resultat -> { });
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {
             resultats.put(liste.get(k).nom, tous.get(k));

@@ -94,7 +94,7 @@ class ReferenceTest extends JuryEssai {
 
     @Test
     void leProjetACompleterNePasseQueCeQuiNeComptePas() throws IOException, Arret {
-        Reference reference = jury(Confinement.essayer(), PATIENTES).reference;
+        Reference reference = jury(Confinement.essayer(), PATIENTES).reference();
         assertEquals(new TreeSet<>(List.of("vecteurs.lesAutresOperationsSontIntactes", "scene.sansDistanceIlNYAPasDeContact")),
                 reference.verifications.stream().filter(v -> !v.compte).map(Verification::id)
                         .collect(Collectors.toCollection(TreeSet::new)));

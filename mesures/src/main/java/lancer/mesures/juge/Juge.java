@@ -17,11 +17,12 @@ import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
+import lancer.commande.Messages;
 import lancer.commande.Options;
-import lancer.commande.Pannes;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -75,8 +76,8 @@ public final class Juge {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException | RuntimeException e) {
-            String panne = e instanceof FileSystemException ? e.getMessage() + " : " + Texte.panne((FileSystemException) e)
-                    : e instanceof IOException ? e.getMessage() : Pannes.message(e);
+            String panne = e instanceof FileSystemException ? e.getMessage() + " : " + ErreurSysteme.raison((FileSystemException) e)
+                    : e instanceof IOException ? e.getMessage() : Messages.message(e);
             erreurs.println("Juge : " + Texte.echappe(panne));
             return 1;
         }

@@ -1,6 +1,2 @@
-/**
- * Nombres et figures des pages du projet.
- *
- * <p>Ce paquet réécrit une page, ou dessine une figure qui n'est pas une courbe.
- */
+/** Nombres des pages du projet : ce paquet réécrit une page d'après les mesures. */
 package lancer.mesures.pages;

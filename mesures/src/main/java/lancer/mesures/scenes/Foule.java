@@ -37,13 +37,21 @@ public final class Foule {
     private Foule() {
     }
 
-    /** @param args le nombre de boules */
+    /** @param args le nombre de boules, ou le nom d'une scène de {@link Difficiles} */
     public static void main(String[] args) {
         try (Writer sortie = new BufferedWriter(new OutputStreamWriter(new FileOutputStream(FileDescriptor.out), StandardCharsets.UTF_8))) {
-            ecrire(sortie, combien(args));
+            ecrire(sortie, args);
         } catch (IllegalArgumentException | IOException e) {
             System.err.println("Foule : " + e.getMessage());
             System.exit(e instanceof IOException ? 1 : 2);
+        }
+    }
+
+    static void ecrire(Appendable sortie, String... args) throws IOException {
+        if (args.length == 1 && Difficiles.NOMS.contains(args[0])) {
+            Difficiles.ecrire(sortie, args[0]);
+        } else {
+            ecrire(sortie, combien(args));
         }
     }
 
@@ -51,7 +59,8 @@ public final class Foule {
     static int combien(String... args) {
         int n = args.length == 1 && args[0].matches("[0-9]{1,9}") ? Integer.parseInt(args[0]) : 0;
         if (n < 1 || n > N_MAX) {
-            throw new IllegalArgumentException("le nombre de boules est un entier de 1 à " + N_MAX);
+            throw new IllegalArgumentException("le nombre de boules est un entier de 1 à " + N_MAX + " ; ou une scène : "
+                    + String.join(", ", Difficiles.NOMS));
         }
         return n;
     }
@@ -126,7 +135,7 @@ public final class Foule {
         return rvb;
     }
 
-    private static String triplet(double x, double y, double z) {
+    static String triplet(double x, double y, double z) {
         return nombre(x) + " " + nombre(y) + " " + nombre(z) + "\n";
     }
 

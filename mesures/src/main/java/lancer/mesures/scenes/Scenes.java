@@ -14,15 +14,15 @@ import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /**
- * Des scènes par leur nom : un fichier de {@code scenes/}, la scène « tp », qui ne sert qu'aux mesures, ou une foule engendrée
- * (« foule-1000 »). Elles sont lues sans variante, même si une variante à mesurer est dans le chemin des classes.
+ * Des scènes par leur nom : un fichier de {@code scenes/}, ou une scène engendrée (« foule-1000 », {@link Difficiles}). Elles sont lues
+ * sans variante, même si une variante à mesurer est dans le chemin des classes.
  */
 public final class Scenes {
 
     public static final String FOULE = "foule";
 
-    /** Dix sphères réfléchissantes et deux lampes. */
-    public static final String TP = "tp";
+    /** Trois scènes engendrées, difficiles à échantillonner. */
+    public static final List<String> DIFFICILES = Difficiles.NOMS;
 
     private Scenes() {
     }
@@ -47,15 +47,14 @@ public final class Scenes {
      * @throws lancer.SceneFautive si une scène livrée manque
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
-        int tiret = nom.indexOf('-');
-        if (tiret < 0) {
-            return FichierScene.trouver((nom.equals(TP) ? "mesures/src/main/scenes/" : "scenes/") + nom + ".ini");
+        if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom)) {
+            return FichierScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // ce fichier peut dépasser cent millions d'octets : Ctrl+C ne doit pas le laisser
         fichier.toFile().deleteOnExit();
         try (BufferedWriter sortie = Files.newBufferedWriter(fichier)) {
-            Foule.ecrire(sortie, Integer.parseInt(nom.substring(tiret + 1)));
+            Foule.ecrire(sortie, nom.replace(FOULE + "-", ""));
         }
         return fichier;
     }

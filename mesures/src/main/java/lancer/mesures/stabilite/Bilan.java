@@ -43,4 +43,14 @@ public final class Bilan {
     double max(String figure, ToDoubleFunction<Exactitude> valeur) {
         return de(figure, Formule.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);
     }
+
+    /**
+     * Exposant de Lyapunov d'une chaîne de reflets : la croissance moyenne, par reflet, du logarithme naturel de l'erreur, tant que le
+     * contact est connu au centième. L'arithmétique la plus précise en donne la plus longue suite.
+     */
+    public double exposantDeLyapunov() {
+        List<Exactitude> justes = de(Reflets.FIGURE, "deux_doubles").stream().filter(r -> r.erreurRelative < 0.01)
+                .collect(Collectors.toList());
+        return Math.log(justes.get(justes.size() - 1).erreurRelative / justes.get(0).erreurRelative) / (justes.size() - 1);
+    }
 }

@@ -17,6 +17,8 @@ import lancer.mesures.trace.Volet;
 public final class Figures {
 
     private static final String ERREUR = "erreur relative de t, la pire";
+    private static final String UNITES = "erreur de t, en unités de κ u t";
+    private static final String BORNE = "8, la borne promise";
 
     /** Ordonnée d'une part nulle, en %, sur un axe logarithmique. */
     private static final double AUCUN = 0.05;
@@ -43,8 +45,7 @@ public final class Figures {
 
     /** A : de loin. */
     private Planche loin() {
-        Volet erreur = new Volet("Erreur de la distance", "|P − C| / r", "erreur de t, en unités de κ u t")
-                .repere(Bilan.PROMESSE, "K = 8, la borne promise");
+        Volet erreur = new Volet("Erreur de la distance", "|P − C| / r", UNITES).repere(Bilan.PROMESSE, BORNE);
         courbes(erreur, Mesures.LOIN, r -> Math.max(0.1, r.erreurEnUnites), true);
         Volet genre = new Volet("Rayons mal classés", "|P − C| / r", "rayons mal classés, en %").repere(AUCUN, "aucun");
         courbes(genre, Mesures.LOIN, r -> Math.max(AUCUN, 100 * r.part()), false);
@@ -73,10 +74,11 @@ public final class Figures {
 
     /** C : le sol, et un départ posé sur une surface. */
     private Planche sol() {
-        Volet sol = new Volet("Un œil à hauteur 1", "rayon du sol", ERREUR);
-        courbes(sol, Mesures.SOL, r -> r.erreurRelative, true);
-        Volet pose = new Volet("Un départ posé sur une surface", "hauteur du départ / rayon", ERREUR).versZero();
-        courbes(pose, Mesures.POSE, r -> r.erreurRelative, true);
+        Volet sol = new Volet("Un œil à hauteur 1", "rayon du sol", UNITES).repere(Bilan.PROMESSE, BORNE);
+        courbes(sol, Mesures.SOL, r -> Math.max(0.1, r.erreurEnUnites), true);
+        Volet pose = new Volet("Un départ posé sur une surface", "hauteur du départ / rayon", UNITES).versZero()
+                .repere(Bilan.PROMESSE, BORNE);
+        courbes(pose, Mesures.POSE, r -> Math.max(0.1, r.erreurEnUnites), true);
         return new Planche("Près d'une surface", note).volet(sol).volet(pose);
     }
 
@@ -103,8 +105,8 @@ public final class Figures {
 
     /** E : de reflet en reflet. */
     private Planche reflets() {
-        Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons de la boule").repere(1,
-                "la boule elle-même est perdue");
+        Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons ; à 1, la boule est perdue")
+                .lineaire().repere(1, "");
         Object[][] series = {{"float", "float", Style.ORANGE, FormeDePoint.TRIANGLE},
             {"double", "double", Style.VERMILLON, FormeDePoint.ROND},
             {"compensee", "chaque reflet sans erreur, puis rangé en double", Style.POURPRE, FormeDePoint.CROIX},
@@ -113,7 +115,9 @@ public final class Figures {
             volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true, bilan.de(Reflets.FIGURE, (String) s[0]).stream()
                     .map(r -> Marque.en(r.x, r.erreurRelative)).collect(Collectors.toList())));
         }
-        return new Planche("De reflet en reflet, entre petites boules", "Erreur médiane de "
+        return new Planche("De reflet en reflet, entre petites boules", "La pente des droites est l'exposant de Lyapunov, "
+                + Style.arrondi(bilan.exposantDeLyapunov()) + " : chaque reflet multiplie l'erreur par "
+                + Style.arrondi(Math.exp(bilan.exposantDeLyapunov())) + ". Erreur médiane de "
                 + Style.nombre(bilan.de(Reflets.FIGURE, "double").get(0).essais) + " chaînes de boules de rayon 1, à des distances de 5 "
                 + "à 40, jugées à 140 chiffres. Aucune formule n'y peut rien : le contact, une fois rangé dans un double, n'y est qu'à "
                 + "un arrondi près, et le reflet suivant multiplie cet arrondi. make mesures").volet(volet);

@@ -5,7 +5,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import org.jfree.chart.util.ShapeUtils;
 
-/** La forme d'un point, qui distingue deux séries sans la couleur. Les formes ont à peu près la même aire. */
+/** La forme d'un point, qui distingue deux séries sans la couleur. Les formes pleines ont à peu près la même aire. */
 public enum FormeDePoint {
 
     ROND(new Ellipse2D.Double(-9, -9, 18, 18)),
@@ -15,14 +15,11 @@ public enum FormeDePoint {
     LOSANGE(ShapeUtils.createDiamond(12)),
     CROIX(ShapeUtils.createRegularCross(9, 3.5f)),
 
+    /** Un cercle vide, autour d'un point d'une autre série. */
+    ANNEAU(new Ellipse2D.Double(-20, -20, 40, 40)),
+
     /** Aucun point : le trait seul. */
     AUCUNE(new Rectangle2D.Double());
-
-    /** Anneau autour d'un réglage par défaut. */
-    static final Shape ANNEAU = new Ellipse2D.Double(-20, -20, 40, 40);
-
-    /** Demi-côté de la place d'un point, en pixels. */
-    static final double DEMI_COTE = 12;
 
     final Shape dessin;
 

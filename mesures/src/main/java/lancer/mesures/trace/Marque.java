@@ -8,14 +8,11 @@ public final class Marque {
     public final Intervalle x;
     public final Intervalle y;
 
-    /** Texte écrit à côté, d'une ligne ou deux ; vide s'il n'y en a pas. */
+    /** Texte écrit à côté ; vide s'il n'y en a pas. */
     String etiquette = "";
 
     /** Faux pour un point sans intérêt, dessiné en creux. */
     boolean pleine = true;
-
-    /** Vrai pour un réglage par défaut, entouré d'un cercle. */
-    boolean cerclee;
 
     public Marque(Intervalle x, Intervalle y) {
         this.x = x;
@@ -33,11 +30,6 @@ public final class Marque {
 
     public Marque creuse() {
         pleine = false;
-        return this;
-    }
-
-    public Marque cerclee() {
-        cerclee = true;
         return this;
     }
 }

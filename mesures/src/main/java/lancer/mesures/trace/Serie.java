@@ -3,6 +3,9 @@ package lancer.mesures.trace;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
+import org.jfree.chart.labels.ItemLabelAnchor;
+import org.jfree.chart.labels.ItemLabelPosition;
+import org.jfree.chart.ui.TextAnchor;
 
 /** Des marques de même couleur et de même forme, et leur nom dans la légende. */
 public final class Serie {
@@ -13,8 +16,8 @@ public final class Serie {
     final boolean reliee;
     final List<Marque> marques;
 
-    /** Texte écrit près de la dernière marque ; vide s'il n'y en a pas. */
-    String bout = "";
+    /** Place du nom de chaque marque. */
+    ItemLabelPosition place = new ItemLabelPosition(ItemLabelAnchor.OUTSIDE1, TextAnchor.BOTTOM_LEFT);
 
     /** @param reliee vrai si un trait joint les marques, dans l'ordre donné */
     public Serie(String nom, Color couleur, FormeDePoint forme, boolean reliee, List<Marque> marques) {
@@ -25,9 +28,9 @@ public final class Serie {
         this.marques = new ArrayList<>(marques);
     }
 
-    /** Écrit ce texte au bout du trait. */
-    public Serie auBout(String texte) {
-        bout = texte;
+    /** Écrit le nom de chaque marque en bas à gauche, au lieu d'en haut à droite. */
+    public Serie nommeeAGauche() {
+        place = new ItemLabelPosition(ItemLabelAnchor.OUTSIDE7, TextAnchor.TOP_RIGHT);
         return this;
     }
 }

@@ -9,29 +9,31 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
-import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.AxisLocation;
 import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.ui.Layer;
-import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleAnchor;
 import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.Range;
 import org.jfree.data.general.DatasetUtils;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
-/** Séries entre deux axes logarithmiques : une partie d'une {@link Planche}. Le nom d'un point est près de lui, s'il y a la place. */
+/** Séries entre deux axes logarithmiques : une partie d'une {@link Planche}. */
 public final class Volet {
 
     private static final double RETRAIT = 8;
+
+    /** Demi-distance d'un point à son nom. */
+    private static final double DEMI_COTE = 7;
 
     /** Largeur des ordonnées et de leur nom. */
     private static final double GAUCHE = 120;
@@ -43,7 +45,7 @@ public final class Volet {
     private final List<Serie> series = new ArrayList<>();
     private final Map<Double, String> niveaux = new LinkedHashMap<>();
     private boolean versZero;
-    private boolean mieux;
+    private boolean lineaire;
 
     /** Abscisse qui vaut 1 sur l'échelle du haut, 0 sans cette échelle ; nom de cette échelle. */
     private double un;
@@ -52,8 +54,6 @@ public final class Volet {
     /** Étendue supplémentaire des axes, pour qu'ils soient ceux d'autres volets. */
     private Range autresX;
     private Range autresY;
-    private Axe axeX;
-    private Axe axeY;
 
     /** @param constat ce que montre le volet ; vide si le titre de la planche le dit */
     public Volet(String constat, String nomX, String nomY) {
@@ -69,9 +69,9 @@ public final class Volet {
         return this;
     }
 
-    /** Ajoute une flèche en bas à gauche, vers les meilleures valeurs. */
-    public Volet mieux() {
-        mieux = true;
+    /** Remplace l'axe logarithmique des abscisses par un axe ordinaire. */
+    public Volet lineaire() {
+        lineaire = true;
         return this;
     }
 
@@ -133,16 +133,20 @@ public final class Volet {
         JFreeChart courbe = new JFreeChart(null, null, plot(), false);
         courbe.setBackgroundPaint(null);
         courbe.setPadding(new RectangleInsets(10, 0, 0, 16));
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        courbe.draw(g, new Rectangle2D.Double(place.getX(), place.getY() + enTete, place.getWidth(), place.getHeight() - enTete), info);
-        annoter(g, info.getPlotInfo().getDataArea());
+        courbe.draw(g, new Rectangle2D.Double(place.getX(), place.getY() + enTete, place.getWidth(), place.getHeight() - enTete));
     }
 
     private XYPlot plot() {
         XYIntervalSeriesCollection montrees = donnees(series);
-        axes(montrees);
+        Range etendueX = Range.combine(autresX, DatasetUtils.iterateDomainBounds(montrees, un == 0));
+        Range etendueY = Range.combine(autresY, DatasetUtils.iterateRangeBounds(montrees, true));
+        for (double niveau : niveaux.keySet()) {
+            etendueY = Range.expandToInclude(etendueY, niveau);
+        }
+        ValueAxis axeX = lineaire ? new NumberAxis(nomX) : axe(nomX, etendueX);
+        axeX.setInverted(versZero);
         // JFreeChart peint les séries de la dernière à la première : les fonds sont derrière
-        XYPlot plot = new XYPlot(montrees, axeX, axeY, new Points(series));
+        XYPlot plot = new XYPlot(montrees, axeX, axe(nomY, etendueY), new Points(series));
         plot.setDataset(1, donnees(fonds));
         plot.setRenderer(1, new Points(fonds));
         plot.setBackgroundPaint(null);
@@ -156,25 +160,25 @@ public final class Volet {
         plot.setDomainGridlineStroke(Style.TRAIT_FIN);
         plot.setRangeGridlineStroke(Style.TRAIT_FIN);
         if (un > 0) {
-            Axe haut = new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un);
-            habiller(haut);
-            plot.setDomainAxis(1, haut);
+            plot.setDomainAxis(1, new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un));
             plot.setDomainAxisLocation(1, AxisLocation.TOP_OR_LEFT);
         }
-        niveaux.keySet().forEach(y -> plot.addRangeMarker(new ValueMarker(y, Style.GRIS, Style.POINTILLE), Layer.BACKGROUND));
-        return plot;
-    }
-
-    private void axes(XYIntervalSeriesCollection montrees) {
-        axeX = axe(nomX, Range.combine(autresX, DatasetUtils.iterateDomainBounds(montrees, un == 0)));
-        axeX.setInverted(versZero);
-        Range y = Range.combine(autresY, DatasetUtils.iterateRangeBounds(montrees, true));
-        for (double niveau : niveaux.keySet()) {
-            y = Range.expandToInclude(y, niveau);
-        }
-        axeY = axe(nomY, y);
         habiller(axeX);
-        habiller(axeY);
+        habiller(plot.getRangeAxis());
+        if (un > 0) {
+            habiller(plot.getDomainAxis(1));
+        }
+        niveaux.forEach((y, nom) -> {
+            ValueMarker repere = new ValueMarker(y, Style.GRIS, Style.POINTILLE);
+            repere.setLabel(nom);
+            repere.setLabelFont(Style.ETIQUETTE);
+            repere.setLabelPaint(Style.GRIS);
+            repere.setLabelBackgroundColor(Color.WHITE);
+            repere.setLabelAnchor(RectangleAnchor.TOP_RIGHT);
+            repere.setLabelTextAnchor(TextAnchor.BOTTOM_RIGHT);
+            plot.addRangeMarker(repere, Layer.BACKGROUND);
+        });
+        return plot;
     }
 
     private static void habiller(ValueAxis axe) {
@@ -219,6 +223,7 @@ public final class Volet {
             setErrorStroke(Style.TRAIT_FIN);
             setLegendLine(new Line2D.Double(-26, 0, 26, 0));
             setCapLength(10);
+            setItemLabelAnchorOffset(DEMI_COTE);
             setUseFillPaint(true);
             for (int s = 0; s < partie.size(); s++) {
                 Serie serie = partie.get(s);
@@ -228,6 +233,12 @@ public final class Volet {
                 setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
                 setSeriesShapesVisible(s, points);
                 setSeriesShape(s, serie.forme.dessin);
+                setSeriesShapesFilled(s, serie.forme != FormeDePoint.ANNEAU);
+                setSeriesItemLabelsVisible(s, true);
+                setSeriesItemLabelGenerator(s, (donnees, rang, point) -> serie.marques.get(point).etiquette);
+                setSeriesItemLabelPaint(s, serie.couleur.darker());
+                setSeriesItemLabelFont(s, Style.ETIQUETTE);
+                setSeriesPositiveItemLabelPosition(s, serie.place);
                 // un trait plus large reste visible derrière les autres
                 setSeriesStroke(s, points ? Style.TRAIT : Style.TRAIT_FRONT);
                 setSeriesOutlineStroke(s, Style.TRAIT);
@@ -241,75 +252,5 @@ public final class Volet {
         public Paint getItemFillPaint(int s, int point) {
             return partie.get(s).marques.get(point).pleine ? partie.get(s).couleur : Color.WHITE;
         }
-    }
-
-    /** Entoure les réglages par défaut, et écrit les noms des points, les plus importants d'abord. */
-    private void annoter(Graphics2D g, Rectangle2D cadre) {
-        Etiquettes noms = new Etiquettes(g, cadre);
-        for (Serie serie : Stream.concat(fonds.stream(), series.stream()).toArray(Serie[]::new)) {
-            double[] avant = null;
-            for (Marque m : serie.marques) {
-                double[] ici = {px(m.x.valeur, cadre), py(m.y.valeur, cadre)};
-                noms.reserver(ici[0], ici[1], FormeDePoint.DEMI_COTE);
-                if (m.cerclee) {
-                    g.translate(ici[0], ici[1]);
-                    g.setColor(Style.NOIR);
-                    g.setStroke(Style.TRAIT);
-                    g.draw(FormeDePoint.ANNEAU);
-                    g.translate(-ici[0], -ici[1]);
-                }
-                if (serie.reliee && avant != null) {
-                    noms.reserver(avant[0], avant[1], ici[0], ici[1]);
-                }
-                noms.reserver(px(m.x.min, cadre), ici[1], px(m.x.max, cadre), ici[1]);
-                noms.reserver(ici[0], py(m.y.min, cadre), ici[0], py(m.y.max, cadre));
-                avant = ici;
-            }
-        }
-        if (mieux) {
-            fleche(g, noms, cadre.getMinX() + 30, cadre.getMaxY() - 30);
-        }
-        niveaux.forEach((niveau, nom) -> {
-            double y = py(niveau, cadre);
-            noms.reserver(cadre.getMinX(), y, cadre.getMaxX(), y);
-            // à droite s'il y a de la place, sinon de plus en plus à gauche
-            DoubleStream.iterate(cadre.getMaxX(), x -> x - 20).limit((long) cadre.getWidth() / 20).anyMatch(
-                    x -> noms.ecrire(nom, x, y - 18, -12, Style.ETIQUETTE, Style.GRIS, false));
-        });
-        for (int s = 0; s < series.size(); s++) {
-            Marque bout = series.get(s).marques.get(series.get(s).marques.size() - 1);
-            if (!series.get(s).bout.isEmpty()) {
-                noms.ecrire(series.get(s).bout, px(bout.x.valeur, cadre), py(bout.y.valeur, cadre), 0, Style.ETIQUETTE_DEFAUT,
-                        series.get(s).couleur.darker(), true);
-            }
-        }
-        for (int tour = 0; tour < 3; tour++) {
-            for (int s = 0; s < series.size(); s++) {
-                for (Marque m : series.get(s).marques) {
-                    if (tour == (m.cerclee ? 0 : m.pleine ? 1 : 2) && !m.etiquette.isEmpty()) {
-                        noms.ecrire(m.etiquette, px(m.x.valeur, cadre), py(m.y.valeur, cadre), m.cerclee ? 8 : 0,
-                                m.cerclee ? Style.ETIQUETTE_DEFAUT : Style.ETIQUETTE, series.get(s).couleur.darker(), true);
-                    }
-                }
-            }
-        }
-    }
-
-    private static void fleche(Graphics2D g, Etiquettes noms, double x, double y) {
-        g.setColor(Style.ENCRE);
-        g.setStroke(Style.TRAIT);
-        g.draw(new Line2D.Double(x, y, x + 60, y - 60));
-        g.draw(new Line2D.Double(x, y, x + 24, y));
-        g.draw(new Line2D.Double(x, y, x, y - 24));
-        noms.reserver(x, y, x + 60, y - 60);
-        noms.ecrire("mieux", x + 60, y - 60, 0, Style.ETIQUETTE_DEFAUT, Style.ENCRE, false);
-    }
-
-    private double px(double x, Rectangle2D cadre) {
-        return axeX.valueToJava2D(x, cadre, RectangleEdge.BOTTOM);
-    }
-
-    private double py(double y, Rectangle2D cadre) {
-        return axeY.valueToJava2D(y, cadre, RectangleEdge.LEFT);
     }
 }

@@ -7,11 +7,7 @@ import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
-import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
-import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 import lancer.dessin.Dessin;
@@ -20,11 +16,11 @@ import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.scenes.Scenes;
 
-/** Besoins d'une scène : les rayons, les lampes et les réflexions qui changent son image. Tout est compté, rien n'est chronométré. */
+/** Besoins d'une scène : ses rayons, les lampes et les réflexions qui changent son image. Tout est compté, rien n'est chronométré. */
 final class Besoin {
 
     static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
-            "profondeur_utile", "tests_par_rayon", "rayons", "rayons_utiles", "ombres_inutiles", "structures");
+            "profondeur_utile", "tests_par_rayon", "rayons", "structures");
 
     private final Taille taille;
     private final String nom;
@@ -34,9 +30,6 @@ final class Besoin {
 
     /** Recherche qui a dessiné l'image, avec les structures qu'elle a construites. */
     private final Recherche recherche;
-
-    /** Nombre de rayons d'ombre dont la réponse contraire ne change aucun code de pixel. */
-    private long ombresInutiles;
 
     Besoin(Path fichier, Taille taille) {
         this.taille = taille;
@@ -49,10 +42,9 @@ final class Besoin {
     }
 
     String ligne() {
-        long utiles = rayonsUtiles();
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
                 lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
-                compteurs.rayons(), utiles, ombresInutiles, recherche == null ? "boucles" : recherche);
+                compteurs.rayons(), recherche == null ? "boucles" : recherche);
     }
 
     private Lancer preparer(Scene copie, double seuil) {
@@ -96,73 +88,5 @@ final class Besoin {
             utiles += Arrays.equals(sans, codes) ? 0 : 1;
         }
         return utiles;
-    }
-
-    /**
-     * Nombre de rayons utiles : ceux de chaque pixel, jusqu'à la dernière réflexion qui change son code, moins les rayons d'ombre inutiles.
-     * Pour les trouver, la réponse de chaque rayon d'ombre est inversée à son tour.
-     */
-    long rayonsUtiles() {
-        Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
-        Retournee ombres = new Retournee(lancer.getScene().avec(lancer.getScene().getModele()));
-        lancer.getScene().getModele().setRecherche(ombres);
-        ombresInutiles = 0;
-        Compteurs siens = lancer.getScene().getCompteurs();
-        long utiles = 0;
-        for (int k = 0; k < codes.length; k++) {
-            long avant;
-            int code;
-            int reflets = 0;
-            do {
-                avant = siens.rayons();
-                ombres.aRetourner(Integer.MAX_VALUE);
-                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets++).getCode();
-            } while (code != codes[k]);
-            utiles += siens.rayons() - avant;
-            for (int o = ombres.demandees - 1; o >= 0; o--) {
-                ombres.aRetourner(o);
-                code = lancer.getCouleurPixel(k % taille.largeur + 0.5, k / taille.largeur + 0.5, reflets - 1).getCode();
-                ombresInutiles += code == codes[k] ? 1 : 0;
-            }
-        }
-        return utiles - ombresInutiles;
-    }
-
-    /** Une recherche qui inverse la réponse d'un seul rayon d'ombre. */
-    private static final class Retournee implements Recherche {
-
-        /** La même scène, sans inversion. */
-        private final Scene vraie;
-        private int rang;
-
-        /** Nombre de rayons d'ombre demandés depuis le début du pixel. */
-        private int demandees;
-
-        Retournee(Scene vraie) {
-            this.vraie = vraie;
-        }
-
-        /** Commence un pixel, où la réponse du rayon d'ombre de ce rang sera inversée. */
-        void aRetourner(int celle) {
-            rang = celle;
-            demandees = 0;
-        }
-
-        @Override
-        public void plusProche(Rayon incident, Objet3D saufLui) {
-            vraie.getClosestIntersection(incident, saufLui);
-        }
-
-        @Override
-        public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-            Rayon ombre = Rayon.dOmbre(P, V);
-            vraie.getClosestIntersection(ombre, objet);
-            return ombre.getDistance() < distance != (demandees++ == rang);
-        }
-
-        @Override
-        public Recherche pourUnFil(Compteurs compteurs) {
-            return this;
-        }
     }
 }

@@ -35,7 +35,7 @@ final class Comptes {
     static final String CSV = "erreurs.csv";
 
     static final List<String> COLONNES = Arrays.asList("famille", "scene", "methode", "parametres", "largeur", "hauteur",
-            "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles");
+            "primaires", "ombre", "reflechis", "rayons", "erreur", "erreur_min", "erreur_max", "visibles", "commit", "date");
 
     /** Figure d'une même image par deux programmes, si POV-Ray est installé. */
     static final String PROGRAMMES = "stabilite-programmes.png";
@@ -43,13 +43,14 @@ final class Comptes {
     /** Nombre de reflets pour lequel la précision d'un double ne suffit plus. */
     private static final int REFLETS = 15;
 
-    /** Nombre maximal de rayons d'une référence : une minute de processeur. */
-    private static final double VERITE = 3e8;
+    /** Nombre maximal de rayons d'une référence. */
+    private static final double VERITE = 1.5e8;
 
     private final Taille taille;
     private final PovRay povray;
     private final Path dossier;
     private final PrintStream sortie;
+    private final Circonstances circonstances = new Circonstances();
 
     /** @param povray {@code null} s'il n'est pas installé */
     Comptes(Taille taille, PovRay povray, Path dossier, PrintStream sortie) {
@@ -86,7 +87,8 @@ final class Comptes {
     private Map<String, String> compter(String nom, Path fichier, Methode methode, Gabarit gabarit) throws IOException {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         Map<String, String> champs = Releve.champs("famille", Catalogue.METHODES, "scene", nom, "methode", methode.nom, "parametres",
-                methode.parametres, "largeur", taille.largeur, "hauteur", taille.hauteur);
+                methode.parametres, "largeur", taille.largeur, "hauteur", taille.hauteur, "commit", circonstances.commit, "date",
+                circonstances.date);
         Scene scene = Scenes.lire(fichier);
         if (methode.povray) {
             SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);

@@ -16,13 +16,16 @@ import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Style;
 
-/** Une partie de la scène du cours, par trois réglages de même durée et en référence, avec l'erreur de chacun. */
+/** Une partie de la scène du cours, par trois réglages de durées voisines et en référence, avec l'erreur de chacun. */
 final class Decoupe {
 
     static final String PNG = "temps-egal.png";
 
-    private static final String SCENE = "scene1";
     private static final Taille DECOUPE = new Taille(48, 36);
+
+    /** Coin de la découpe, en parts de l'image : le haut de la boule blanche et les bords de deux ombres. */
+    private static final double COIN_X = 0.45;
+    private static final double COIN_Y = 0.855;
 
     /** Nombre de sous-pixels par côté d'un pixel de la référence. */
     private static final int COTE = 32;
@@ -32,31 +35,32 @@ final class Decoupe {
 
     private final Scene scene;
     private final Taille taille;
-    private int[] coin;
+
+    /** Colonne et ligne du coin de la découpe. */
+    private final int[] coin;
 
     private Decoupe(Path fichier, Taille taille) {
         scene = Scenes.lire(fichier);
         this.taille = taille;
+        coin = new int[] {(int) (COIN_X * taille.largeur), (int) Math.min(COIN_Y * taille.hauteur, taille.hauteur - DECOUPE.hauteur)};
     }
 
     /** Dessine la planche des réglages dont la durée est la plus proche de celle du réglage par défaut de l'anticrénelage. */
     static void ecrire(Releves tous, Path dossier) throws IOException {
-        Releves siens = tous.de(Catalogue.METHODES).scene(SCENE);
-        Releve defaut = siens.le(Catalogue.COINS, Catalogue.COINS_DEFAUT);
-        Decoupe decoupe = new Decoupe(Scenes.fichier(SCENE, dossier), new Taille((int) defaut.nombre("largeur"),
+        Releves siens = tous.de(Catalogue.METHODES).scene(Catalogue.COURS);
+        Releve defaut = siens.le(Catalogue.SANS_SECTION, "");
+        Decoupe decoupe = new Decoupe(Scenes.fichier(Catalogue.COURS, dossier), new Taille((int) defaut.nombre("largeur"),
                 (int) defaut.nombre("hauteur")));
-        ImageLineaire un = decoupe.image(new Methode("", ""));
         List<Releve> montres = new ArrayList<>();
         List<ImageLineaire> images = new ArrayList<>();
-        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE}) {
+        for (String methode : new String[] {Catalogue.GRILLE, Catalogue.SANS_SECTION, Catalogue.PARTAGE}) {
             Releve r = siens.methode(methode).get().stream().min(Comparator.comparingDouble(
                     a -> Math.abs(Math.log(a.rapport().valeur / defaut.rapport().valeur)))).get();
             montres.add(r);
             images.add(decoupe.image(Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres)));
         }
-        decoupe.coin = decoupe.coin(un, images.get(2));
         ImageLineaire verite = decoupe.verite();
-        Planche planche = new Planche("À temps égal : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
+        Planche planche = new Planche("En des temps voisins : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
                 .taille(Style.LARGEUR, 800);
         for (int k = 0; k < montres.size(); k++) {
             Releve r = montres.get(k);
@@ -86,27 +90,6 @@ final class Decoupe {
         };
         return ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(fin, 0)), taille.largeur, taille.hauteur, false),
                 Gabarit.PROFONDEUR, taille.fils);
-    }
-
-    /** Coin de la découpe éclairée où deux images diffèrent le plus, par pas d'un quart de découpe. */
-    private int[] coin(ImageLineaire a, ImageLineaire b) {
-        return IntStream.rangeClosed(0, 4 * (taille.hauteur - DECOUPE.hauteur) / DECOUPE.hauteur).boxed().flatMap(j ->
-                IntStream.rangeClosed(0, 4 * (taille.largeur - DECOUPE.largeur) / DECOUPE.largeur)
-                        .mapToObj(i -> new int[] {i * DECOUPE.largeur / 4, j * DECOUPE.hauteur / 4}))
-                .max(Comparator.comparingDouble(c -> interet(a, b, c))).get();
-    }
-
-    /** Somme des carrés des différences, limitées à une par composante, multipliée par la lumière. */
-    private double interet(ImageLineaire a, ImageLineaire b, int... c) {
-        double carres = 0;
-        double lumiere = 0;
-        for (int k = 0; k < 3 * DECOUPE.pixels(); k++) {
-            int rang = 3 * ((c[1] + k / 3 / DECOUPE.largeur) * taille.largeur + c[0] + k / 3 % DECOUPE.largeur) + k % 3;
-            double x = Math.min(1, b.getComposantes()[rang]);
-            lumiere += x;
-            carres += Math.pow(Math.min(1, a.getComposantes()[rang]) - x, 2);
-        }
-        return carres * lumiere;
     }
 
     private BufferedImage couper(ImageLineaire image) {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 
@@ -52,36 +51,32 @@ final class Manches {
     /** Résultat de quelques manches. */
     static final class Temps {
 
-        /** Pour chaque manche gardée, coût de la référence, et rapport du coût de la méthode à celui de la référence. */
+        /** Pour chaque manche gardée, coût de la référence, et rapport du temps de la méthode à celui de la référence. */
         final List<double[]> references;
-        final List<double[]> rapports;
+        final List<Double> rapports;
         final int manches;
         final int jetees;
 
-        Temps(List<double[]> references, List<double[]> rapports, int manches, int jetees) {
+        Temps(List<double[]> references, List<Double> rapports, int manches, int jetees) {
             this.references = references;
             this.rapports = rapports;
             this.manches = manches;
             this.jetees = jetees;
         }
 
-        private static double[] valeurs(List<double[]> manches, int grandeur) {
-            return manches.stream().mapToDouble(m -> grandeur < m.length ? m[grandeur] : Double.NaN).toArray();
+        Intervalle rapport() {
+            return Intervalle.desRapports(rapports.stream().mapToDouble(r -> r).toArray());
         }
 
-        Intervalle rapport(int grandeur) {
-            return Intervalle.desRapports(valeurs(rapports, grandeur));
-        }
-
-        /** Coût médian de la référence. */
+        /** Coût médian de la référence ; NaN s'il n'est pas connu. */
         double reference(int grandeur) {
-            return Intervalle.desRapports(valeurs(references, grandeur)).valeur;
+            return Intervalle.desRapports(references.stream().mapToDouble(m -> grandeur < m.length ? m[grandeur] : Double.NaN)
+                    .toArray()).valeur;
         }
 
         /** Remplace les rapports par leur moyenne : les manches d'une même machine virtuelle ne sont pas indépendantes. */
         Temps enUnRapport() {
-            double[] un = IntStream.rangeClosed(REEL, MEMOIRE).mapToDouble(g -> rapport(g).valeur).toArray();
-            return new Temps(references, Collections.singletonList(un), manches, jetees);
+            return new Temps(references, Collections.singletonList(rapport().valeur), manches, jetees);
         }
 
         /** Ajoute les manches d'une autre machine virtuelle. */
@@ -90,7 +85,7 @@ final class Manches {
                     jetees + autre.jetees);
         }
 
-        private static List<double[]> ensemble(List<double[]> unes, List<double[]> autres) {
+        private static <T> List<T> ensemble(List<T> unes, List<T> autres) {
             return Stream.concat(unes.stream(), autres.stream()).collect(Collectors.toList());
         }
     }
@@ -110,7 +105,7 @@ final class Manches {
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<double[]> references = new ArrayList<>();
-        List<double[]> rapports = new ArrayList<>();
+        List<Double> rapports = new ArrayList<>();
         List<Double> partsReference = new ArrayList<>();
         List<Double> parts = new ArrayList<>();
         long debut = System.nanoTime();
@@ -127,7 +122,7 @@ final class Manches {
             toutes++;
             if (garde && calme || agitee) {
                 references.add(r);
-                rapports.add(IntStream.range(0, Math.min(r.length, m.length)).mapToDouble(g -> m[g] / r[g]).toArray());
+                rapports.add(m[REEL] / r[REEL]);
             } else {
                 jetees++;
                 renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);

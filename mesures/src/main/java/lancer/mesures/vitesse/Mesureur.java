@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import lancer.Constantes;
 import lancer.Scene;
 import lancer.mesures.Intervalle;
@@ -31,6 +32,9 @@ final class Mesureur {
 
     /** Durée au-delà de quelques fois laquelle une manche est longue. */
     private static final double LONGUE_NS = 1e9;
+
+    /** Nombre de machines virtuelles de chaque calcul de distance. */
+    private static final int LANCEMENTS = 5;
 
     /** Nombre maximal de manches : davantage n'apprendrait rien d'une autre machine. */
     private static final int MANCHES_MAX = 21;
@@ -51,24 +55,21 @@ final class Mesureur {
     private final PovRay povray;
     private final Circonstances circonstances = new Circonstances();
 
-    /** Arguments de {@code java} pour lancer le programme, puis le programme avec l'anticrénelage. */
-    private final String[] lancer;
-    private final String[] antialias;
+    /** Arguments de {@code java} pour lancer le programme d'une méthode. */
+    private final Function<Methode, String[]> lancer;
 
     private Taille taille;
 
     /**
      * @param povray {@code null} s'il n'est pas installé
      * @param csv fichier des résultats ; les fichiers provisoires sont à côté
-     * @param lancer arguments de {@code java} pour lancer le programme
-     * @param antialias de même, pour le programme avec l'anticrénelage
+     * @param lancer arguments de {@code java} pour lancer le programme d'une méthode
      */
-    Mesureur(boolean court, PovRay povray, Path csv, PrintStream sortie, String[] lancer, String... antialias) throws IOException {
+    Mesureur(boolean court, PovRay povray, Path csv, PrintStream sortie, Function<Methode, String[]> lancer) throws IOException {
         this.court = court;
         this.csv = csv;
         this.sortie = sortie;
         this.lancer = lancer;
-        this.antialias = antialias;
         echantillonNs = TimeUnit.MILLISECONDS.toNanos(court ? 20 : 50);
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
@@ -85,11 +86,10 @@ final class Mesureur {
             long secondes = (System.nanoTime() - debut) / 1_000_000_000;
             sortie.println(groupe.famille + ", " + groupe.scene + ", " + taille + ", à " + secondes + " s");
             groupe.methodes.removeIf(m -> m.povray && povray == null || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
-            Path fichier = groupe.famille.equals(Catalogue.INTERSECTIONS) ? null : Scenes.fichier(groupe.scene, dossier);
-            if (groupe.estDeProgrammes()) {
-                enProcessus(groupe, fichier);
+            if (groupe.famille.equals(Catalogue.INTERSECTIONS)) {
+                enNoyaux(groupe);
             } else {
-                enDessins(groupe, fichier);
+                enProcessus(groupe, Scenes.fichier(groupe.scene, dossier));
             }
         }
     }
@@ -106,32 +106,21 @@ final class Mesureur {
 
     // ---- des machines virtuelles qui durent
 
-    private void enDessins(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        int spheres = fichier == null ? 1 : Scenes.lire(fichier).getObjets().size();
-        int lancements = groupe.lancements;
+    private void enNoyaux(Catalogue.Groupe groupe) throws IOException {
+        int lancements = court ? 1 : LANCEMENTS;
         Map<Methode, Manches.Temps> temps = new HashMap<>();
         for (int lancement = 1; lancement <= lancements; lancement++) {
-            try (Machine reperes = new Machine(groupe, groupe.methodes.get(0), fichier)) {
+            try (Machine reperes = new Machine(groupe, groupe.methodes.get(0))) {
                 for (Methode methode : groupe.methodes) {
-                    Map<String, String> champs = new HashMap<>();
-                    Manches.Temps pris = chronometrer(groupe, methode, fichier, reperes, champs);
-                    temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
-                    if (lancement == lancements) {
-                        champs.put("lancements", String.valueOf(lancements));
-                        noter(groupe, methode, spheres, champs, temps.get(methode));
+                    try (Machine machine = new Machine(groupe, methode)) {
+                        Manches.Temps pris = manches.mesurer(reperes, machine, voulues(reperes.dureeNs + machine.dureeNs));
+                        temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
                     }
                 }
             }
         }
-    }
-
-    /** @param champs reçoit les compteurs et les vérifications, après les temps */
-    private Manches.Temps chronometrer(Catalogue.Groupe groupe, Methode methode, Path fichier, Machine reperes,
-            Map<String, String> champs) throws IOException {
-        try (Machine machine = new Machine(groupe, methode, fichier)) {
-            Manches.Temps temps = manches.mesurer(reperes, machine, voulues(reperes.dureeNs + machine.dureeNs));
-            champs.putAll(Ouvrier.champs(machine.demander("finir")));
-            return temps;
+        for (Methode methode : groupe.methodes) {
+            noter(groupe, methode, 1, Releve.champs("lancements", lancements), temps.get(methode));
         }
     }
 
@@ -142,8 +131,8 @@ final class Mesureur {
         /** Durée approchée d'un échantillon. */
         private final double dureeNs;
 
-        Machine(Catalogue.Groupe groupe, Methode methode, Path fichier) throws IOException {
-            super(Ouvrier.class, groupe.famille, groupe.scene, methode.cle(), fichier, taille.largeur, taille.hauteur);
+        Machine(Catalogue.Groupe groupe, Methode methode) throws IOException {
+            super(Ouvrier.class, groupe.scene, methode.nom);
             long debut = System.nanoTime();
             double dessinNs = chronometrer(1)[0];
             for (int k = 1; k < (court ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
@@ -166,14 +155,15 @@ final class Mesureur {
     // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        Scene scene = Scenes.lire(fichier);
         for (Methode methode : groupe.methodes) {
             Map<String, String> champs = new HashMap<>();
             // le programme est comparé à lui-même sur une seule sphère ; les autres, à lui sur la même scène
             boolean leNotre = methode.nom.equals(Catalogue.PROGRAMME);
-            Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier, lancer);
-            Programme programme = new Programme("image.png", avec(methode, fichier), methode.jar != null
-                    ? new String[] {"-jar", methode.jar.toString()} : methode.antialias ? antialias : lancer, methode.options);
+            Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier,
+                    new Methode(Catalogue.UN_RAYON, ""));
+            Path sien = avec(methode, fichier);
+            Scene scene = Scenes.lire(sien);
+            Programme programme = new Programme("image.png", sien, methode);
             Manches.Echantillon echantillon = programme;
             if (methode.povray) {
                 SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
@@ -192,7 +182,7 @@ final class Mesureur {
             champs.put("lancements", String.valueOf(temps.rapports.size()));
             if (methode.nom.equals(Catalogue.EMBREE)) {
                 Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
-            } else if (methode.boucles || methode.jar != null) {
+            } else if (methode.boucles) {
                 if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
                     throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
                             + methode.parametres);
@@ -208,7 +198,7 @@ final class Mesureur {
 
     /** La scène, avec la section de cette méthode. */
     private Path avec(Methode methode, Path fichier) throws IOException {
-        return methode.section.isEmpty() ? fichier : Files.write(dossier.resolve("antialias.ini"), (new String(Files.readAllBytes(fichier),
+        return methode.section.isEmpty() ? fichier : Files.write(dossier.resolve("changee.ini"), (new String(Files.readAllBytes(fichier),
                 StandardCharsets.UTF_8) + "\n" + methode.section).getBytes(StandardCharsets.UTF_8));
     }
 
@@ -218,12 +208,12 @@ final class Mesureur {
         private final Path png;
         private final List<Object> commande;
 
-        Programme(String image, Path fichier, String[] programme, String... options) {
+        Programme(String image, Path fichier, Methode methode) {
             png = dossier.resolve(image);
             commande = new ArrayList<>(Collections.singletonList(Processus.JAVA));
-            commande.addAll(Arrays.asList(programme));
+            commande.addAll(Arrays.asList(lancer.apply(methode)));
             commande.addAll(Arrays.asList("--image", png, "--taille", taille, fichier));
-            commande.addAll(Arrays.asList(options));
+            commande.addAll(Arrays.asList(methode.options));
         }
 
         @Override
@@ -236,24 +226,17 @@ final class Mesureur {
             throws IOException {
         Circonstances c = circonstances;
         double reference = temps.reference(Manches.REEL) / 1e6;
+        Intervalle rapport = temps.rapport();
         champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
                 groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
                 "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees, "reference_ms", Releve.reel(reference), "processeur_ms",
-                Releve.reel(temps.reference(Manches.PROCESSEURS) / 1e6), "memoire_mo",
-                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20))));
-        String[] noms = {"rapport", "processeur", "memoire"};
-        for (int grandeur = Manches.REEL; grandeur <= Manches.MEMOIRE; grandeur++) {
-            Intervalle rapport = temps.rapport(grandeur);
-            champs.putAll(Releve.champs(noms[grandeur] + (grandeur == Manches.REEL ? "" : "_rapport"), Releve.reel(rapport.valeur),
-                    noms[grandeur] + "_min", Releve.reel(rapport.min), noms[grandeur] + "_max", Releve.reel(rapport.max)));
-        }
+                temps.jetees, "reference_ms", Releve.reel(reference), "memoire_mo",
+                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
+                "rapport_min", Releve.reel(rapport.min), "rapport_max", Releve.reel(rapport.max)));
         String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        Intervalle rapport = temps.rapport(Manches.REEL);
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms  processeurs × %-6.3g mémoire × %-6.3g"
-                + " %2d/%d", methode.nom, methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference,
-                temps.rapport(Manches.PROCESSEURS).valeur, temps.rapport(Manches.MEMOIRE).valeur, temps.manches - temps.jetees,
+        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms %2d/%d", methode.nom,
+                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.manches - temps.jetees,
                 temps.manches));
     }
 }

@@ -1,15 +1,14 @@
 package lancer.mesures.vitesse;
 
-import java.nio.file.Path;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Toile;
 import lancer.dessin.Dessin;
 
@@ -24,24 +23,21 @@ final class Methode {
     /** Options de la commande, du programme ou de POV-Ray. */
     String[] options = {};
 
-    /** Section {@code [Antialias]} à ajouter à la scène ; vide s'il n'en faut pas. */
+    /** Section à ajouter à la scène ; vide s'il n'en faut pas. */
     String section = "";
 
-    /** Vrai pour le programme avec l'anticrénelage. */
-    boolean antialias;
+    /** Module dont le programme est lancé. */
+    String module = "lancer";
 
     /** Vrai pour les boucles du cours. */
     boolean boucles;
 
     boolean povray;
 
-    /** Un autre programme que celui-ci, ou {@code null}. */
-    Path jar;
-
     private Echantillonnage echantillonnage;
     private int profondeur = Constantes.MAX_REFLETS;
     private double seuil = Constantes.SEUIL;
-    private UnaryOperator<Scene> changement = UnaryOperator.identity();
+    private Consumer<Modele> variante = modele -> { };
 
     Methode(String nom, String parametres) {
         this.nom = nom;
@@ -50,9 +46,15 @@ final class Methode {
 
     /** @param laquelle {@code coins} ou {@code partage} */
     Methode echantillonnee(String laquelle, int n, double contraste) {
-        echantillonnage = laquelle.equals(Catalogue.PARTAGE) ? Antialias.partage(n, contraste) : Antialias.coins(n, contraste);
+        sansSection(laquelle.equals("partage") ? Antialias.partage(n, contraste) : Antialias.coins(n, contraste));
         section = "[Antialias]\nmethode=" + laquelle + "\nn=" + n + "\nseuil=" + contraste + "\n";
-        antialias = true;
+        return this;
+    }
+
+    /** @param sienne ce que le module antialias installe dans une scène qui ne lui demande rien */
+    Methode sansSection(Echantillonnage sienne) {
+        echantillonnage = sienne;
+        module = "antialias";
         return this;
     }
 
@@ -63,15 +65,10 @@ final class Methode {
         return this;
     }
 
-    /** Ce que l'utilisateur doit écrire dans la scène, puis dans la commande. */
-    String ecrit() {
-        return Stream.of(section.trim().replace('\n', ' '), String.join(" ", options)).filter(s -> !s.isEmpty())
-                .map(s -> "`" + s + "`").collect(Collectors.joining(", "));
-    }
-
-    /** La même méthode, sur la scène ainsi changée. */
-    Methode sur(UnaryOperator<Scene> autre) {
-        changement = autre;
+    /** La même méthode, par le programme de cette variante, qui s'installe ainsi. */
+    Methode variante(String sonModule, Consumer<Modele> installation) {
+        module = sonModule;
+        variante = installation;
         return this;
     }
 
@@ -84,7 +81,7 @@ final class Methode {
 
     /** Le choix automatique du programme. */
     Methode automatique() {
-        antialias = true;
+        module = "antialias";
         options = new String[] {nom, parametres};
         return this;
     }
@@ -100,13 +97,24 @@ final class Methode {
         return nom + "/" + parametres;
     }
 
+    /** Chemin, depuis la racine, du programme à lancer. */
+    String jar() {
+        return (module.equals("lancer") ? "" : module + "/") + "target/" + module + ".jar";
+    }
+
+    /** La commande que l'utilisateur écrit. */
+    String commande() {
+        return ("java -jar " + jar() + " " + String.join(" ", options)).trim() + " --image boules.png scenes/scene1.ini";
+    }
+
     final class ScenePrete {
 
         final Lancer lancer;
 
         ScenePrete(Scene lue, int largeur, int hauteur) {
-            Scene changee = changement.apply(lue);
-            lancer = Dessin.lancer(changee.avec(changee.getModele().avec(echantillonnage, seuil)), largeur, hauteur, boucles);
+            Modele modele = lue.getModele().avec(echantillonnage, seuil);
+            variante.accept(modele);
+            lancer = Dessin.lancer(lue.avec(modele), largeur, hauteur, boucles);
         }
 
         /** Dessine une fois, comme le programme. */

@@ -55,7 +55,7 @@ final class Methodes {
                 Marque m = new Marque(ns(regime, methode), Intervalle.exact(Math.max(0.05, r.erreurEnUnites)));
                 m = r.faux > 0 ? m.nommee("faux : " + Style.arrondi(100 * r.part()) + " %") : m;
                 volet.serie(new Serie(methode.nom, methode.couleur, methode.forme, false,
-                        Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())));
+                        Collections.singletonList(Bilan.estClasse(r) ? m : m.creuse())).nommeeAGauche());
             }
             volets.add(volet);
         }
@@ -69,6 +69,7 @@ final class Methodes {
         return Tableaux.table(Stream.concat(Stream.of("temps, à celui du manuel"), Arrays.stream(Regime.values())
                 .map(r -> r.nom.replaceFirst(" ?[:,].*| de rayon.*", ""))).collect(Collectors.toList()), Arrays.stream(Formule.values())
                 .filter(f -> f != Formule.MANUEL).map(f -> Stream.concat(Stream.of(f.nom), Arrays.stream(Regime.values())
-                .map(r -> Tableaux.rapport(le(r, f).rapport()))).collect(Collectors.toList())).collect(Collectors.toList()));
+                .map(r -> Tableaux.rapport(le(r, f).rapport()))).collect(Collectors.toList())).collect(Collectors.toList()))
+                + Tableaux.source(temps.get());
     }
 }

@@ -10,12 +10,10 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -23,14 +21,13 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Formule;
 import lancer.mesures.stabilite.Noyau;
 import lancer.mesures.stabilite.Regime;
 
 /**
- * Une machine virtuelle qui n'exécute qu'une méthode. Elle lit sur son entrée le nombre de répétitions à chronométrer, plusieurs fois, puis
- * « finir ». L'image n'est vérifiée qu'à la fin : avant, la machine virtuelle ne compile que le code de cette méthode.
+ * Une machine virtuelle qui n'exécute qu'un calcul de distance. Elle lit sur son entrée, plusieurs fois, le nombre de répétitions à
+ * chronométrer. Ici sont aussi les vérifications des images que dessine un programme.
  */
 final class Ouvrier {
 
@@ -45,30 +42,19 @@ final class Ouvrier {
     private Ouvrier() {
     }
 
-    /** @param args famille, scène, méthode, fichier, largeur, hauteur */
+    /** @param args le régime des rayons et le calcul de distance */
     public static void main(String[] args) throws IOException {
         PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
         BufferedReader entree = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         try {
-            if (args[0].equals(Catalogue.INTERSECTIONS)) {
-                Noyau noyau = new Noyau(Formule.valueOf(args[2].replace("/", "")), Regime.valueOf(args[1]));
-                repondre(noyau::faire, () -> "", entree, sortie);
-            } else {
-                dessiner(Catalogue.methode(args[0], args[1], args[2]), Scenes.lire(Paths.get(args[3])),
-                        new Taille(Integer.parseInt(args[4]), Integer.parseInt(args[5])), entree, sortie);
+            Noyau noyau = new Noyau(Formule.valueOf(args[1]), Regime.valueOf(args[0]));
+            for (String fois = entree.readLine(); fois != null; fois = entree.readLine()) {
+                double[] temps = repeter(noyau::faire, Integer.parseInt(fois));
+                sortie.println(temps[0] + " " + temps[1]);
             }
         } catch (RuntimeException | OutOfMemoryError e) {
             sortie.println("faute " + e);
         }
-    }
-
-    static void dessiner(Methode methode, Scene scene, Taille taille, BufferedReader entree, PrintStream sortie) throws IOException {
-        Methode.ScenePrete dessin = methode.new ScenePrete(scene, taille.largeur, taille.hauteur);
-        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-        repondre(() -> dessin.faire(image, taille.fils), () -> {
-            int verifies = verifier(dessin, scene, image, taille);
-            return comptes(dessin.lancer.getCompteurs()) + " " + verifies;
-        }, entree, sortie);
     }
 
     private static String comptes(Compteurs c) {
@@ -79,19 +65,7 @@ final class Ouvrier {
     static Map<String, String> champs(String comptes) {
         String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
         String[] valeurs = comptes.split(" ");
-        return IntStream.range(0, comptes.isEmpty() ? 0 : noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> valeurs[k]));
-    }
-
-    /** @param fin donne les compteurs et la vérification, après les temps */
-    private static void repondre(Runnable travail, Supplier<String> fin, BufferedReader entree, PrintStream sortie) throws IOException {
-        for (String demande = entree.readLine(); demande != null; demande = entree.readLine()) {
-            if (demande.equals("finir")) {
-                sortie.println(fin.get());
-                return;
-            }
-            double[] temps = repeter(travail, Integer.parseInt(demande));
-            sortie.println(temps[0] + " " + temps[1]);
-        }
+        return IntStream.range(0, noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> valeurs[k]));
     }
 
     /** Le temps réel et le temps des processeurs d'une répétition, en nanosecondes. */

@@ -13,13 +13,14 @@ import lancer.mesures.FichierCsv;
 import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Figures;
+import lancer.mesures.trace.Style;
 
 /** Courbes, tableaux et pages, d'après les mesures d'un dossier. */
 final class Rapport {
 
     /** Pages du projet que « make mesures » réécrit. */
     static final Path[] PAGES = {Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
-        Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md")};
+        Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("mesures/resultats/besoins.md"), Paths.get("mesures/resultats/reglages.md")};
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -45,12 +46,15 @@ final class Rapport {
         if (methodes != null) {
             valeurs.put("methodes", methodes.tableau());
         }
+        valeurs.put("lyapunov", Style.arrondi(bilan.exposantDeLyapunov()));
         Path auto = dossier.resolve("auto.csv");
-        valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) : "pas encore mesuré");
+        valeurs.put("auto", Files.exists(auto) ? MesureAuto.tableau(FichierCsv.lire(auto)) + Tableaux.source(Releves.lignes(auto))
+                : "pas encore mesuré");
         if (Files.exists(dossier.resolve("corriger.csv"))) {
             Map<String, String> c = FichierCsv.lire(dossier.resolve("corriger.csv")).get(0);
             valeurs.put("corriger", Tableaux.table(Arrays.asList("rendus", "cœurs", "secondes", "Mo"),
-                    Arrays.asList(Arrays.asList(c.get("rendus"), c.get("coeurs"), c.get("secondes"), c.get("mo")))));
+                    Arrays.asList(Arrays.asList(c.get("rendus"), c.get("coeurs"), c.get("secondes"), c.get("mo"))))
+                    + Tableaux.source(Collections.singletonList(new Releve(c))));
         }
         return valeurs;
     }
@@ -58,8 +62,8 @@ final class Rapport {
     /** @param pages vrai pour réécrire aussi les pages du projet */
     void ecrire(boolean pages) throws IOException {
         Planches planches = new Planches(releves);
-        if (planches.scenes().contains("scene1")) {
-            planches.scenes(Collections.singletonList("scene1")).ecrire(dossier.resolve("scene1.png"));
+        if (planches.scenes().contains(Catalogue.COURS)) {
+            planches.scenes(Collections.singletonList(Catalogue.COURS)).ecrire(dossier.resolve("scene1.png"));
             planches.scenes(planches.scenes()).ecrire(dossier.resolve("scenes.png"));
             Decoupe.ecrire(releves, dossier);
         }

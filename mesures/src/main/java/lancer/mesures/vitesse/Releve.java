@@ -17,8 +17,7 @@ final class Releve {
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
             "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
-            "processeur_ms", "processeur_rapport", "processeur_min", "processeur_max", "memoire_mo", "memoire_rapport", "memoire_min",
-            "memoire_max");
+            "memoire_mo");
 
     final String famille;
     final String scene;
@@ -59,8 +58,13 @@ final class Releve {
         return texte.isEmpty() ? Double.NaN : Double.parseDouble(texte);
     }
 
-    /** Rapport du temps à celui de la référence, sans bornes s'il n'y a qu'une manche. */
+    /** Rapport du temps à celui de la référence, qui est le réglage « un rayon » : 1 pour lui-même. */
     Intervalle rapport() {
+        return methode.equals(Catalogue.UN_RAYON) && nombre("rapport") > 0 ? Intervalle.exact(1) : mesure();
+    }
+
+    /** Rapport mesuré, sans bornes s'il n'y a qu'une manche. */
+    Intervalle mesure() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),
                 Double.isNaN(max) ? Double.POSITIVE_INFINITY : max);
@@ -80,10 +84,10 @@ final class Releve {
         return FichierCsv.ligne(colonnes.stream().map(this::texte).toArray());
     }
 
-    /** Ces mesures, complétées ou remplacées par celles de l'autre. */
+    /** Ces mesures, complétées ou remplacées par celles que l'autre a. */
     Releve avec(Releve autre) {
         Map<String, String> tous = new HashMap<>(champs);
-        tous.putAll(autre.champs);
+        autre.champs.forEach((colonne, texte) -> tous.merge(colonne, texte, (sien, nouveau) -> nouveau.isEmpty() ? sien : nouveau));
         return new Releve(tous);
     }
 

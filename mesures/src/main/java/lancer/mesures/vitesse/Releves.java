@@ -30,7 +30,7 @@ final class Releves {
         List<Releve> temps = lignes(dossier.resolve(Vitesse.CSV));
         List<Releve> tous = new ArrayList<>();
         for (Releve r : lignes(dossier.resolve(Comptes.CSV))) {
-            tous.add(temps.stream().filter(r::estLeMeme).findFirst().map(t -> t.avec(r)).orElse(r));
+            tous.add(temps.stream().filter(r::estLeMeme).findFirst().map(r::avec).orElse(r));
         }
         temps.stream().filter(t -> !t.famille.equals(Catalogue.METHODES)).forEach(tous::add);
         return new Releves(tous);
@@ -83,9 +83,17 @@ final class Releves {
         return tels(r -> !Arrays.asList(Catalogue.POVRAY, Catalogue.BOUCLES, Catalogue.AUTO).contains(r.methode));
     }
 
-    /** Le réglage le plus rapide dont l'erreur, intervalle compris, ne dépasse pas ce nombre de niveaux. */
-    Optional<Releve> lePlusRapide(double erreur) {
-        return aNous().tous.stream().filter(r -> r.erreur().max <= erreur && r.nombre("rapport") > 0).min(PAR_TEMPS);
+    /** La mesure de ce réglage sur la scène où son erreur est la plus grande ; vide s'il n'est pas mesuré sur chaque scène. */
+    Optional<Releve> pire(Releve r) {
+        List<Releve> siens = methode(r.methode).tels(a -> a.parametres.equals(r.parametres)).tous;
+        return siens.size() < scenes().size() ? Optional.empty()
+                : siens.stream().max(Comparator.comparingDouble(a -> a.erreur().valeur));
+    }
+
+    /** Sur cette scène, le réglage le plus rapide dont l'erreur, intervalle compris, ne dépasse ce nombre de niveaux sur aucune scène. */
+    Optional<Releve> lePlusRapide(String scene, double erreur) {
+        return scene(scene).aNous().tous.stream().filter(r -> r.nombre("rapport") > 0
+                && pire(r).filter(p -> p.erreur().max <= erreur).isPresent()).min(PAR_TEMPS);
     }
 
     /** Le plus rapide des réglages qui battent {@code r}. */

@@ -2,12 +2,14 @@ package lancer.mesures.vitesse;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Constantes;
 import lancer.mesures.Intervalle;
 import lancer.mesures.trace.Style;
@@ -28,17 +30,35 @@ final class Tableaux {
 
     /** Tous les tableaux ; les temps manquent s'ils n'ont pas été mesurés. */
     Map<String, String> pages() {
+        Releves methodes = releves.de(Catalogue.METHODES);
+        Releves cours = methodes.scene(Catalogue.COURS);
         Map<String, String> pages = new TreeMap<>();
-        pages.put("choisir", choisir());
-        pages.put("comptes", comptes());
+        pages.put("choisir", choisir(methodes) + source(cours));
+        pages.put("comptes", comptes(methodes) + source(methodes));
+        Releves demandes = new Releves(Stream.of(releves.de(Catalogue.DEMANDES), cours.methode(Catalogue.SANS_SECTION),
+                cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")), cours.methode(Catalogue.BOUCLES))
+                .flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
         pages.put("demandes", table(Arrays.asList("sur la scène du cours", "temps, à celui de la scène telle quelle"),
-                releves.de(Catalogue.DEMANDES).get().stream().map(r -> Arrays.asList(r.nom(), rapport(r.rapport())))
-                .collect(Collectors.toList())));
-        pages.put("besoins", besoins());
+                demandes.get().stream().map(r -> Arrays.asList(r.nom(), rapport(r.rapport()))).collect(Collectors.toList()))
+                + source(demandes));
+        pages.put("besoins", besoins() + source(besoins.stream().map(Releve::new).collect(Collectors.toList())));
         pages.put("machine", releves.get().stream().filter(r -> !r.texte("machine").isEmpty()).findFirst().map(r -> table(
                 Arrays.asList("machine", "cœurs", "machine virtuelle", "commit", "date"), Arrays.asList(Arrays.asList(r.texte("machine"),
                 r.texte("coeurs"), r.texte("jvm"), r.texte("commit"), r.texte("date").replace('T', ' '))))).orElse(""));
+        pages.put("lui-meme", methodes.methode(Catalogue.UN_RAYON).tels(r -> r.nombre("rapport") > 0).get().stream()
+                .map(r -> fois(r.mesure()) + " sur `" + r.scene + "`").collect(Collectors.joining(", ")));
         return pages;
+    }
+
+    private static String source(Releves mesures) {
+        return source(mesures.get());
+    }
+
+    /** Ligne sous un tableau : le commit et le jour de ses mesures ; vide s'ils ne sont pas connus. */
+    static String source(List<Releve> mesures) {
+        String sources = mesures.stream().filter(r -> !r.texte("commit").isEmpty()).map(r -> r.texte("commit") + ", le "
+                + r.texte("date").replaceFirst("T.*", "")).distinct().collect(Collectors.joining(" ; "));
+        return sources.isEmpty() ? "" : "\nMesures du commit " + sources + ".\n";
     }
 
     /** Un tableau Markdown. */
@@ -49,39 +69,52 @@ final class Tableaux {
                 .collect(Collectors.joining("\n", "\n", "\n"));
     }
 
-    /** Tableau des conseils : le besoin, ce qu'il faut écrire, l'erreur, le temps. */
-    private String choisir() {
-        Releves cours = releves.de(Catalogue.METHODES).scene("scene1");
-        Releves miroirs = releves.de(Catalogue.METHODES).scene("miroirs");
-        Object[][] lignes = {{"aller vite", cours, cours.methode(Catalogue.UN_RAYON).get().stream().findFirst()},
-            {"un niveau au plus", cours, cours.lePlusRapide(1)},
-            {"moins que l'arrondi de l'écran", cours, cours.lePlusRapide(Planches.ARRONDI)},
-            {"un niveau, entre des miroirs face à face", miroirs, miroirs.lePlusRapide(1)},
-            {"ne pas choisir", cours, cours.methode(Catalogue.AUTO).get().stream().findFirst()}};
-        List<List<String>> cases = new ArrayList<>();
-        for (Object[] l : lignes) {
-            Releve r = (Releve) ((Optional<?>) l[2]).orElse(null);
-            cases.add(r == null ? Arrays.asList((String) l[0], "rien de ce qui est mesuré", "", "", "")
-                    : Arrays.asList((String) l[0], ecrit(r), Style.niveaux(r.erreur().valeur),
-                    Style.nombre(((Releves) l[1]).secondes() * r.rapport().valeur) + " s", fois(r.rapport())));
-        }
-        return table(Arrays.asList("je veux", "j'écris", "erreur", "temps", "au temps d'un rayon par pixel"), cases);
+    /** Tableau des conseils : le besoin, l'erreur sur la scène du cours et sur la pire, le temps ; dessous, ce qu'il faut écrire. */
+    private static String choisir(Releves methodes) {
+        Releves cours = methodes.scene(Catalogue.COURS);
+        Map<String, Optional<Releve>> lignes = new LinkedHashMap<>();
+        lignes.put("aller vite", cours.methode(Catalogue.UN_RAYON).get().stream().findFirst());
+        lignes.put("deux niveaux au plus", methodes.lePlusRapide(Catalogue.COURS, 2));
+        lignes.put("un niveau au plus", methodes.lePlusRapide(Catalogue.COURS, 1));
+        lignes.put("moins que l'arrondi de l'écran", methodes.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
+        lignes.put("ne pas choisir", cours.methode(Catalogue.AUTO).get().stream().findFirst());
+        StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>erreur, sur la scène du cours</th><th>erreur, sur la "
+                + "pire scène</th><th>temps, sur la scène du cours</th></tr>\n");
+        lignes.forEach((besoin, choisi) -> {
+            table.append("<tr><td>" + besoin + "</td>");
+            if (!choisi.isPresent()) {
+                table.append("<td colspan=\"3\">rien de ce qui est mesuré</td></tr>\n");
+                return;
+            }
+            Releve r = choisi.get();
+            Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
+            table.append("<td>" + Style.niveaux(r.erreur().valeur) + "</td><td>" + methodes.pire(r).map(p ->
+                    Style.niveaux(p.erreur().valeur) + " (" + p.scene + ")").orElse("") + "</td><td>" + secondes(cours, r)
+                    + "</td></tr>\n<tr><td colspan=\"4\">\n" + bloc("dans la scène", methode.section)
+                    + bloc("dans un terminal", methode.commande()) + "\n</td></tr>\n");
+        });
+        return table.append("</table>\n").toString();
     }
 
-    private static String ecrit(Releve r) {
-        String ecrit = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres).ecrit();
-        return ecrit.isEmpty() ? "rien de plus" : ecrit;
+    /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
+    private static String bloc(String titre, String texte) {
+        return texte.isEmpty() ? "" : titre + " :\n\n" + texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
+    }
+
+    private static String secondes(Releves siens, Releve r) {
+        double secondes = siens.secondes() * r.rapport().valeur;
+        return Double.isNaN(secondes) ? "" : Style.nombre(secondes) + " s, " + (r.methode.equals(Catalogue.UN_RAYON) ? "l'unité"
+                : fois(r.rapport()));
     }
 
     /** Tableau de chaque réglage de chaque scène : rayons, erreur, pixels visiblement faux, temps. */
-    private String comptes() {
+    private static String comptes(Releves methodes) {
         return table(Arrays.asList("scène", "réglage", "rayons", "erreur, en niveaux", "pixels visiblement faux", "temps",
-                "plus rapide et plus juste"),
-                releves.de(Catalogue.METHODES).get().stream().map(r -> Arrays.asList("`" + r.scene + "`", r.nom(),
-                "× " + Style.arrondi(r.rayons() / releves.de(Catalogue.METHODES).scene(r.scene).le(Catalogue.UN_RAYON, "").rayons()),
+                "plus rapide et plus juste"), methodes.get().stream().map(r -> Arrays.asList("`" + r.scene + "`", r.nom(),
+                "× " + Style.arrondi(r.rayons() / methodes.scene(r.scene).le(Catalogue.UN_RAYON, "").rayons()),
                 Style.nombre(r.erreur().valeur) + " (de " + Style.nombre(r.erreur().min) + " à " + Style.nombre(r.erreur().max) + ")",
-                Style.arrondi(100 * r.nombre("visibles")) + " %", fois(r.rapport()),
-                releves.de(Catalogue.METHODES).scene(r.scene).vainqueur(r).map(Releve::nom).orElse(""))).collect(Collectors.toList()));
+                Style.arrondi(100 * r.nombre("visibles")) + " %", r.methode.equals(Catalogue.UN_RAYON) ? "1" : fois(r.rapport()),
+                methodes.scene(r.scene).vainqueur(r).map(Releve::nom).orElse(""))).collect(Collectors.toList()));
     }
 
     /** « × 2,6 (de 2,4 à 2,9) » ; vide si le rapport n'est pas mesuré. */
@@ -97,15 +130,13 @@ final class Tableaux {
 
     /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
     private String besoins() {
-        return table(Arrays.asList("scène", "rayons par pixel", "qui changent l'écran", "ombres pour rien", "lampes", "utiles",
-                "reflets qui changent l'écran", "sphères", "essayées par rayon", "structures", "première image", "alloué", "mémoire"),
-                besoins.stream().map(b -> {
-                    double pixels = nombre(b, "largeur") * nombre(b, "hauteur");
-                    Releves temps = releves.scene(b.get("scene")).methode(Catalogue.UN_RAYON);
-                    double memoire = temps.get().stream().mapToDouble(r -> r.nombre("memoire_mo")).findFirst().orElse(Double.NaN);
-                    return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / pixels),
-                            Style.nombre(nombre(b, "rayons_utiles") / pixels), Style.arrondi(100 * nombre(b, "ombres_inutiles")
-                            / nombre(b, "rayons")) + " %", b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
+        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "utiles", "reflets qui changent l'écran", "sphères",
+                "essayées par rayon", "structures", "première image", "alloué", "mémoire"), besoins.stream().map(b -> {
+                    Releves temps = releves.scene(b.get("scene")).tels(r -> !r.famille.equals(Catalogue.DEMANDES));
+                    double memoire = temps.methode(Catalogue.UN_RAYON).get().stream().mapToDouble(r -> r.nombre("memoire_mo"))
+                            .findFirst().orElse(Double.NaN);
+                    return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / nombre(b, "largeur")
+                            / nombre(b, "hauteur")), b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
                             + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
                             Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
                             b.get("structures").toLowerCase(Locale.ROOT), Double.isNaN(temps.secondes()) ? ""

@@ -20,17 +20,16 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.commande.Pannes;
+import lancer.commande.Messages;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
-import lancer.texte.Texte;
+import lancer.texte.ErreurSysteme;
 
 /**
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide}, au plus une des autres options et, pour chaque autre programme à comparer,
- * {@code --jar=} suivi de son chemin.
+ * {@code make mesures}, avec {@code --rapide} et au plus une des autres options.
  *
  * <p>Statut de sortie : 0 si tout est juste ; 1 si une image est fausse, ou si la machine a échoué ou n'est pas disponible ({@code
  * mesures/resultats} ne change pas) ; 2 si la demande est fausse.
@@ -39,24 +38,15 @@ public final class Vitesse {
 
     static final String CSV = "vitesse.csv";
     static final String BESOINS = "besoins.csv";
-    private static final String PROCESSUS = "processus.csv";
 
-    /** Arguments de {@code java} pour ce programme, sans et avec l'anticrénelage ; option du chemin d'un autre programme. */
-    private static final String[] LANCER = {"-jar", "target/lancer.jar"};
-    private static final String[] ANTIALIAS = {"-jar", "antialias/target/antialias.jar"};
-    private static final String JAR = "--jar=";
-
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--processus", "--noyaux",
-            "--stabilite", "--dessiner");
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--noyaux", "--stabilite", "--dessiner");
 
     /** Dossier des résultats d'une mesure complète, et de ses courbes. */
     private static final String RESULTATS = "mesures/resultats";
 
-    private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
-
     private final Set<String> options;
-    private final List<Path> autres;
     private final boolean rapide;
+    private final Taille taille;
     private final PrintStream sortie;
 
     /** Dossier où les mesures se font, et dossier où leurs résultats sont copiés. */
@@ -66,16 +56,11 @@ public final class Vitesse {
     private Vitesse(PrintStream sortie, String... args) {
         this.sortie = sortie;
         options = new HashSet<>(Arrays.asList(args));
-        autres = options.stream().filter(o -> o.startsWith(JAR)).sorted().map(o -> Paths.get(o.substring(JAR.length())))
-                .collect(Collectors.toList());
-        options.removeIf(o -> o.startsWith(JAR));
-        if (options.size() + autres.size() < args.length || !OPTIONS.containsAll(options)) {
+        if (options.size() < args.length || !OPTIONS.containsAll(options)) {
             throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
         }
-        autres.stream().filter(jar -> !Files.isRegularFile(jar)).findFirst().ifPresent(jar -> {
-            throw new IllegalArgumentException("pas de fichier " + jar);
-        });
         rapide = options.contains("--rapide");
+        taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
         travail = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
         resultats = rapide ? travail : Paths.get(RESULTATS);
     }
@@ -96,10 +81,10 @@ public final class Vitesse {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + Texte.panne(e) : ""));
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + ErreurSysteme.raison(e) : ""));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
-            erreurs.println("Vitesse : " + Pannes.message(e));
+            erreurs.println("Vitesse : " + Messages.message(e));
             return 1;
         }
     }
@@ -117,8 +102,8 @@ public final class Vitesse {
         PovRay povray = comptes || temps ? povray() : null;
         // les mesures qui ne dépendent pas de la charge de la machine viennent d'abord
         if (comptes) {
-            Comptes lesComptes = new Comptes(TAILLE, povray, travail, sortie);
-            lesComptes.ecrire(new Catalogue(rapide).reglages());
+            Comptes lesComptes = new Comptes(taille, povray, travail, sortie);
+            lesComptes.ecrire(Catalogue.reglages());
             compterLesBesoins();
             neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
             if (povray != null) {
@@ -132,25 +117,18 @@ public final class Vitesse {
             neufs.add(Mesures.CSV);
         }
         if (temps) {
-            chronometrer(povray, CSV, new Catalogue(rapide).groupes(), TAILLE);
+            chronometrer(povray, CSV, Catalogue.groupes(rapide));
             neufs.add(CSV);
         }
-        if (options.contains("--processus")) {
-            Catalogue catalogue = new Catalogue(rapide);
-            chronometrer(null, PROCESSUS, catalogue.processus(autres), catalogue.tailles());
-            neufs.add(PROCESSUS);
-        }
         if (options.contains("--noyaux")) {
-            chronometrer(null, Methodes.CSV, Catalogue.intersections(), TAILLE);
+            chronometrer(null, Methodes.CSV, Catalogue.intersections());
             neufs.add(Methodes.CSV);
         }
         Files.createDirectories(resultats);
         for (String nom : resultats.equals(travail) ? Collections.<String>emptyList() : neufs) {
             Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
         }
-        if (!options.contains("--processus")) {
-            new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
-        }
+        new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
@@ -164,29 +142,26 @@ public final class Vitesse {
     }
 
     /** @throws IOException si la machine n'est pas disponible ; une mesure rapide ou agitée garde toutes ses manches */
-    private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes, Taille... tailles) throws IOException {
-        Mesureur mesureur = new Mesureur(rapide, povray, travail.resolve(csv), sortie, LANCER, ANTIALIAS);
-        for (Taille taille : tailles) {
-            mesureur.mesurer(taille, groupes);
-        }
+    private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes) throws IOException {
+        new Mesureur(rapide, povray, travail.resolve(csv), sortie, m -> new String[] {"-jar", m.jar()}).mesurer(taille, groupes);
     }
 
     private void compterLesBesoins() throws IOException {
-        Taille taille = rapide ? new Taille(200, 150) : TAILLE;
         List<Path> scenes = Scenes.livrees();
         sortie.println("besoins de " + scenes.size() + " scènes");
         List<String> comptes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne()).collect(Collectors.toList());
-        List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo"));
+        List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo,commit,date"));
+        Circonstances c = new Circonstances();
         for (int k = 0; k < scenes.size(); k++) {
-            lignes.add(comptes.get(k) + "," + alloues(scenes.get(k), taille));
+            lignes.add(comptes.get(k) + "," + String.join(",", alloues(scenes.get(k)), c.commit, c.date));
         }
         Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 
     /** Mégaoctets alloués par le programme pour sa première image ; vide si Java n'a pas de ramasse-miettes Epsilon. */
-    private String alloues(Path scene, Taille taille) throws IOException {
+    private String alloues(Path scene) throws IOException {
         Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(travail.resolve("pris"), Processus.JAVA,
-                "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", LANCER[1], "--image",
+                "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", new Methode("", "").jar(), "--image",
                 travail.resolve("besoin.png"), "--taille", taille, scene).dit);
         return m.matches() ? m.group(1) : "";
     }

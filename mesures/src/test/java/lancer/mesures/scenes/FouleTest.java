@@ -14,8 +14,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import lancer.Camera;
+import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
+import lancer.Scene;
 import lancer.Sphere;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
@@ -92,6 +96,29 @@ class FouleTest {
         assertArrayEquals(new double[] {0, 0.5, 0}, Foule.couleur(1 / 3.0, 1, 0.5));
         assertArrayEquals(new double[] {0, 0, 1}, Foule.couleur(-1 / 3.0, 1, 1));
         assertArrayEquals(new double[] {0.8, 0.4, 0.4}, Foule.couleur(1, 0.5, 0.8));
+    }
+
+    private static boolean estUnGrain(Objet3D objet) {
+        return ((Sphere) objet).getRayon() < 0.1;
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @ValueSource(strings = {"poussiere", "ombres-fines", "poussiere-miroirs"})
+    void uneSceneDifficileADesDetailsPlusPetitsQuUnPixelVusOuSeulementDevines(String nom) throws IOException {
+        Path fichier = Scenes.fichier(nom, dossier);
+        byte[] octets = Files.readAllBytes(fichier);
+        Scene scene = Scenes.lire(fichier);
+        long grains = scene.getObjets().stream().filter(FouleTest::estUnGrain).count();
+        assertTrue(grains > 1000, grains + " grains");
+        // un pixel sur seize d'une image ordinaire
+        Camera camera = new Camera(800, 600);
+        long vus = IntStream.range(0, 200 * 150).filter(k -> {
+            PointContact contact = scene.getClosestIntersection(camera.getRayon(k % 200 * 4 + 0.5, k / 200 * 4 + 0.5));
+            return contact != null && estUnGrain(contact.objet);
+        }).count();
+        // au plus un pixel par grain : il est plus petit ; des deux autres scènes, l'ombre et le reflet seuls se voient
+        assertTrue(nom.equals("poussiere") ? vus > 0 && 16 * vus < grains : vus == 0, vus + " pixels de grains");
+        assertArrayEquals(octets, Files.readAllBytes(Scenes.fichier(nom, dossier)), "toujours la même");
     }
 
     @Test

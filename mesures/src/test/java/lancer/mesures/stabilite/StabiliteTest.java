@@ -34,7 +34,7 @@ class StabiliteTest {
         }
         Bilan bilan = new Bilan(dossier);
         // ce que la page promet et raconte, sur ces rayons-ci aussi
-        for (String figure : new String[] {Mesures.LOIN, Mesures.RAS, Mesures.RAS_LOIN}) {
+        for (String figure : new String[] {Mesures.LOIN, Mesures.RAS, Mesures.RAS_LOIN, Mesures.SOL, Mesures.POSE}) {
             assertTrue(bilan.max(figure, r -> Bilan.estClasse(r) ? r.erreurEnUnites : 0) <= Bilan.PROMESSE, figure);
         }
         assertEquals(0, faux(bilan, Formule.PROGRAMME));
@@ -71,6 +71,8 @@ class StabiliteTest {
         }
         assertTrue(bilan.de(Reflets.FIGURE, "deux_doubles").get(14).erreurRelative < 1e-6, "quinze reflets, deux doubles");
         assertEquals(1, bilan.de(Reflets.FIGURE, "float").get(7).erreurRelative, "huit reflets, en float");
+        // deux rayons voisins s'écartent de 2d/r par reflet, où d est au hasard de 5 à 40, de logarithme uniforme, et r = 1
+        assertEquals(Math.log(2 * Math.sqrt(5 * 40)), bilan.exposantDeLyapunov(), 0.2);
     }
 
     /** Sans les temps, qui sont de la machine. */

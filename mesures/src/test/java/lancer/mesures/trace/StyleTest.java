@@ -1,19 +1,19 @@
 package lancer.mesures.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.text.AttributedCharacterIterator;
+import java.text.CharacterIterator;
 import java.util.Arrays;
-import java.util.List;
-import java.util.stream.Collectors;
 import lancer.mesures.Intervalle;
 import org.jfree.chart.axis.AxisState;
-import org.jfree.chart.axis.NumberTick;
+import org.jfree.chart.axis.LogTick;
 import org.jfree.chart.ui.RectangleEdge;
 import org.junit.jupiter.api.Test;
 
@@ -39,58 +39,39 @@ class StyleTest {
         assertEquals("1", Style.arrondi(0.999));
     }
 
-    private List<String> graduations(double min, double max) {
-        return new Axe("", min, max).refreshTicks(g, new AxisState(), new Rectangle2D.Double(0, 0, 600, 400), RectangleEdge.LEFT)
-                .stream().map(NumberTick::getText).collect(Collectors.toList());
-    }
-
-    @Test
-    void unAxeLogarithmiqueEstGradueDeNombresRondsDAutantMoinsQuIlEstLong() {
-        assertEquals(Arrays.asList("0,5", "1", "2", "5", "10", "20"), graduations(0.4, 25));
-        assertEquals(Arrays.asList("2", "2,5", "3", "4"),
-                graduations(2, 4.6));
-        assertEquals(Arrays.asList("10⁻³", "0,01", "0,1", "1", "10", "100"), graduations(0.001, 100));
-    }
-
-    @Test
-    void uneEtiquetteNEstJamaisSurUneAutreNiSurUnPointNiHorsDuCadre() {
-        effacer();
-        Etiquettes noms = new Etiquettes(g, new Rectangle2D.Double(100, 100, 200, 120));
-        noms.reserver(200, 150, FormeDePoint.DEMI_COTE);
-        int ecrites = 0;
-        for (int k = 0; k < 60; k++) {
-            ecrites += noms.ecrire("étiquette", 200, 150, 0, Style.ETIQUETTE, Color.BLACK, true) ? 1 : 0;
-        }
-        assertTrue(ecrites >= 2 && ecrites < 20, ecrites + " étiquettes dans un si petit cadre");
-        for (int y = 0; y < 400; y++) {
-            for (int x = 0; x < 600; x++) {
-                boolean dehors = x < 99 || x > 301 || y < 99 || y > 221;
-                boolean surLePoint = Math.abs(x - 200) < 3 && Math.abs(y - 150) < 3;
-                assertFalse((dehors || surLePoint) && image.getRGB(x, y) != -1, "(" + x + ", " + y + ")");
+    private String graduations(double min, double max) throws IOException {
+        StringBuilder textes = new StringBuilder();
+        for (Object graduation : new Axe("", min, max).refreshTicks(g, new AxisState(), new Rectangle2D.Double(0, 0, 600, 400),
+                RectangleEdge.LEFT)) {
+            AttributedCharacterIterator lettres = ((LogTick) graduation).getAttributedLabel().getIterator();
+            textes.append(textes.length() > 0 ? " " : "");
+            for (char c = lettres.first(); c != CharacterIterator.DONE; c = lettres.next()) {
+                textes.append(c);
             }
         }
-    }
-
-    private void effacer() {
-        g.setColor(Color.WHITE);
-        g.fillRect(0, 0, 600, 400);
-    }
-
-    /** Les pixels gris d'une courbe dont un repère porte ce nom. */
-    private long gris(String repere, Marque... marques) {
-        effacer();
-        new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(marques))).repere(1, repere)
-                .dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
-        return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == Style.GRIS.getRGB()).count();
+        return textes.toString();
     }
 
     @Test
-    void unRepereASonNomMemeSiSaDroiteEstPrise() {
-        Marque[] haut = {Marque.en(1, 30), Marque.en(99, 30)};
-        Marque[] descend = {Marque.en(1, 30), Marque.en(60, 30), Marque.en(60, 0.1), Marque.en(99, 30), Marque.en(99, 0.1)};
-        for (Marque[] marques : new Marque[][] {haut, descend}) {
-            assertTrue(gris("le nom", marques) > gris("", marques) + 20);
-        }
+    void unAxeLogarithmiqueEstGradueDePuissancesDeDeuxOuDeDixDAutantPlusEspaceesQuIlEstLong() throws IOException {
+        assertEquals("0,5 1 2 4 8 16", graduations(0.4, 25));
+        assertEquals("10⁻³ 0,01 0,1 1 10 100", graduations(0.00099, 101));
+        assertEquals("10⁻¹⁴ 10⁻¹² 10⁻¹⁰ 10⁻⁸ 10⁻⁶ 10⁻⁴ 0,01 1", graduations(0.99e-14, 1.01));
+    }
+
+    /** Les pixels de cette couleur d'un volet dont le point porte ce nom, et le repère celui-ci. */
+    private long encre(Color couleur, String nom, String repere) {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, 600, 400);
+        new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(Marque.en(1, 3).nommee(nom),
+                Marque.en(9, 30)))).repere(1, repere).dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
+        return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == couleur.getRGB()).count();
+    }
+
+    @Test
+    void unPointEtUnRepereOntLeurNom() {
+        assertTrue(encre(Style.VERT.darker(), "le nom", "") > encre(Style.VERT.darker(), "", "") + 20);
+        assertTrue(encre(Style.GRIS, "", "le nom") > encre(Style.GRIS, "", "") + 20);
     }
 
     @Test
@@ -104,8 +85,9 @@ class StyleTest {
     void toutesLesPlanchesOntLaMemeTailleEtDesMarquesDeToutesLesCouleursDeLaLegende() {
         Serie serie = new Serie("mesures", Style.VERMILLON, FormeDePoint.LOSANGE, true,
                 Arrays.asList(new Marque(new Intervalle(1, 0.8, 1.2), Intervalle.exact(10)).nommee("un"), Marque.en(10, 1).creuse(),
-                        Marque.en(100, 0.4).cerclee()));
-        Volet volet = new Volet("Le constat", "x, en ms", "y, en pas").serie(serie).enHaut(2, "x, au second").mieux()
+                        Marque.en(100, 0.4)));
+        Volet volet = new Volet("Le constat", "x, en ms", "y, en pas").serie(serie).enHaut(2, "x, au second")
+                .serie(new Serie("", Style.NOIR, FormeDePoint.ANNEAU, false, serie.marques))
                 .serie(new Serie("un fond", Style.FRONT, FormeDePoint.AUCUNE, true, serie.marques)).repere(5, "un repère");
         BufferedImage planche = new Planche("Un titre", "une note").volet(volet).volet(volet).dessiner();
         assertEquals(Style.LARGEUR, planche.getWidth());

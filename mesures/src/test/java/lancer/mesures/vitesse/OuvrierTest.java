@@ -4,11 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
-import java.io.StringReader;
 import java.nio.file.Path;
 import lancer.Scene;
 import lancer.image.Ecriture;
@@ -19,7 +15,7 @@ import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Ce que fait la machine virtuelle d'une méthode, sans elle. */
+/** Les vérifications d'une image dessinée. */
 class OuvrierTest {
 
     private static final Taille TAILLE = new Taille(64, 48);
@@ -36,23 +32,8 @@ class OuvrierTest {
     }
 
     @Test
-    void ilDessineAutantDeFoisQuOnLeDemandePuisRendSesComptes() throws IOException {
-        ByteArrayOutputStream sortie = new ByteArrayOutputStream();
-        Ouvrier.dessiner(methode("coins/n=3 seuil=0.05"), scene(), TAILLE,
-                new BufferedReader(new StringReader("1\n3\n2\nfinir\n5\n")), new PrintStream(sortie));
-        String[] lignes = sortie.toString("UTF-8").split("\n");
-        assertEquals(4, lignes.length);
-        assertTrue(Double.parseDouble(lignes[1].split(" ")[0]) > 0);
-        Methode.ScenePrete dessin = methode("coins/n=3 seuil=0.05").new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
-        dessin.faire(new ImageLineaire(TAILLE.largeur, TAILLE.hauteur), 1);
-        assertEquals(dessin.lancer.getCompteurs().primaires, Long.parseLong(lignes[3].split(" ")[0]));
-        assertEquals(TAILLE.pixels(), Integer.parseInt(lignes[3].split(" ")[6]), "tous vérifiés");
-    }
-
-    @Test
     void unBitDeTropRendLImageFausse() throws IOException {
-        for (String cle : new String[] {"un rayon/", "coins/n=3 seuil=0.05",
-            "partage, tous les reflets/n=4 seuil=0.1 jusqu'à 1/128"}) {
+        for (String cle : new String[] {"un rayon/", "coins par défaut/", "partage/n=4 seuil=0.2"}) {
             Methode.ScenePrete dessin = methode(cle).new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
             ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
             dessin.faire(image, 2);

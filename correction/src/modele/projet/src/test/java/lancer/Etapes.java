@@ -36,6 +36,9 @@ public class Etapes implements TestExecutionListener {
     /** Secondes laissées à une vérification avant de la dire sans fin ; 0 : autant qu'elle en veut. */
     private static final int PATIENCE = Integer.getInteger("etapes.patience", 0);
 
+    /** Les étapes qui complètent une méthode déjà écrite pour une autre, où aucun FIXME ne les annonce. */
+    private static final List<String> DANS_LA_MEME_METHODE = Arrays.asList("phong", "ombres", "reflets");
+
     /** Ce qui suit un lieu où le squelette demande encore d'écrire. */
     private static final String FIXME = " (FIXME)";
 
@@ -94,6 +97,9 @@ public class Etapes implements TestExecutionListener {
             bilan.append(etape.getDisplayName()).append(" : ").append(verifications.size() - manques.size()).append('/')
                     .append(verifications.size());
             if (!manques.isEmpty()) {
+                boolean aCommencer = etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName()))
+                        && manques.stream().anyMatch(m -> m.aCommencer);
+                manques.removeIf(m -> aCommencer && !m.aCommencer);
                 Manque premier = manques.stream().filter(m -> !m.nonEvaluable).findFirst().orElse(manques.get(0));
                 bilan.append(!premier.essayee ? " ; pas essayée" : premier.nonEvaluable ? " ; le reste n'est pas évaluable"
                         : premier.aCommencer ? " ; à commencer : " + premier.dit
@@ -167,8 +173,9 @@ public class Etapes implements TestExecutionListener {
                         .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu(classe, intitule));
             }
             nonEvaluable = abandonnee && dit.startsWith("étape non évaluable");
-            aCommencer = abandonnee && lieu.endsWith(FIXME);
-            aFaire = (lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
+            aCommencer = abandonnee && (lieu.endsWith(FIXME) || cause.getMessage().contains("étape non commencée")
+                    && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
+            aFaire = (aCommencer || lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
         }
 
         private Optional<StackTraceElement> premiere(Throwable faute, Predicate<StackTraceElement> voulue) {

@@ -7,33 +7,33 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.SceneFautive;
-import lancer.contrat.PixelFautif;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */
-public final class Pannes {
+public final class Messages {
 
-    private Pannes() {
+    private Messages() {
     }
 
-    /** Écrit cette panne en une ligne. @return le statut de sortie */
-    public static int dire(Throwable panne, PrintStream erreur) {
-        avertir(Collections.singletonList(message(panne)), erreur);
-        return panne instanceof Echec ? ((Echec) panne).code
-                : panne instanceof SceneFautive ? Echec.DEMANDE : Echec.PANNE;
+    /** Écrit cet échec en une ligne. @return le statut de sortie */
+    public static int dire(Throwable echec, PrintStream erreur) {
+        avertir(Collections.singletonList(message(echec)), erreur);
+        return echec instanceof Echec ? ((Echec) echec).code
+                : echec instanceof SceneFautive ? Echec.DEMANDE : Echec.MACHINE;
     }
 
-    public static String message(Throwable panne) {
-        if (panne instanceof Echec || panne instanceof SceneFautive) {
-            return panne.getMessage();
+    public static String message(Throwable echec) {
+        if (echec instanceof Echec || echec instanceof SceneFautive) {
+            return echec.getMessage();
         }
-        if (panne instanceof OutOfMemoryError) {
+        if (echec instanceof OutOfMemoryError) {
             // Java lève la même erreur pour deux manques
-            return String.valueOf(panne.getMessage()).contains("native thread")
+            return String.valueOf(echec.getMessage()).contains("native thread")
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + Texte.cause(panne, Texte.HORS_DE_JAVA);
+        return "échec du programme : " + Pile.cause(echec, Pile.HORS_DE_JAVA);
     }
 
     public static void avertir(List<String> messages, PrintStream erreur) {
@@ -59,16 +59,14 @@ public final class Pannes {
     /** @throws Echec si l'écriture a échoué : un {@code PrintStream} ne lève pas d'exception */
     private static void verifier(PrintStream sortie) {
         if (sortie.checkError()) {
-            throw Echec.panne("sortie standard : écriture impossible");
+            throw Echec.machine("sortie standard : écriture impossible");
         }
     }
 
-    /** Message d'un pixel qui échoue : le pixel, la {@link Texte#cause} dans ces classes, la commande qui le montre. */
-    public static String duPixel(PixelFautif panne, String[] classes, String options, String scene, int largeur,
-            int hauteur) {
-        return "pixel " + panne.x + ", " + panne.y + " de " + Texte.echappe(scene) + " : "
-                + Texte.cause(panne, classes) + " ; pour le revoir : "
-                + commande(" --pixel " + panne.x + "," + panne.y, options, scene, largeur, hauteur);
+    /** Message sur un pixel : ce qui lui arrive, puis la commande qui l'explique. */
+    public static String duPixel(int x, int y, String cause, String options, String scene, int largeur, int hauteur) {
+        return "pixel " + x + ", " + y + " de " + Texte.echappe(scene) + " : " + cause + " ; pour le revoir : "
+                + commande(" --pixel " + x + "," + y, options, scene, largeur, hauteur);
     }
 
     /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */

@@ -18,11 +18,11 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.essai.Plan;
 import lancer.rapide.Preparation;
-import lancer.texte.Texte;
+import lancer.texte.Pile;
 import org.junit.jupiter.api.Test;
 
 /** Un dessin qui échoue nomme son pixel, sa cause et la commande qui le redessine. */
-class PannesPixelTest {
+class PixelsFautifsTest {
 
     private static final Camera CAMERA = new Camera(40, 30);
 
@@ -49,7 +49,7 @@ class PannesPixelTest {
         }
     }
 
-    private static PixelFautif panne(Vecteur normale, int fils) {
+    private static PixelFautif faute(Vecteur normale, int fils) {
         Scene scene = new Scene(Collections.singletonList(new Mur(normale)),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
         scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
@@ -59,13 +59,13 @@ class PannesPixelTest {
 
     @Test
     void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande() {
-        PixelFautif panne = panne(null, 1);
-        assertTrue(panne.x >= 20, panne.getMessage());
-        String message = Pannes.duPixel(panne, new String[] {Texte.HORS_DE_JAVA}, " --reflets 2", "ma scène.ini", 40, 30);
-        String pixel = panne.x + "," + panne.y;
+        PixelFautif faute = faute(null, 1);
+        assertTrue(faute.x >= 20, faute.getMessage());
+        String message = Messages.duPixel(faute.x, faute.y, Pile.cause(faute, Pile.HORS_DE_JAVA), " --reflets 2", "ma scène.ini", 40, 30);
+        String pixel = faute.x + "," + faute.y;
         assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : "
-                + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PannesPixelTest$Mur.getNormale, "
-                + "PannesPixelTest.java:"), message);
+                + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PixelsFautifsTest$Mur.getNormale, "
+                + "PixelsFautifsTest.java:"), message);
         assertTrue(message.endsWith(" --pixel " + pixel + " --taille 40x30 --reflets 2 'ma scène.ini'"), message);
         assertEquals(1, message.split("\n").length);
     }
@@ -73,8 +73,8 @@ class PannesPixelTest {
     @Test
     void uneReponseQuiNEstPasUnNombreNArriveJamaisALImage() {
         for (double faux : Arrays.asList(Double.NaN, Double.POSITIVE_INFINITY)) {
-            PixelFautif panne = panne(new Vecteur(0, 0, faux), 2);
-            assertTrue(panne.x >= 20, panne.getMessage());
+            PixelFautif faute = faute(new Vecteur(0, 0, faux), 2);
+            assertTrue(faute.x >= 20, faute.getMessage());
         }
     }
 

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Une scène que la machine ne sait pas lire jusqu'au bout, ou qui change pendant qu'on la lit : une ligne, et pas d'image. */
 @Timeout(120)
-class PannesLectureTest extends EssaiProcessus {
+class EchecsLectureTest extends EssaiProcessus {
 
     @Test
     void uneLectureQuiEchoueSeDitEnUneLigne() {

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Timeout;
  * écritures qui échouent d'elles-mêmes, sans toucher à la machine, sont dans {@link SortiesTest}.
  */
 @Timeout(120)
-class PannesTest extends EssaiProcessus {
+class EchecsTest extends EssaiProcessus {
 
     private static final byte[] AVANT = {1, 2, 3};
 

@@ -1,0 +1,295 @@
+package lancer.correction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Deux rendus jugés une fois : leurs notes sur les feuilles que l'on rencontre, et les résultats que l'on garde. */
+@EnabledForJreRange(min = JRE.JAVA_17)
+class NotesTest extends ClasseEssai {
+
+    private static final Charset CP1252 = Charset.forName("windows-1252");
+    private static final String TITRES =
+            "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
+
+    @TempDir
+    static Path jugee;
+    @TempDir
+    Path dossier;
+
+    @BeforeAll
+    static void juger() throws IOException {
+        rendre("Ólafur Þór_7001", "--corrige");
+        rendre("Zoé N’Guyen_7002", "--squelette");
+        noter(jugee.resolve("rendus"), jugee.resolve("classe"));
+    }
+
+    /** Un rendu, tel que Moodle le nomme. */
+    private static Path rendre(String nom, String quoi) {
+        Path rendu = jugee.resolve("rendus").resolve(nom + "_assignsubmission_file");
+        assertEquals(0, executer(quoi, rendu.resolve("projet")).code);
+        return rendu;
+    }
+
+    @BeforeEach
+    void copierLaClasse() throws IOException {
+        copier(jugee.resolve("classe"), dossier);
+    }
+
+    private Essai renoter(Object... options) {
+        List<Object> arguments = new ArrayList<>(List.of("--noter", "--sortie", dossier));
+        arguments.addAll(List.of(options));
+        return executer(arguments.toArray());
+    }
+
+    private Path feuille(String texte) throws IOException {
+        return Files.writeString(dossier.resolve("feuille.csv"), texte);
+    }
+
+    private String deposee() throws IOException {
+        return Files.readString(dossier.resolve("notes-a-deposer.csv"));
+    }
+
+    private void baremer(String lignes) throws IOException {
+        Files.writeString(dossier.resolve("bareme.ini"), Files.readString(dossier.resolve("bareme.ini")) + lignes);
+    }
+
+    private void ajuster(String lignes) throws IOException {
+        Files.writeString(dossier.resolve("ajustements.csv"), lignes);
+    }
+
+    private String note(String id) throws IOException {
+        Map<String, String> ligne = classe(dossier).get(id);
+        return ligne.get("note") + "/" + ligne.get("sur");
+    }
+
+    @Test
+    void lesNotesEtTousLesPointsSontSurLEchelleDeLaFeuille() throws IOException {
+        for (String maximum : List.of("Maximum grade", "Maximum Grade", "MAXIMUM GRADE", "Note maximale")) {
+            Path feuille = feuille(TITRES.replace("Maximum grade", maximum) + "Participant 7001,Ólafur Þór,,40.00,-,\n");
+            assertEquals(0, renoter("--notes", feuille).code);
+            contient(deposee(), "Participant 7001,Ólafur Þór,34.00,40.00,-,\"Correction automatique : 34.00,");
+        }
+        assertEquals("34.00/40.00", note("7001"));
+        contient(page(dossier, "7001"), "34 points sur 40", "<td class=\"n\">5 / 5");
+        contient(Files.readString(dossier.resolve("index.html")), "note sur 40", "sur 40, la note maximale de la feuille");
+        renoter();
+        assertEquals("17.00/20.00", note("7001"));
+    }
+
+    @Test
+    void unTotalQuiNEstPasCeluiDeLaFeuilleNeDonnePasDeuxEchelles() throws IOException {
+        baremer("rapport écrit=4\n");
+        ajuster("7001,rapport écrit,3,\n");
+        renoter("--notes", feuille(TITRES + "Participant 7001,x,9.00,20.00,-,\nParticipant 7002,x,,20.00,-,\n"));
+        assertEquals("16.67/20.00", note("7001"), "20 points sur 24");
+        String index = Files.readString(dossier.resolve("index.html"));
+        contient(index, "<td class=\"n\">16,67<td class=\"petit\"><div>note de la feuille gardée, que nous n&#39;avons pas écrite : 9.00 ; "
+                + "la nôtre serait 16.67");
+        assertEquals(2, index.split("sur 24").length, "dit une fois, et le reste est sur une seule échelle");
+        contient(index, "dans bareme.ini et ajustements.csv, ils sont sur 24");
+        assertFalse(page(dossier, "7001").contains("sur 24"), "une seule échelle");
+        contient(page(dossier, "7001"), "16,67 points sur 20");
+    }
+
+    @Test
+    void uneNoteMaximaleQuiNeSeLitPasEstRefuseeAvantDeJuger() throws IOException {
+        for (String lignes : List.of("7001,x,,trente,-,\n", "7001,x,,,-,\n", "7001,x,,0.00,-,\n", "7001,x,,-5,-,\n", "7001,x,,A,-,\n",
+                "7001,x,,30,-,\n7002,x,,3O,-,\n", "7001,x,,30,-,\n7002,x,,20,-,\n", "")) {
+            Path feuille = feuille(TITRES + lignes);
+            Essai essai = executer("--sans-confinement", "--sortie", dossier, "--notes", feuille, jugee.resolve("rendus"));
+            assertEquals(2, essai.code, lignes);
+            assertEquals(1, essai.erreur.split("\n").length, essai.erreur);
+            contient(essai.erreur, lignes.isEmpty() ? "aucun étudiant" : "attendu : un nombre, le même pour tous");
+        }
+        Essai sans = renoter("--notes", feuille("Identifier,Grade,Top mark,Last modified (grade)\n7001,,30,-\n"));
+        assertEquals(2, sans.code);
+        contient(sans.erreur, "la colonne « Note maximale » (« Maximum grade ») manque");
+    }
+
+    @Test
+    void uneFeuilleEnregistreeParUnTableurFrancaisGardeSonSeparateurSonCodageEtSonSigneDecimal() throws IOException {
+        String titres = "Identifiant;Nom complet;NOTE;Note Maximale;Dernière modification (note);Feedback par commentaires\r\n";
+        Path feuille = dossier.resolve("tableur.csv");
+        Files.write(feuille, (titres + "Participant7001;Œuvrée, Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
+                .getBytes(CP1252));
+        Essai essai = renoter("--notes", feuille);
+        assertEquals(0, essai.code, essai.erreur);
+        String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252);
+        contient(ecrit, titres + "Participant7001;Œuvrée, Maëlle;42,50;50,00;-;\"Correction automatique : 42.50, étape atteinte, « ",
+                ";;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n");
+        assertEquals(0, renoter("--notes", dossier.resolve("notes-a-deposer.csv")).code);
+        assertEquals(ecrit, new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252));
+    }
+
+    @Test
+    void unBonusEtUnePenaliteNEntrentJamaisDansLeTotalEtLaNoteResteEntreZeroEtLeMaximum() throws IOException {
+        baremer("soutenance orale=+2.5\ntrois jours=-4\n");
+        Essai avant = renoter();
+        assertEquals(List.of("17.00/20.00", ""), List.of(note("7001"), classe(dossier).get("7001").get("trois jours")), avant.erreur);
+        assertFalse(Files.readString(dossier.resolve("ajustements-a-remplir.csv")).contains("soutenance"), "rien à donner à chacun");
+        ajuster("7001,soutenance orale,\"1,5\",bravo\n7002,trois jours,-4,en retard\n");
+        renoter();
+        assertEquals(List.of("18.50/20.00", "0.00/20.00"), List.of(note("7001"), note("7002")), "jamais négative");
+        contient(page(dossier, "7001"), "1,5 / 0", "bravo");
+        contient(page(dossier, "7002"), "-4 / 0", "en retard");
+        ajuster("7001,soutenance orale,2.5,\n7001,brume,1,\n7001,antialias,1,\n7001,blinn,1,\n");
+        renoter();
+        assertEquals("20.00/20.00", note("7001"), "jamais plus que le maximum");
+        ajuster("7001,soutenance orale,3,\n7001,trois jours,1,\n7002,consignes,-2,\n7001,absences,-1,\n");
+        contient(renoter().erreur, "« 3 » ; attendu : de 0 à 2.5", "« 1 » ; attendu : de -4.0 à 0",
+                "« absences » n'existe pas ; attendu : un parmi vecteurs", "ou une ligne de plus dans bareme.ini : bonus=+1, retard=-2");
+        assertEquals("17.00/20.00", note("7001"));
+        baremer("sphere=-1\n");
+        contient(renoter().erreur, "« -1 » ; attendu : un nombre de 0 à 9999\n");
+    }
+
+    @Test
+    void uneNoteTapeeDansLaFeuilleADeposerEstGardeeTantQuElleYEst() throws IOException {
+        for (String commentaires : List.of(",", "")) {
+            String titres = commentaires.isEmpty() ? TITRES.replace(",\"Feedback comments\"", "") : TITRES;
+            Path feuille = feuille(titres + "Participant 7001,a,,20.00,-" + commentaires + "\nParticipant 7002,b,,20.00,-" + commentaires
+                    + "\nParticipant 7003,c,,20.00,-" + commentaires + "\n");
+            renoter("--notes", feuille);
+            Path deposee = dossier.resolve("notes-a-deposer.csv");
+            Files.writeString(deposee, deposee().replace("a,17.00", "a,11.75").replace("c,,", "c,0,"));
+            for (int fois = 0; fois < 3; fois++) {
+                // le barème change : une note calculée suit, une note tapée reste
+                baremer(fois == 1 ? "vecteurs=4\n" : "");
+                Essai essai = renoter("--notes", fois == 2 ? deposee : feuille);
+                assertEquals(0, essai.code, essai.erreur);
+                contient(deposee(), "a,11.75,20.00,-", "b," + classe(dossier).get("7002").get("note") + ",20.00", "c,0,20.00");
+            }
+            contient(classe(dossier).get("7001").get("à regarder"), "11.75 ; la nôtre serait 17.27");
+            // effacée, elle est de nouveau la nôtre
+            Files.writeString(deposee, deposee().replace("a,11.75", "a,"));
+            renoter("--notes", feuille);
+            contient(deposee(), "a,17.27,20.00");
+            copierLaClasse();
+            Files.delete(deposee);
+        }
+    }
+
+    @Test
+    void ceQueLEnseignantTapeAussiEnCommentaireResteEtUneNoteQueMoodleIgnoreraEstDite() throws IOException {
+        Path feuille = feuille(TITRES + "Participant 7001,a,,20.00,-,\nParticipant 7002,b,,20.00,-,déjà vu\n");
+        renoter("--notes", feuille);
+        Files.writeString(dossier.resolve("notes-a-deposer.csv"), deposee().replace("-,\"Correction", "-,\"Parle plus fort. Correction")
+                .replaceFirst("b,\\d\\.\\d\\d", "b,21"));
+        renoter("--notes", feuille);
+        contient(deposee(), "a,17.00,20.00,-,\"Parle plus fort. Correction automatique : 17.00,", "b,21,20.00,-,");
+        contient(classe(dossier).get("7002").get("à regarder"), "note tapée dans notes-a-deposer.csv, gardée : 21, que Moodle ignorera");
+    }
+
+    /** Les noms et les octets de ces fichiers. */
+    private static Map<String, String> octets(Path dossier) throws IOException {
+        try (Stream<Path> flux = Files.list(dossier)) {
+            Map<String, String> tout = new java.util.TreeMap<>();
+            for (Path fichier : flux.collect(Collectors.toList())) {
+                tout.put(fichier.getFileName().toString(), new String(Files.readAllBytes(fichier), StandardCharsets.ISO_8859_1));
+            }
+            return tout;
+        }
+    }
+
+    @Test
+    void unRenduDePlusEstAjouteOuRemplaceSansQuAucunAutreNeChange() throws IOException {
+        Path resultats = dossier.resolve("resultats");
+        Files.writeString(resultats.resolve("mes-notes.csv"), "à moi");
+        Map<String, String> avant = octets(resultats);
+        Path tard = dossier.resolve("tard/Émile Abe_7009_assignsubmission_file");
+        copier(jugee.resolve("rendus/Ólafur Þór_7001_assignsubmission_file"), tard);
+        Essai essai = executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard.getParent());
+        assertEquals(0, essai.code, essai.erreur);
+        contient(essai.erreur, "les résultats de 2 autres rendus de ce dossier restent");
+        assertEquals(List.of("7009", "7001", "7002"), new ArrayList<>(classe(dossier).keySet()).stream().sorted((a, b) ->
+                a.equals("7009") ? -1 : b.equals("7009") ? 1 : a.compareTo(b)).collect(Collectors.toList()));
+        assertEquals("17.00/20.00", note("7009"));
+        Map<String, String> apres = octets(resultats);
+        assertTrue(apres.entrySet().containsAll(avant.entrySet()) && apres.size() == avant.size() + 1, apres.keySet().toString());
+        // le même, refait : il prend sa place
+        changer(tard.resolve("projet/src/main/java/lancer"), "Sphere", "distance = (-b - racine) / 2;", "distance = 3;");
+        assertEquals(0, executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard.getParent()).code);
+        assertEquals(apres.keySet(), octets(resultats).keySet());
+        assertFalse(note("7009").equals("17.00/20.00"));
+        assertTrue(octets(resultats).entrySet().containsAll(avant.entrySet()));
+        assertEquals(2, renoter("--ajouter").code, "sans rendus, rien à ajouter");
+        // sans --ajouter, c'est dit avant de juger
+        Essai seul = executer("--sans-confinement", "--sortie", dossier, tard.getParent());
+        assertTrue(seul.erreur.indexOf("les résultats de 2 autres rendus de ce dossier seront effacés à la fin ; AJOUTER=1") > 0
+                && seul.erreur.indexOf("AJOUTER=1") < seul.erreur.indexOf("1/1"), seul.erreur);
+        assertEquals("à moi", Files.readString(resultats.resolve("mes-notes.csv")));
+        assertEquals(1, classe(dossier).size());
+    }
+
+    @Test
+    void uneInterruptionLaisseLesResultatsDAvant() throws IOException {
+        Path travail = Files.createDirectories(dossier.resolve(".travail"));
+        // entre les deux renommages
+        Files.createDirectories(travail.resolve("resultats"));
+        Files.move(dossier.resolve("resultats"), travail.resolve("anciens"));
+        Essai essai = renoter();
+        assertEquals(0, essai.code, essai.erreur);
+        assertEquals(classe(jugee.resolve("classe")), classe(dossier));
+    }
+
+    @Test
+    void unePageQueLOnNePeutEcrireNeCouteQuElleEtLIndexDitLaquelleEtPourquoi() throws IOException {
+        Files.writeString(dossier.resolve("etudiants/mon-bilan.html"), "à moi");
+        Path resultat = dossier.resolve("resultats/001-7002.csv");
+        resultat = Files.exists(resultat) ? resultat : dossier.resolve("resultats/002-7002.csv");
+        Files.writeString(resultat, Files.readString(resultat).replaceAll("(?m)^image,.*$", "image,scene1,1,1,AAAA"));
+        Essai essai = renoter();
+        assertEquals(0, essai.code, essai.erreur);
+        assertEquals("17.00/20.00", note("7001"));
+        contient(page(dossier, "7002"), "sa page n&#39;a pas pu être écrite (java.lang.IllegalArgumentException");
+        contient(classe(dossier).get("7002").get("à regarder"), "sa page n'a pas pu être écrite (java.lang.IllegalArgumentException");
+        contient(Files.readString(dossier.resolve("index.html")), "Zoé N’Guyen</a><td class=\"n\">", "sa page n&#39;a pas pu être écrite");
+        assertEquals("à moi", Files.readString(dossier.resolve("etudiants/mon-bilan.html")));
+    }
+
+    @Test
+    void lIdentifiantDUnDossierNEstPasUneFormuleEtSaLigneSeRelit() throws IOException {
+        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.csv")) ? "001-7001.csv"
+                : "002-7001.csv");
+        String nom = "=SOMME(A1)+k;@b";
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("étudiant,7001,[^,]*,", "étudiant," + nom + "," + nom + ",")
+                + "verdict,brume.image,A_NOTER,\r\n");
+        renoter();
+        String aRemplir = Files.readString(dossier.resolve("ajustements-a-remplir.csv"));
+        contient(aRemplir, "'=SOMME(A1)+k;'@b,brume,,");
+        ajuster(aRemplir.replace("brume,,", "brume,0.5,"));
+        Essai essai = renoter();
+        assertEquals("", essai.erreur);
+        assertEquals("17.50", classe(dossier).values().stream().map(l -> l.get("note")).max(String::compareTo).get());
+    }
+
+    @Test
+    void unTexteDUnEtudiantNAgitNiSurSaPageNiSurLIndex() throws IOException {
+        Path resultat = dossier.resolve("resultats").resolve(Files.exists(dossier.resolve("resultats/001-7001.csv")) ? "001-7001.csv"
+                : "002-7001.csv");
+        Files.writeString(resultat, Files.readString(resultat).replaceFirst("étudiant,7001,[^,]*,",
+                "étudiant,7001,\"<b>x</b> & '\"\"y\"\" \\${7*7} <#stop> \u202e\u0007\","));
+        assertEquals(0, renoter().code);
+        for (String page : List.of(page(dossier, "7001"), Files.readString(dossier.resolve("index.html")))) {
+            contient(page, "&lt;b&gt;x&lt;/b&gt; &amp; &#39;&quot;y&quot; ${7*7} &lt;#stop&gt; \uFFFD\uFFFD");
+        }
+    }
+}

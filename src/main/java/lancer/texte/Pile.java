@@ -1,0 +1,38 @@
+package lancer.texte;
+
+/** Lecture de la pile d'un fil ou d'un échec. */
+public final class Pile {
+
+    /** Les noms des classes qui ne font pas partie de Java, pour {@link #ligne}. */
+    public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
+
+    /** Parmi eux, les noms des classes du cours, des variantes et des formes : le reste de la base est le moteur. */
+    public static final String HORS_DU_MOTEUR = "(?!lancer\\.(auto|commande|contrat|dessin|fenetre|fils|image"
+            + "|inspection|precision|rapide|scene|texte)\\.|org\\.ini4j\\.)" + HORS_DE_JAVA;
+
+    private Pile() {
+    }
+
+    /** Cause d'un échec, et {@link #ligne} de sa pile. */
+    public static String cause(Throwable echec, String... classes) {
+        Throwable cause = echec;
+        while (cause.getCause() != null) {
+            cause = cause.getCause();
+        }
+        return Texte.echappe(cause.toString())
+                + ligne(cause.getStackTrace().length > 0 ? cause.getStackTrace() : echec.getStackTrace(), classes);
+    }
+
+    /** Première ligne dont la classe suit une de ces expressions, par préférence ; vide s'il n'y en a pas. */
+    public static String ligne(StackTraceElement[] pile, String... classes) {
+        for (String noms : classes) {
+            for (StackTraceElement pas : pile) {
+                if (pas.getClassName().matches(noms)) {
+                    return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
+                            + pas.getLineNumber() + ")";
+                }
+            }
+        }
+        return "";
+    }
+}

@@ -1,0 +1,166 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lancer.Point;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.essai.Essai;
+import lancer.essai.Modification;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Ce que l'on ajoute aux classes du cours : du verre, un champ de la scène, une liste filtrée, des sphères qui bougent. La recherche
+ * rapide n'en sait rien : l'image par défaut est celle des boucles du cours parce que le sondage l'a vu.
+ */
+class AjoutsTest {
+
+    private static final String[] SCENES = {"scene1", "bowling", "ombres", "miroirs", "diffus"};
+
+    private static final String[] VERRE = {
+        "Objet3D", "private double ns = 1;", "private double ns = 1; private Couleur Kt = new Couleur(); "
+                + "public Couleur getKt() { return Kt; } public void setKt(Couleur Kt) { this.Kt = Kt; }",
+        "scene/LecteurScene", "Arrays.asList(\"Kd\"", "Arrays.asList(\"Kt\", \"Kd\"",
+        "scene/LecteurScene", "lu.setKd(", "lu.setKt(courante.couleur(\"Kt\", lu.getKt(), 1)); lu.setKd(",
+        "Scene", "autre != objet && demander", "autre != objet && autre.getKt().estNoire() && demander"};
+
+    private static final String CHAMP = "Scene|final Lampe[] lampes;|final Lampe[] lampes; Objet3D absent;"
+            + "|Scene|objet != saufLui|objet != saufLui && objet != absent|";
+
+    private static final String MOBILE = "Sphere|private final Point centre|public Point centre"
+            + "|Sphere|private final double rayon|public double rayon"
+            + "|Lancer|private Compteurs compteurs|static void placer(Scene scene, double x) { "
+            + "Sphere s = (Sphere) scene.getObjets().get(2); s.centre = new Point(x, s.centre.y, s.centre.z); } "
+            + "private Compteurs compteurs|";
+
+    @TempDir
+    Path dossier;
+
+    private int changeantes;
+    private final List<String> pasVues = new ArrayList<>();
+
+    private static float[] dessiner(Essai.Isole programme, Path dossier, Path scene, String... options) throws IOException {
+        List<String> args = new ArrayList<>(Arrays.asList("--taille=200x150", "--fils=1",
+                "--lineaire", dossier.resolve("i.pfm").toString(), scene.toString()));
+        args.addAll(Arrays.asList(options));
+        Essai essai = programme.executer(args.toArray(new String[0]));
+        assertEquals(0, essai.code, essai.toString());
+        return Essai.pfm(Files.readAllBytes(dossier.resolve("i.pfm")));
+    }
+
+    /** Un cas compte s'il change plus d'un pixel sur mille, par les boucles ou par la recherche. */
+    private void essayer(String nom, Essai.Isole programme, float[] avant, Path scene) throws IOException {
+        float[] simple = dessiner(programme, dossier, scene, "--simple");
+        int faux = differents(simple, dessiner(programme, dossier, scene));
+        if (Math.max(faux, differents(avant, simple)) * 1000 > simple.length / 3) {
+            changeantes++;
+            if (faux > 0) {
+                pasVues.add(nom + " : " + faux + " sur " + differents(avant, simple));
+            }
+        }
+    }
+
+    private static int differents(float[] a, float[] b) {
+        int n = 0;
+        for (int k = 0; k < a.length; k += 3) {
+            n += a[k] != b[k] || a[k + 1] != b[k + 1] || a[k + 2] != b[k + 2] ? 1 : 0;
+        }
+        return n;
+    }
+
+    @Test
+    void leVerreDeChaqueBouleDeCinqScenesSeVoitDansNeufCasSurDix() throws IOException {
+        try (Essai.Isole verre = Modification.de(dossier, VERRE)) {
+            for (String nom : SCENES) {
+                String texte = new String(Files.readAllBytes(Paths.get("scenes", nom + ".ini")), StandardCharsets.UTF_8);
+                float[] avant = dessiner(verre, dossier, Paths.get("scenes", nom + ".ini"), "--simple");
+                Matcher boule = Pattern.compile("(?m)^\\[Sphere.*\n").matcher(texte);
+                while (boule.find()) {
+                    Path scene = Files.write(dossier.resolve(nom + ".ini"), (texte.substring(0, boule.end()) + "Kt=1 1 1\n"
+                            + texte.substring(boule.end())).getBytes(StandardCharsets.UTF_8));
+                    essayer(nom + " " + boule.group().trim(), verre, avant, scene);
+                }
+            }
+        }
+        assertTrue(changeantes >= 20 && pasVues.size() * 20 <= changeantes, changeantes + " cas, dont " + pasVues);
+    }
+
+    /** Une barre sépare la classe, l'ancien texte et le nouveau ; des changements se suivent. */
+    @ParameterizedTest
+    @ValueSource(strings = {
+        // un champ de la scène, copié de fil en fil, ou donné à la scène de chaque fil
+        CHAMP + "Lancer|this.scene = scene;|this.scene = scene; scene.absent = scene.getObjets().get(1);"
+                + "|Scene|lampes = autre.lampes;|lampes = autre.lampes; absent = autre.absent;",
+        CHAMP + "Lancer|scene = autre.scene.avec(autre.scene.getModele());|scene = autre.scene.avec(autre.scene.getModele()); "
+                + "scene.absent = scene.getObjets().get(1);",
+        "Scene|private final Modele|public double jusqua = 7; private final Modele"
+                + "|Scene|if (d < distance)|if (d < Math.min(jusqua, distance))",
+        // une liste filtrée : par la scène, ou par ses seules boucles
+        "Scene|return objets;|List<Objet3D> l = new java.util.ArrayList<>(objets); l.remove(2); return l;",
+        "Scene|for (Objet3D objet : objets)|for (Objet3D objet : objets.subList(0, 5))",
+        "Scene|for (Objet3D autre : objets)|for (Objet3D autre : objets.subList(3, objets.size()))",
+        "Scene|return objets;|return objets.subList(0, 6);|Scene|Objet3D objet : objets|Objet3D objet : getObjets()"
+                + "|Scene|Objet3D autre : objets|Objet3D autre : getObjets()",
+        // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
+        MOBILE + "Lancer|Echantillonnage choisi =|"
+                + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage choisi =",
+        MOBILE + "Lancer|Pave pave = Pave.eparpille|placer(scene, rang < 7 ? 1 : 0); Pave pave = Pave.eparpille",
+        MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
+                + "|Lancer|equipe.verifier();|placer(scene, 1); equipe.verifier();",
+        MOBILE + "Lancer|equipe.faire(nombre,|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(nombre,",
+        // une lampe qui bouge, un objet qui n'a pas d'ombre, une ombre qui dépend de la distance
+        "Lampe|private final Point position|public Point position|Lancer|equipe.faire(nombre,|scene.lampes[0].position "
+                + "= scene.lampes[0].position.add(new Vecteur(3, 0, 0)); equipe.faire(nombre,",
+        "Scene|autre != objet && demander|autre != objet && autre.getKs().r < 0.2 && demander",
+        "Scene|demander(autre, ombre) < distance|demander(autre, ombre) < Math.min(distance, 9)",
+        "Scene|autre != objet && demander|demander"})
+    void unAjoutSeVoit(String changements) throws IOException {
+        Path scene = Paths.get("scenes/scene1.ini");
+        float[] avant;
+        try (Essai.Isole tel = new Essai.Isole(Collections.<Path>emptyList())) {
+            avant = dessiner(tel, dossier, scene, "--simple");
+        }
+        try (Essai.Isole change = Modification.de(dossier, changements.split("\\|"))) {
+            essayer(changements, change, avant, scene);
+        }
+        assertEquals(0, pasVues.size(), pasVues.toString());
+    }
+
+    /** Elle ne change que la normale, ou que le point de surface : les structures en répondent, sans un examen de plus. */
+    @Test
+    void uneClasseDeriveeEntreDansLesStructuresSiSaGeometrieEstCelleDeSphere() {
+        Sphere bosselee = new Sphere(new Point(0, 0, 6), 1) {
+            @Override
+            public Vecteur getNormale(Point contact) {
+                return super.getNormale(contact).neg();
+            }
+        };
+        Sphere percee = new Sphere(new Point(0, 0, 7), 1) {
+            @Override
+            public double getRayon() {
+                return super.getRayon() / 2;
+            }
+        };
+        Sphere demie = new ScenesDEssai.Demie(new Point(0, 0, 8), 1);
+        Spheres spheres = new Spheres(Arrays.asList(bosselee, percee, demie, new Sphere(new Point(), 2)));
+        assertEquals(2, spheres.nombre);
+        assertEquals(Arrays.asList(percee, demie), Arrays.asList(spheres.autres));
+        assertEquals(0, spheres.numero(bosselee));
+        assertEquals(-1, spheres.numero(demie));
+    }
+}
