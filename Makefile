@@ -121,7 +121,7 @@ JUGE ?= --csv mesures/resultats/juge.csv
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole, et à quel prix ? Contre une recherche dense, en un quart d'heure. AUTO="1000 20" pour vingt scènes au sort,
+# --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en un quart d'heure. AUTO="1000 20" pour vingt scènes au sort,
 # de graine 1000 et suivantes, dans mesures/target/auto.csv.
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)

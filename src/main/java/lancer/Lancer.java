@@ -71,10 +71,10 @@ public final class Lancer {
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
-        Echantillonnage sien = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        if (sonder(partager(fils, false, sien, toile, profondeur))) {
+        Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
+        if (sonder(partager(fils, false, prepare, toile, profondeur))) {
             fautes.oublier();
-            partager(fils, false, sien, toile, profondeur);
+            partager(fils, false, prepare, toile, profondeur);
         }
     }
 
@@ -83,10 +83,7 @@ public final class Lancer {
         sonder(new Lancer(this).scene);
     }
 
-    /**
-     * Compare la recherche aux boucles de cette scène, qu'elle a dessinée. Si une réponse diffère, les dessins suivants
-     * sont faits par les boucles.
-     */
+    /** Compare la recherche aux boucles de cette scène, qu'elle a dessinée. @return vrai si une réponse diffère */
     private boolean sonder(Scene dessinee) {
         Recherche recherche = dessinee.getModele().getRecherche();
         Fil.commencer("vérification");
@@ -139,7 +136,7 @@ public final class Lancer {
         }
     }
 
-    /** Dessine l'image en plusieurs fils. @return la scène d'un de ces fils */
+    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. @return la scène d'un de ces fils */
     private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         Modele modele = scene.getModele();
         if (modele.getRecherche() != null) {
@@ -156,7 +153,9 @@ public final class Lancer {
         equipe.faire(nombre, ouvriers);
         Fil.commencer("");
         Compteurs total = new Compteurs();
-        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
+        for (Lancer sien : siens) {
+            total.ajouter(sien.scene.getCompteurs());
+        }
         compteurs = total;
         dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
         return siens.get(0).scene;
@@ -164,6 +163,7 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        // une lambda retarderait la première image : voir docs/performance.md
         final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {
@@ -186,13 +186,8 @@ public final class Lancer {
             }
 
             @Override
-            public void noter(Compteurs autres) {
-                scene.getCompteurs().ajouter(autres);
-            }
-
-            @Override
-            public long rayons() {
-                return scene.getCompteurs().rayons();
+            public Compteurs compteurs() {
+                return scene.getCompteurs();
             }
         }
         return new Ouvrier();

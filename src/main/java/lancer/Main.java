@@ -1,6 +1,7 @@
 package lancer;
 
 import java.io.PrintStream;
+import java.util.function.BiFunction;
 import java.util.function.DoubleConsumer;
 import lancer.commande.Messages;
 import lancer.commande.Options;
@@ -10,11 +11,10 @@ import lancer.dessin.Dessin;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.scene.LecteurScene;
-import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
-public class Main implements Toile, Lecture {
+public class Main implements Toile {
 
     private final Options options;
     private final PrintStream sortie;
@@ -25,7 +25,13 @@ public class Main implements Toile, Lecture {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        dessin = new Dessin(options, this, erreur, options.scene, options.largeur, options.hauteur);
+        // une lambda retarderait la première image : voir docs/performance.md
+        dessin = new Dessin(options, new BiFunction<String, DoubleConsumer, SceneLue>() {
+            @Override
+            public SceneLue apply(String nomFichier, DoubleConsumer suivi) {
+                return lireScene(nomFichier, suivi);
+            }
+        }, erreur, options.scene, options.largeur, options.hauteur);
     }
 
     /** Le même programme pour cet autre dessin : un dessin abandonné ne touche pas au suivant. */
@@ -68,12 +74,8 @@ public class Main implements Toile, Lecture {
         return 0;
     }
 
-    protected Dessin getDessin() {
-        return dessin;
-    }
-
-    @Override
-    public SceneLue lireScene(String nomFichier, DoubleConsumer suivi) {
+    /** Lit une scène. @param suivi reçoit la part lue du fichier, de 0 à 1 */
+    protected SceneLue lireScene(String nomFichier, DoubleConsumer suivi) {
         return LecteurScene.lire(nomFichier, suivi);
     }
 

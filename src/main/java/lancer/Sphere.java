@@ -63,7 +63,10 @@ public class Sphere extends Objet3D {
     /** {@inheritDoc} Si t est inférieur à r, P + tV est plus juste, à 2 u t près : c'est lui qui est rendu. */
     @Override
     Point getPointDeSurface(Point contact, double distance) {
-        return distance < rayon ? contact : getPointDeSurface(contact);
+        Point corrige = getPointDeSurface(contact);
+        boolean proche = distance < rayon;
+        // choisir entre deux objets les allouerait tous deux : voir docs/performance.md
+        return new Point(proche ? contact.x : corrige.x, proche ? contact.y : corrige.y, proche ? contact.z : corrige.z);
     }
 
     /** {@inheritDoc} Un arrondi peut placer le contact au centre : la normale y est, par convention, (0, 0, −1). */

@@ -71,8 +71,9 @@ public final class Modele {
         this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
     }
 
+    /** Ne laisse que l'éclairement de Lambert. */
     public void oterSpecularite() {
-        specularite = new Specularite.Aucune();
+        specularite = (V, N, L, R, ns) -> 0;
     }
 
     /** Dit si un objet peut cacher une lampe. */

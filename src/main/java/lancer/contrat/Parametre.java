@@ -33,7 +33,7 @@ public final class Parametre {
 
     /** Un nombre de {@code min} à {@code max} par {@code pas} ; {@code defaut} peut être {@code null}. */
     public static Parametre nombre(String cle, Double defaut, double min, double max, double pas) {
-        return new Parametre(cle, defaut == null ? null : ecrire(BigDecimal.valueOf(defaut)), BigDecimal.valueOf(min),
+        return new Parametre(cle, defaut == null ? null : Nombre.ecrire(defaut), BigDecimal.valueOf(min),
                 BigDecimal.valueOf(pas), (int) Math.round((max - min) / pas), Collections.emptyList(), null);
     }
 
@@ -58,16 +58,12 @@ public final class Parametre {
 
     /** La valeur du cran, de 0 à {@link #crans}, comme dans un fichier de scène. */
     public String getValeur(int cran) {
-        return ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran))));
+        return Nombre.ecrire(min.add(pas.multiply(BigDecimal.valueOf(cran))).doubleValue());
     }
 
     /** Le cran le plus proche de cette valeur. */
     public int getCran(String valeur) {
         double cran = (Nombre.lire(valeur) - min.doubleValue()) / pas.doubleValue();
         return (int) Math.round(Math.max(0, Math.min(crans, cran)));
-    }
-
-    private static String ecrire(BigDecimal nombre) {
-        return nombre.signum() == 0 ? "0" : nombre.stripTrailingZeros().toPlainString();
     }
 }

@@ -1,16 +1,14 @@
 package lancer.contrat;
 
-/** Un réglage qu'une variante propose à {@code --auto}, avec son effet sur une scène ordinaire. Immuable. */
+/** Un réglage qu'une variante propose à {@code --auto} et à la fenêtre. Immuable. */
 public final class ReglagePropose {
 
-    /** La section du réglage, son erreur ordinaire, en niveaux, et son prix : 1 est celui d'un rayon par pixel. */
+    /** La section du réglage, et le seuil des reflets dont l'erreur est petite devant la sienne. */
     public final Section section;
-    public final double erreur;
-    public final double prix;
+    public final double seuil;
 
-    public ReglagePropose(Section section, double erreur, double prix) {
+    public ReglagePropose(Section section, double seuil) {
         this.section = section;
-        this.erreur = erreur;
-        this.prix = prix;
+        this.seuil = seuil;
     }
 }

@@ -57,15 +57,6 @@ public interface Specularite {
         return "R·L";
     }
 
-    /** Aucun reflet : l'éclairement de Lambert seul. */
-    final class Aucune implements Specularite {
-
-        @Override
-        public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-            return 0;
-        }
-    }
-
     /** Reflet de Phong, 1975. */
     final class Phong implements Specularite {
 

@@ -8,13 +8,14 @@ public interface Vue {
     /** La couleur, non limitée, du point (xe, ye), en pixels depuis la gauche et le haut ({@link lancer.Camera}). */
     Couleur couleur(double xe, double ye);
 
-    /** Compte ces rayons, que le fil a lancés sans passer par cette vue. */
-    default void noter(Compteurs compteurs) {
+    /** Les compteurs de ce fil, où ajouter les rayons qu'il lance sans passer par cette vue. */
+    default Compteurs compteurs() {
+        return new Compteurs();
     }
 
     /** Le nombre de rayons de toutes sortes que ce fil a lancés ; 0 s'ils ne sont pas comptés. */
     default long rayons() {
-        return 0;
+        return compteurs().rayons();
     }
 
     /** Note pour l'inspecteur un terme du pixel : {@code poids} fois cette couleur, l'objet même que la vue a rendu. */

@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -27,7 +29,6 @@ import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
-import lancer.scene.Lecture;
 import lancer.scene.SceneLue;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -36,7 +37,7 @@ import lancer.texte.Texte;
  * Un dessin : une scène, ses réglages, une taille, puis l'image et le lancer qui la dessine. Un fil lit, prépare et
  * dessine, dans cet ordre ; les autres fils lisent l'avancement. Chaque dessin a sa propre image.
  */
-public final class Dessin implements DoubleConsumer {
+public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
@@ -44,7 +45,7 @@ public final class Dessin implements DoubleConsumer {
     private static final double NS_PAR_MS = 1e6;
 
     private final Options options;
-    private final Lecture lecture;
+    private final BiFunction<String, DoubleConsumer, SceneLue> lecture;
     private final PrintStream erreur;
     public final String fichier;
     public final int largeur;
@@ -65,7 +66,8 @@ public final class Dessin implements DoubleConsumer {
     private long preparationNs;
 
     /** Un dessin de cette scène, qui n'est pas encore lue. @param erreur sortie des avertissements */
-    public Dessin(Options options, Lecture lecture, PrintStream erreur, String fichier, int largeur, int hauteur) {
+    public Dessin(Options options, BiFunction<String, DoubleConsumer, SceneLue> lecture, PrintStream erreur,
+            String fichier, int largeur, int hauteur) {
         this.options = options;
         this.lecture = lecture;
         this.erreur = erreur;
@@ -97,6 +99,17 @@ public final class Dessin implements DoubleConsumer {
         regler(voulus);
     }
 
+    /** Un dessin achevé de la scène préparée ici : l'image que ce lancer a dessinée avec ces réglages. */
+    public Dessin dessine(ReglagesDessin siens, ImageMemoire sienne, Lancer sien) {
+        Dessin autre = avec(largeur, hauteur);
+        autre.reglages = siens;
+        autre.scene = sien.getScene();
+        autre.image = sienne;
+        autre.lancer = sien;
+        autre.brouillonFait = true;
+        return autre;
+    }
+
     /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
@@ -117,7 +130,7 @@ public final class Dessin implements DoubleConsumer {
     public void lire() {
         Fil.commencer("lecture");
         long debut = System.nanoTime();
-        SceneLue nouvelle = lecture.lireScene(fichier, this);
+        SceneLue nouvelle = lecture.apply(fichier, this);
         scene = new Scene(nouvelle.objets, nouvelle.lampes);
         ReglagesDessin initiaux = new ReglagesDessin(nouvelle.variantes, options);
         regler(initiaux);
@@ -159,7 +172,7 @@ public final class Dessin implements DoubleConsumer {
 
     /** Exécute ce travail dans un autre fil. Ce qui y dure dix secondes est nommé une fois, et continue. */
     public void observer(Runnable travail) {
-        new Equipe("dessin", this::nommer).faire(travail);
+        new Equipe("dessin", this).faire(travail);
     }
 
     /** Dessine une petite image, un rayon par pixel, que la fenêtre montre pendant le brouillon. */
@@ -192,7 +205,8 @@ public final class Dessin implements DoubleConsumer {
         }
     }
 
-    private void nommer(Fil lent) {
+    @Override
+    public void accept(Fil lent) {
         if (lenteur == null) {
             String cause = "ce calcul dure depuis dix secondes" + Pile.ligne(lent.getStackTrace(), Pile.HORS_DU_MOTEUR);
             lenteur = lent.getEtape() == null ? dire(lent.getX(), lent.getY(), cause)
@@ -266,6 +280,12 @@ public final class Dessin implements DoubleConsumer {
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
     public double getAvancement() {
         return lancer == null ? avancement : lancer.getAvancement();
+    }
+
+    /** Écrit les avertissements de la lecture, puis {@link #direEcart}. */
+    void avertir() {
+        Messages.avertir(lue.avertissements, erreur);
+        direEcart();
     }
 
     /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */

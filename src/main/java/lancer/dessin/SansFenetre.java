@@ -11,7 +11,8 @@ import java.util.Map;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.auto.Auto;
-import lancer.auto.Candidat;
+import lancer.auto.Echelon;
+import lancer.auto.Mesure;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
 import lancer.commande.Etape;
@@ -36,7 +37,7 @@ import lancer.texte.Texte;
  * Les travaux sans fenêtre : écrire une image dans des fichiers, expliquer un pixel, comparer deux images. Les fichiers
  * de sortie sont vérifiés avant le dessin.
  */
-public final class SansFenetre {
+public final class SansFenetre implements Runnable {
 
     private static final double NS_PAR_S = 1e9;
 
@@ -45,6 +46,7 @@ public final class SansFenetre {
     private final Toile toile;
     private final PrintStream sortie;
     private final PrintStream erreur;
+    private int statut;
 
     private SansFenetre(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         this.options = options;
@@ -63,13 +65,17 @@ public final class SansFenetre {
      */
     public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
         SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
-        int[] statut = new int[1];
         try {
-            dessin.observer(() -> statut[0] = travail.faire());
-            return statut[0];
+            dessin.observer(travail);
+            return travail.statut;
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }
+    }
+
+    @Override
+    public void run() {
+        statut = faire();
     }
 
     private int faire() {
@@ -92,28 +98,17 @@ public final class SansFenetre {
         int profondeur = dessin.getReglages().getProfondeur();
         Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur,
                 options.image != null, options.lineaire != null));
-        long debut = System.nanoTime();
-        Auto auto = options.auto ? new Auto(prepare, options.erreurVoulue,
-                options.estDonnee("--reflets") || options.etape != Etape.REFLETS ? profondeur : null,
-                options.estDonnee("--seuil") ? options.seuil : null,
-                options.fils, dessin.getReglages().getEssayees(), enCours -> { }) : null;
-        Lancer lancer = auto == null ? prepare : auto.lancer;
-        double essais = (System.nanoTime() - debut) / NS_PAR_S;
-        long[] traces = tracer(lancer, auto == null ? toile : auto.surveiller(toile, auto.choisi),
-                auto == null ? profondeur : auto.choisi.reflets);
-        Ecriture.ecrire(dessin.getImage(), fichiers);
-        if (options.statistiques) {
-            String nombres = dessin.statistiques(lancer, traces);
-            Messages.repondre(auto == null ? nombres : nombres + System.lineSeparator() + texte("auto.erreur.attendue: "
-                    + "%.2f%nauto.erreur.mesuree: %.2f%nauto.essais.rayons: %d%nauto.essais.ms: %.3f",
-                    auto.choisi.erreur, auto.getErreurMesuree(), auto.getRayonsDesEssais(), 1e3 * essais), sortie);
-        }
-        if (auto != null) {
-            Messages.avertir(rapport(auto, essais), erreur);
+        if (options.auto) {
+            choisirEtDessiner(prepare, fichiers);
+        } else {
+            long[] traces = tracer(prepare, toile, profondeur);
+            Ecriture.ecrire(dessin.getImage(), fichiers);
+            if (options.statistiques) {
+                Messages.repondre(dessin.statistiques(prepare, traces), sortie);
+            }
         }
         // les avertissements n'ont de sens que si le reste a réussi
-        Messages.avertir(dessin.getLue().avertissements, erreur);
-        dessin.direEcart();
+        dessin.avertir();
     }
 
     /**
@@ -163,18 +158,30 @@ public final class SansFenetre {
         return traces;
     }
 
-    /** Trois lignes : le réglage que {@code --auto} a choisi, l'erreur attendue, l'erreur mesurée. */
-    private List<String> rapport(Auto auto, double essais) {
-        Candidat choisi = auto.choisi;
-        int nombre = auto.essayes.size();
-        return Arrays.asList("auto, choisi : " + choisi,
-                texte("auto, attendu : erreur de %.2f, au plus %.2f ; %.2f rayons de toutes sortes par pixel ; "
-                        + "%d réglage%s, %s une erreur de %.2f", choisi.erreur, choisi.auPlus, choisi.prix, nombre,
-                        nombre > 1 ? "s essayés" : " essayé", choisi.auPlus <= options.erreurVoulue
-                        ? "le moins cher qui promette" : "aucun ne promet", options.erreurVoulue),
-                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s",
-                        auto.getErreurMesuree(), auto.getIncertitude(), auto.lancer.getDureeNs() / NS_PAR_S,
-                        essais, auto.getVerdict()));
+    /** Dessine avec le réglage que {@code --auto} choisit, et dit en deux lignes lequel, et l'erreur de l'image. */
+    private void choisirEtDessiner(Lancer prepare, Map<Ecriture, Ecriture.Format> fichiers) {
+        long debut = System.nanoTime();
+        ReglagesDessin reglages = dessin.getReglages();
+        Auto auto = new Auto(prepare, Echelon.echelle(prepare.getScene().getModele(), reglages.getEssayees(),
+                options.estDonnee("--reflets") || options.etape != Etape.REFLETS ? reglages.getProfondeur() : null,
+                options.estDonnee("--seuil") ? options.seuil : null), options.erreurVoulue, options.fils);
+        long[] traces;
+        do {
+            traces = tracer(auto.getLancer(), auto.surveiller(toile), auto.getChoisi().reflets);
+        } while (!auto.controler());
+        double essais = (System.nanoTime() - debut - Arrays.stream(traces).sum()) / NS_PAR_S;
+        Ecriture.ecrire(dessin.getImage(), fichiers);
+        Mesure mesure = auto.getMesure();
+        if (options.statistiques) {
+            Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
+                    + texte("auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%nauto.rayons.essais: %d%n"
+                    + "auto.essais.ms: %.3f", mesure.erreur, mesure.incertitude, auto.getRayonsDesEssais(),
+                    1e3 * essais), sortie);
+        }
+        Messages.avertir(Arrays.asList("auto, choisi : " + auto.getChoisi(),
+                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
+                        mesure.incertitude, auto.getLancer().getDureeNs() / NS_PAR_S, essais, auto.getVerdict())),
+                erreur);
     }
 
     /** Met en forme avec un point décimal, quelle que soit la langue de la machine. */
@@ -193,8 +200,7 @@ public final class SansFenetre {
         if (options.statistiques) {
             Messages.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
         }
-        Messages.avertir(dessin.getLue().avertissements, erreur);
-        dessin.direEcart();
+        dessin.avertir();
     }
 
     private void dessinerUnPixel() {
@@ -217,6 +223,7 @@ public final class SansFenetre {
             dessin.lire();
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
             dessin.preparer(autre).TracerPixels(toile, dessin.getReglages().getProfondeur(), options.fils);
+            dessin.direEcart();
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {

@@ -159,6 +159,12 @@ final class Controleur {
         }
     }
 
+    /** Montre cette image, déjà dessinée. */
+    void montrer(Dessin dessine) {
+        etat = etat.choisir(etat.choix.avec(dessine.getReglages()).avec((String) null), false);
+        lancer(dessine, false);
+    }
+
     /** Défait le dernier choix, ou le refait. */
     void defaire(boolean refaire) {
         etat = etat.revenir(refaire);

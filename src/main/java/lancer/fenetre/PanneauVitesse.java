@@ -1,44 +1,53 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
-import lancer.Couleur;
 import lancer.Lancer;
-import lancer.auto.Auto;
-import lancer.auto.Candidat;
-import lancer.contrat.Toile;
+import lancer.auto.Echantillon;
+import lancer.auto.Echelon;
+import lancer.auto.Mesure;
+import lancer.commande.Etape;
 import lancer.dessin.Dessin;
 import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.image.ImageMemoire;
 
-/** Les réglages que {@code --auto} essaierait sur la scène montrée, essayés tant que cet onglet est visible. */
+/** L'échelle des réglages de la scène montrée, dessinée si cet onglet est visible et qu'aucun dessin n'est en cours. */
 @SuppressWarnings("serial")
 final class PanneauVitesse extends JPanel {
 
+    /** Nombre de pixels au-delà duquel l'échelle est dessinée en plus petit. */
+    private static final double PIXELS = 2_000_000;
+    /** Nombre de pixels de toutes les images gardées, de 16 octets par pixel : 64 Mo. */
+    private static final int PIXELS_GARDES = 4 << 20;
+    /** Temps de dessin après lequel une image n'est plus dessinée de nouveau, en nanosecondes. */
+    private static final long DUREE_NS = 300_000_000;
+    /** Racine du nombre de rayons d'une référence. */
+    private static final int COTE = 6;
     private static final int MARGE = 8;
+    private static final int LIGNES = 7;
 
     private final Controleur controleur;
     private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
     /** Texte du point que désignent la souris ou les flèches. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(this::dessiner, point::setText, this::estPresent);
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse(p -> montrer((Dessine) p), point::setText);
     private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
-    private Future<?> essais;
-    /** Ce dont dépendent les essais en cours ; {@code null} sans essai. */
-    private List<Object> essayee;
-    private Auto auto;
-    /** Le réglage dessiné, tant que son erreur n'est pas mesurée. */
-    private Candidat voulu;
+    private Mesures mesures = new Mesures(null);
+    private Future<?> travail;
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
@@ -46,150 +55,160 @@ final class PanneauVitesse extends JPanel {
         this.controleur = controleur;
         JPanel bas = new JPanel(new BorderLayout());
         bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
-        point.setRows(2);
         bas.add(point, BorderLayout.CENTER);
         bas.add(etat, BorderLayout.PAGE_END);
+        // la place du texte est fixe : le graphique ne bouge pas sous la souris
+        bas.setPreferredSize(new Dimension(0, LIGNES * point.getFontMetrics(point.getFont()).getHeight() + MARGE));
         add(graphique, BorderLayout.CENTER);
         add(bas, BorderLayout.PAGE_END);
         controleur.prevenir(this::suivre);
-        // aucun essai quand l'onglet est caché
         addHierarchyListener(e -> suivre());
     }
 
-    private void abandonner() {
-        if (essais != null) {
-            essais.cancel(true);
+    /** Un échelon dessiné, et son dessin, ou {@code null} si son image n'est plus gardée. */
+    private static final class Dessine extends GraphiqueVitesse.Reglage {
+
+        final ReglagesDessin reglages;
+        volatile Dessin dessin;
+
+        Dessine(Echelon echelon, Dessin dessin, Mesure mesure) {
+            super(nom(echelon), echelon.toString(), dessin.getLancer().getDureeNs() / 1e9, mesure.erreur,
+                    mesure.incertitude);
+            reglages = dessin.getReglages();
+            this.dessin = dessin;
         }
-        essayee = null;
-        auto = null;
-        voulu = null;
-        graphique.vider();
+
+        private static String nom(Echelon echelon) {
+            return echelon.section == null ? echelon.reflets + (echelon.reflets > 1 ? " réflexions" : " réflexion")
+                    : "1".equals(echelon.section.valeur("n")) ? "un rayon" : echelon.section.toString()
+                    .replaceFirst("\\[.*] ", "").replaceFirst("(.*)methode=(\\S+) ?(.*)", "$2 $1$3").trim();
+        }
     }
 
-    private void suivre() {
-        Dessin montre = controleur.etat.montre;
-        if (!isShowing()) {
-            abandonner();
-            return;
+    /** Les mesures d'une scène, faites dans le fil des mesures, et lues dans celui des événements. */
+    private final class Mesures {
+
+        final List<Object> cle;
+        volatile String texte = "";
+        final List<Dessine> dessines = new CopyOnWriteArrayList<>();
+        volatile Dessine ici;
+        private Dessin prepare;
+        private List<Echelon> echelle;
+        private Echantillon echantillon;
+
+        Mesures(List<Object> cle) {
+            this.cle = cle;
         }
-        if (montre == null) {
-            etat.setText("Pas encore d'image : les essais commenceront avec elle.");
-            return;
+
+        private void dire(String nouveau) {
+            texte = nouveau;
+            EventQueue.invokeLater(PanneauVitesse.this::suivre);
         }
-        List<Object> scene = scene(montre);
-        if (!scene.equals(essayee)) {
-            abandonner();
-            essayee = scene;
-            essayer(montre);
-        }
-        graphique.repaint();
-        if (auto != null && !graphique.aUnPresent()) {
-            // les réglages ont été changés ailleurs que dans ce graphique
-            List<Object> memeScene = essayee;
-            Auto fait = auto;
-            auto = null;
-            essais = Controleur.confier(fil, () -> evaluer(memeScene, fait, montre), etat::setText);
-        }
-        ImageMemoire image = controleur.getImageComplete();
-        if (voulu != null && auto != null && image != null && image.lineaire != null
-                && image.sens.equals(ImageMemoire.COULEUR) && estPresent(voulu)) {
-            if (controleur.direFautes() == null) {
-                mesurer(montre.getLancer(), image);
-            } else {
-                etat.setText("Image non mesurée : " + controleur.direFautes() + ".");
+
+        /** Continue les mesures, d'abord celle de l'image montrée. @param mesurable vrai si c'en est une, sans faute */
+        void continuer(Dessin montre, boolean mesurable) {
+            if (echantillon == null) {
+                dire("préparation…");
+                preparer(montre);
             }
-            voulu = null;
+            if (ici == null || ici.dessin != montre) {
+                ici = dessines.stream().filter(d -> d.dessin == montre).findFirst().orElse(null);
+            }
+            if (ici == null && mesurable) {
+                ReglagesDessin siens = montre.getReglages();
+                Echelon present = new Echelon(siens.getSectionEssayee(),
+                        montre.getScene().getModele().getEchantillonnage(), siens.getProfondeur(), siens.getSeuil());
+                ici = new Dessine(present, montre, echantillon.essayer(present));
+            }
+            while (dessines.size() < echelle.size()) {
+                dire("dessin de l'échelon " + (dessines.size() + 1) + " sur " + echelle.size() + "…");
+                dessiner(echelle.get(dessines.size()), montre.getReglages());
+            }
+            dire("Un clic sur un point montre son image (ou flèches, et Entrée)."
+                    + (prepare.largeur == montre.largeur ? ""
+                    : " Images de " + prepare.largeur + " × " + prepare.hauteur + " pixels.")
+                    + (echelle.get(0).section != null ? "" : " antialias.jar apporte d'autres réglages."));
+        }
+
+        private void preparer(Dessin montre) {
+            prepare = montre;
+            double part = Math.sqrt(PIXELS / montre.largeur / montre.hauteur);
+            if (part < 1) {
+                prepare = montre.avec((int) Math.ceil(part * montre.largeur), (int) Math.ceil(part * montre.hauteur));
+                prepare.preparer(prepare.largeur, prepare.hauteur);
+            }
+            ReglagesDessin siens = montre.getReglages();
+            echelle = Echelon.echelle(prepare.getScene().getModele(), siens.getEssayees(),
+                    siens.getEtape() == Etape.REFLETS ? null : 0, null);
+            echantillon = new Echantillon(prepare.getLancer(), controleur.fils, 2, COTE, new SplittableRandom(1),
+                    new BitSet());
+        }
+
+        private void dessiner(Echelon echelon, ReglagesDessin presents) {
+            ReglagesDessin voulus = presents.avec(echelon.reflets, echelon.seuil);
+            if (echelon.section != null) {
+                voulus = voulus.avec(voulus.getVariante(echelon.section.nom), echelon.section);
+            }
+            ImageMemoire image = new ImageMemoire(prepare.largeur, prepare.hauteur, true);
+            List<Lancer> lancers = new ArrayList<>();
+            for (long duree = 0; duree < DUREE_NS; duree += lancers.get(lancers.size() - 1).getDureeNs()) {
+                lancers.add(echelon.lancer(prepare.getLancer()));
+                lancers.get(lancers.size() - 1).TracerPixels((couleur, xe, ye) -> {
+                    image.drawPixel(couleur, xe, ye);
+                    echantillon.drawPixel(couleur, xe, ye);
+                }, echelon.reflets, controleur.fils);
+            }
+            lancers.sort(Comparator.comparingLong(Lancer::getDureeNs));
+            Dessin dessin = prepare.dessine(voulus, image, lancers.get((lancers.size() - 1) / 2));
+            dessines.add(new Dessine(echelon, dessin, echantillon.mesurer()));
+            // les premières images oubliées sont les plus rapides à dessiner de nouveau
+            int gardes = Math.max(1, PIXELS_GARDES / image.codes.length);
+            dessines.stream().limit(Math.max(0, dessines.size() - gardes)).forEach(d -> d.dessin = null);
         }
     }
 
-    /** Ce dont dépendent les essais : les objets, la taille, et les variantes qu'ils ne règlent pas. */
-    private List<Object> scene(Dessin dessin) {
-        ReglagesDessin reglages = dessin.getReglages();
-        // un fichier relu sans changement garde les essais
-        List<Object> scene = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? dessin.getScene().getObjets()
-                : dessin.fichier + " " + controleur.etat.lecture.version,
-                dessin.getImage().largeur, dessin.getImage().hauteur));
-        reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> scene.add(
+    /** Ce dont dépendent les mesures : les objets, la taille, l'étape, et les variantes qu'elles ne règlent pas. */
+    private List<Object> cle(Dessin montre) {
+        ReglagesDessin reglages = montre.getReglages();
+        // un fichier relu sans changement garde les mesures
+        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? montre.getScene().getObjets()
+                : montre.fichier + " " + controleur.etat.lecture.version, montre.largeur, montre.hauteur,
+                reglages.getEtape()));
+        reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
                 reglages.getEssayees().containsKey(variante) ? variante.getSection()
                 : reglages.getSection(variante).toString()));
-        return scene;
+        return cle;
     }
 
-    private boolean estPresent(Candidat reglage) {
-        ReglagesDessin presents = controleur.etat.montre.getReglages();
-        return reglage.reflets == presents.getReflets() && reglage.seuil == presents.getSeuil()
-                && String.valueOf(reglage.section).equals(String.valueOf(presents.getSectionEssayee()));
-    }
-
-    private void essayer(Dessin montre) {
-        List<Object> scene = essayee;
-        etat.setText("premiers essais…");
-        essais = Controleur.confier(fil, () -> {
-            Auto fait = new Auto(montre.getLancer(), 0, null, null, controleur.fils,
-                    montre.getReglages().getEssayees(),
-                    enCours -> montrer(scene, enCours, "d'autres réglages à essayer…", null));
-            fait.chronometrer();
-            evaluer(scene, fait, montre);
-        }, echec -> etat.setText("Essais impossibles : " + echec));
-    }
-
-    /** Ajoute au graphique, depuis le fil des essais, le point des réglages de ce dessin. */
-    private void evaluer(List<Object> scene, Auto fait, Dessin montre) {
-        montrer(scene, fait, "Un clic sur un point dessine l'image avec ses réglages (ou flèches, et Entrée)."
-                + (montre.getReglages().getVariantes().isEmpty()
-                ? "\nantialias.jar, mis à la place de lancer.jar, apporte d'autres réglages." : ""),
-                fait.evaluer(montre.getReglages().getSectionEssayee(), montre.getLancer(),
-                        montre.getReglages().getProfondeur()));
-    }
-
-    /** Montre, depuis le fil des essais, leurs résultats, si la scène n'a pas changé depuis. */
-    private void montrer(List<Object> scene, Auto enCours, String texte, Candidat present) {
-        List<Candidat> essayes = new ArrayList<>(enCours.essayes);
-        EventQueue.invokeLater(() -> {
-            if (scene == essayee) {
-                etat.setText(texte);
-                ImageMemoire image = controleur.etat.montre.getImage();
-                graphique.montrer(essayes, present, (double) image.largeur * image.hauteur
-                        / Math.min(controleur.fils, Runtime.getRuntime().availableProcessors()));
-                auto = present == null ? null : enCours;
-                suivre();
-            }
-        });
-    }
-
-    private void dessiner(Candidat reglage) {
-        ReglagesDessin reglages = controleur.etat.getReglages().avec(reglage.reflets, reglage.seuil);
-        if (reglage.section != null) {
-            reglages = reglages.avec(reglages.getVariante(reglage.section.nom), reglage.section);
+    /** Montre les mesures, et les commence, les continue ou les interrompt. */
+    private void suivre() {
+        Dessin montre = controleur.etat.montre;
+        boolean libre = isShowing() && montre != null && !controleur.etat.enCours
+                && controleur.getImageComplete() == montre.getImage();
+        if (travail != null && !libre) {
+            travail.cancel(true);
+            travail = null;
         }
-        voulu = reglage;
-        // ce texte compare aux réglages qui vont changer
-        point.setText(" ");
-        controleur.dessiner(reglages, false);
+        if (libre && !cle(montre).equals(mesures.cle)) {
+            mesures = new Mesures(cle(montre));
+        }
+        graphique.montrer(mesures.dessines, mesures.ici);
+        etat.setText(montre == null ? "Pas encore d'image : l'échelle commencera avec elle." : mesures.texte);
+        if (libre && travail == null) {
+            Mesures celles = mesures;
+            boolean mesurable = montre.getVue() == null && controleur.direFautes() == null;
+            travail = Controleur.confier(fil, () -> celles.continuer(montre, mesurable),
+                    panne -> etat.setText("Mesure impossible : " + panne));
+        }
     }
 
-    private void mesurer(Lancer lancer, ImageMemoire image) {
-        List<Object> scene = essayee;
-        Auto fait = auto;
-        Candidat reglage = voulu;
-        double temps = lancer.getDureeNs() / 1e9;
-        etat.setText("mesure de l'image…");
-        essais = Controleur.confier(fil, () -> {
-            Toile controle = fait.surveiller((couleur, i, j) -> { }, reglage);
-            float[] lineaire = image.lineaire;
-            for (int k = 0; k < lineaire.length / 3; k++) {
-                controle.drawPixel(new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]),
-                        k % image.largeur, k / image.largeur);
-            }
-            double erreur = fait.getErreurMesuree();
-            double incertitude = fait.getIncertitude();
-            EventQueue.invokeLater(() -> {
-                if (scene == essayee) {
-                    etat.setText(String.format(Locale.FRANCE, "Mesuré : %.2f ± %.2f (attendu : de %.2f à %.2f), "
-                            + "%.2f s", erreur, incertitude, reglage.auMoins, reglage.auPlus, temps));
-                    graphique.ajouterMesure(temps, erreur, incertitude);
-                }
-            });
-        }, echec -> etat.setText("Mesure impossible : " + echec));
+    /** Montre l'image de ce point si elle est gardée ; sinon, la dessine. */
+    private void montrer(Dessine voulu) {
+        Dessin dessin = voulu.dessin;
+        if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
+            controleur.dessiner(voulu.reglages, false);
+        } else {
+            controleur.montrer(dessin);
+        }
     }
 }

@@ -118,7 +118,8 @@ final class Tracage extends SwingWorker<Void, Void> {
             choix = voulu == null ? lu : voulu.pour(lu, false);
             lue.countDown();
         }
-        if (!isCancelled()) {
+        // une image de l'échelle est déjà dessinée
+        if (!isCancelled() && !dessin.isBrouillonFait()) {
             if (voulu != null) {
                 dessin.changer(choix.scene, choix.reglages);
             }

@@ -41,7 +41,12 @@ public final class Equipe {
 
     /** Exécute ce travail dans un fil. Voir {@link #faire(int, List)}. */
     public void faire(Runnable travail) {
-        faire(1, Collections.singletonList(tache -> travail.run()));
+        faire(1, Collections.singletonList(new IntConsumer() {
+            @Override
+            public void accept(int tache) {
+                travail.run();
+            }
+        }));
     }
 
     /**
@@ -70,6 +75,23 @@ public final class Equipe {
             // si un fil ne peut être créé, ceux qui sont partis doivent s'arrêter
             echouer(e);
         }
+        attendre(observes);
+        if (echec instanceof Error) {
+            throw (Error) echec;
+        }
+        if (echec != null) {
+            throw (RuntimeException) echec;
+        }
+        verifier();
+    }
+
+    private void echouer(Throwable e) {
+        echec = e;
+        arreter();
+    }
+
+    /** Attend la fin des fils, et observe leurs repères. L'interruption du fil appelant les arrête d'abord tous. */
+    private void attendre(List<Fil> observes) {
         boolean interrompu = false;
         for (int k = 0; k < fils.size();) {
             boolean demande = arretee;
@@ -82,12 +104,13 @@ public final class Equipe {
                 } else {
                     // le fil courant n'est pas retenu, il attend
                     Fil.signaler();
-                    if (observes != null) {
-                        observes.stream().filter(Fil::dure).forEach(siLong);
+                    for (Fil fil : observes == null ? Collections.<Fil>emptyList() : observes) {
+                        if (fil.dure()) {
+                            siLong.accept(fil);
+                        }
                     }
                 }
             } catch (InterruptedException e) {
-                // l'interruption du fil appelant arrête d'abord tous les autres
                 interrompu = true;
                 arreter();
             }
@@ -95,13 +118,6 @@ public final class Equipe {
         if (interrompu) {
             Thread.currentThread().interrupt();
         }
-        if (echec instanceof Error) {
-            throw (Error) echec;
-        }
-        if (echec != null) {
-            throw (RuntimeException) echec;
-        }
-        verifier();
     }
 
     /**
@@ -127,11 +143,7 @@ public final class Equipe {
         return (double) faites.get() / nombre;
     }
 
-    private void echouer(Throwable e) {
-        echec = e;
-        arreter();
-    }
-
+    /** Un fil qui prend les tâches libres, jusqu'à la dernière. */
     private final class Ouvrier extends Fil {
 
         private final IntConsumer travail;

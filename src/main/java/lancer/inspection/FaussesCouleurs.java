@@ -86,7 +86,7 @@ public final class FaussesCouleurs {
             image.echelle = "écart, au plus " + Nombre.arrondir(comparaison.getPire())
                     + " (blanc : 32 niveaux sur 255), avec "
                     + (reference == null ? "une image de " + COTE * COTE + " rayons par pixel"
-                    : "l'image d'avant, " + reference.legende);
+                    : "l'image d'avant");
         } else if (nom.equals("rayons")) {
             image.sens = "rayons : %.0f";
             image.echelle = "noir : 1 rayon, violet : 16, rose : 64, orange : 256, blanc : 4096 ou plus";
@@ -120,26 +120,24 @@ public final class FaussesCouleurs {
 
     /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou {@link #CIEL}. */
     private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
-        return (pave, voulus, vue, toile) -> dire(voulus, vue, toile, nombres);
-    }
-
-    private int dire(Pave voulus, Vue vue, Toile toile, BiFunction<Scene, PointContact, Couleur> nombres) {
-        Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                try {
-                    Fil.commencer(i, j);
-                    scene.getCompteurs().primaires++;
-                    Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
-                    PointContact contact = scene.getClosestIntersection(rayon);
-                    toile.drawPixel(contact == null ? CIEL : nombres.apply(scene, contact), i, j);
-                } catch (RuntimeException e) {
-                    throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
+        return (pave, voulus, vue, toile) -> {
+            Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
+            for (int j = voulus.j0; j < voulus.j1; j++) {
+                for (int i = voulus.i0; i < voulus.i1; i++) {
+                    try {
+                        Fil.commencer(i, j);
+                        scene.getCompteurs().primaires++;
+                        Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
+                        PointContact contact = scene.getClosestIntersection(rayon);
+                        toile.drawPixel(contact == null ? CIEL : nombres.apply(scene, contact), i, j);
+                    } catch (RuntimeException e) {
+                        throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
+                    }
                 }
             }
-        }
-        vue.noter(scene.getCompteurs());
-        return 0;
+            vue.compteurs().ajouter(scene.getCompteurs());
+            return 0;
+        };
     }
 
     private static Couleur normale(Scene scene, PointContact contact) {

@@ -170,7 +170,9 @@ public final class Preparation implements IntConsumer {
         } else {
             structures.premiers = deLOeil();
         }
-        suivi.accept(PART_COPIE + (1 - PART_COPIE) * equipe.getAvancement());
+        // cette étape, faite, ne compte pas encore
+        double faites = equipe.getAvancement() + 1.0 / (2 + structures.ombres.length);
+        suivi.accept(PART_COPIE + (1 - PART_COPIE) * faites);
     }
 
     private Occultations deLaLampe(Lampe lampe) {

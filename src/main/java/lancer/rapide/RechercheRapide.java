@@ -180,7 +180,7 @@ public final class RechercheRapide implements Recherche, Sondable {
                     quelques.add(objets.get((int) ((2 * k + 1) * objets.size() / (2 * QUELQUES))));
                 }
                 Scene petite = new Scene(quelques, dessinee.getLampes());
-                Structures siennes = new Structures(new Spheres(quelques), dessinee.getLampes());
+                Structures siennes = new Structures(new Spheres(petite.getObjets()), petite.getLampes());
                 petite.getModele().setRecherche(new RechercheRapide(siennes, new Compteurs()));
                 ecart = Sondage.ecart(petite, siennes.spheres, camera);
             }

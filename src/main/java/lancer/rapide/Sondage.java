@@ -120,13 +120,16 @@ final class Sondage {
     private PointContact suivre(Point P, Vecteur V, Objet3D saufLui) {
         Rayon attendu = Rayon.dOmbre(P, V);
         modele.setRecherche(null);
+        long avant = scene.getCompteurs().testsSpheres;
         scene.getClosestIntersection(attendu, saufLui);
+        // une boucle qui interroge plus d'objets que la liste n'en donne en connaît un que la recherche ignore
+        boolean connus = scene.getCompteurs().testsSpheres - avant <= scene.getObjets().size();
         Rayon rayon = Rayon.dOmbre(P, V);
         modele.setRecherche(recherche);
         PointContact contact = scene.getClosestIntersection(rayon, saufLui);
         boolean pareils = rayon.getObjet() == attendu.getObjet()
                 && Double.compare(rayon.getDistance(), attendu.getDistance()) == 0;
-        exiger(pareils, "Scene.getClosestIntersection", P, V);
+        exiger(connus && pareils, "Scene.getClosestIntersection", P, V);
         return contact;
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import lancer.Point;
 import lancer.SceneFautive;
+import lancer.texte.Nombre;
 
 /** La place d'un objet ou d'une lampe, telle que sa section l'écrit. */
 public final class Deplacement {
@@ -46,6 +47,6 @@ public final class Deplacement {
         double arrondi = IntStream.rangeClosed(-(int) Math.log10(1 + Math.abs(x)), 17)
                 .mapToDouble(decimales -> exact.setScale(decimales, RoundingMode.HALF_EVEN).doubleValue())
                 .filter(proche -> Math.abs(proche - x) * pixels <= ECART).findFirst().orElse(x);
-        return arrondi == 0 ? "0" : new BigDecimal(Double.toString(arrondi)).stripTrailingZeros().toPlainString();
+        return Nombre.ecrire(arrondi);
     }
 }

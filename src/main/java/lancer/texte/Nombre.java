@@ -45,9 +45,8 @@ public final class Nombre {
 
     /** L'écriture ordinaire d'un nombre, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
     public static String ecrire(double x) {
-        boolean petit = Math.abs(x) < 1e-3 && Math.abs(x) >= PETIT;
-        String s = x == Math.rint(x) && Math.abs(x) < 1e7 ? Long.toString((long) x)
-                : petit ? new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString() : Double.toString(x);
-        return s.replace(".0E", "e").replace('E', 'e');
+        boolean ordinaire = x == 0 || Math.abs(x) >= PETIT && Math.abs(x) < 1e7;
+        return ordinaire ? new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString()
+                : Double.toString(x).replace(".0E", "e").replace('E', 'e');
     }
 }

@@ -16,17 +16,15 @@ import org.junit.jupiter.api.Test;
 class CommandeAutoTest extends EssaiCommande {
 
     @Test
-    void leChoixSeDitEnTroisLignesEtLImageEstEcrite() {
+    void leChoixEtLaMesureSeDisentEnDeuxLignesEtLImageEstEcrite() {
         Essai e = executer("--auto", "erreur=30", "--repeter=2", "--image=" + png, "--lineaire=" + pfm);
         assertEquals(0, e.code, e.toString());
         assertEquals("", e.sortie);
         String[] lignes = e.erreur.split(System.lineSeparator());
-        assertEquals(3, lignes.length, e.erreur);
-        assertTrue(lignes[0].matches("lancer : auto, choisi : un rayon par pixel, --reflets 1000 --seuil [0-9.]+"), lignes[0]);
-        assertTrue(lignes[1].matches("lancer : auto, attendu : erreur de [0-9.]+, au plus [0-9.]+ ; [0-9.]+ rayons de toutes sortes par "
-                + "pixel ; 1 réglage essayé, le moins cher qui promette une erreur de 30.00"), lignes[1]);
-        assertTrue(lignes[2].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ ; dessin en [0-9.]+ s, essais en [0-9.]+ s ; "
-                + "erreur voulue tenue"), lignes[2]);
+        assertEquals(2, lignes.length, e.erreur);
+        assertTrue(lignes[0].matches("lancer : auto, choisi : un rayon par pixel, --reflets [0-9]+ --seuil [0-9.]+"), lignes[0]);
+        assertTrue(lignes[1].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ ; dessin en [0-9.]+ s, essais en [0-9.]+ s ; "
+                + "erreur voulue tenue"), lignes[1]);
         verifierFichiers("image.png", "image.pfm");
     }
 
@@ -44,15 +42,15 @@ class CommandeAutoTest extends EssaiCommande {
 
     @Test
     void leCheminLisibleChoisitDeMeme() {
-        String choisi = executer("--auto", "erreur=12", "--image=" + png).erreur.split(System.lineSeparator())[1];
-        assertEquals(choisi, executer("--auto", "erreur=12", "--simple", "--image=" + png).erreur.split(System.lineSeparator())[1]);
+        String choisi = executer("--auto", "erreur=12", "--image=" + png).erreur.split(System.lineSeparator())[0];
+        assertEquals(choisi, executer("--auto", "erreur=12", "--simple", "--image=" + png).erreur.split(System.lineSeparator())[0]);
     }
 
     @Test
     void uneErreurHorsDePorteeSeDitEtLImageEstLaPlusJuste() {
         Essai e = executer("--auto", "erreur=0.01", "--image=" + png);
         assertEquals(0, e.code, e.toString());
-        assertTrue(e.erreur.matches("(?s).* ; 1 réglage essayé, aucun ne promet une erreur de 0.01\\R.* ; erreur voulue dépassée : "
+        assertTrue(e.erreur.matches("(?s).*--reflets 1000 .*\\R.* ; erreur voulue dépassée : "
                 + "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar\\R"), e.erreur);
         e = executer("--auto", "erreur=0.01", "--reflets=2", "--seuil=0", "--image=" + png);
         assertTrue(e.erreur.contains("un rayon par pixel, --reflets 2 --seuil 0.0" + System.lineSeparator()), e.erreur);
@@ -80,7 +78,7 @@ class CommandeAutoTest extends EssaiCommande {
         for (String ligne : lignes) {
             assertTrue(ligne.matches("[a-z]+(\\.[a-z]+)+: [0-9]+(\\.[0-9]+)?"), ligne);
         }
-        assertEquals("[auto.erreur.attendue, auto.erreur.mesuree, auto.essais.rayons, auto.essais.ms]",
+        assertEquals("[auto.erreur.mesuree, auto.erreur.incertitude, auto.rayons.essais, auto.essais.ms]",
                 Arrays.toString(Arrays.stream(lignes).filter(l -> l.startsWith("auto.")).map(l -> l.replaceAll(":.*", "")).toArray()));
         // les rayons des essais n'en sont pas
         assertEquals(1200, e.statistique("rayons.primaires"));

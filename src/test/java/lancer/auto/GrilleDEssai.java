@@ -36,10 +36,8 @@ final class GrilleDEssai implements Variante {
         return Collections.singletonMap(new GrilleDEssai(proposes), new SectionLue("Grille"));
     }
 
-    /** Une grille pleine de n × n gagne un facteur n^(4/3) pour n² fois le prix, à peu près. */
     static ReglagePropose propose(String n) {
-        double cote = Double.parseDouble(n);
-        return new ReglagePropose(new SectionLue("Grille", "n", n), 6 * Math.pow(cote, -4.0 / 3), cote * cote);
+        return new ReglagePropose(new SectionLue("Grille", "n", n), 0);
     }
 
     @Override

@@ -77,7 +77,7 @@ class FenetreDessinTest extends EssaiFenetre {
             }
 
             @Override
-            public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+            protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
                 premiere = getDessin().getImage() == null;
                 return super.lireScene(fichier, suivi);
             }

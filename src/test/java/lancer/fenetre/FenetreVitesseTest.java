@@ -4,10 +4,11 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Color;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
@@ -19,15 +20,16 @@ import java.util.regex.Pattern;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import lancer.dessin.ReglagesDessin;
+import lancer.dessin.Dessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
-/** « Vitesse ou précision » : des points, dont chacun se dessine d'un clic et se mesure. */
+/** « Vitesse ou précision » : des points, dont chacun est une image dessinée, mesurée, et montrée d'un clic. */
 class FenetreVitesseTest extends EssaiFenetre {
 
     private JTextArea etat;
+    private JTextArea point;
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
@@ -35,6 +37,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JTextArea.class);
+        point = composant("vitesse.point", JTextArea.class);
     }
 
     private void attendreEtat(String debut) throws Exception {
@@ -43,12 +46,6 @@ class FenetreVitesseTest extends EssaiFenetre {
 
     private void frapper(int touche) throws Exception {
         banc.frapper(SwingUtilities.getWindowAncestor(graphique), touche);
-    }
-
-    /** L'image que la ligne de commande donne aux réglages présents. */
-    private int[] presentsSansFenetre() throws Exception {
-        ReglagesDessin presents = banc.controleur.etat.getReglages();
-        return attendue("--reflets=" + presents.getReflets(), "--seuil=" + presents.getSeuil());
     }
 
     /** Le plus à gauche des disques pleins du graphique : le plus rapide des réglages. */
@@ -68,104 +65,108 @@ class FenetreVitesseTest extends EssaiFenetre {
         });
     }
 
-    private static boolean essaiEnCours() {
+    private static boolean mesureEnCours() {
         return Thread.getAllStackTraces().entrySet().stream().filter(e -> e.getKey().getName().equals("lancer-vitesse"))
-                .flatMap(e -> Arrays.stream(e.getValue())).anyMatch(appel -> appel.getClassName().startsWith("lancer.auto."));
+                .flatMap(e -> Arrays.stream(e.getValue())).anyMatch(appel -> appel.getClassName().startsWith("lancer."));
     }
 
+    private String dit() throws Exception {
+        return surFilEvenements(point::getText);
+    }
+
+    /** L'image que la ligne de commande donne à ce nombre de réflexions. */
+    private int[] sansFenetre(int reflets) throws Exception {
+        return attendue("--reflets=" + reflets);
+    }
+
+    /** Le texte du premier point est celui de l'image qu'un clic montre : même temps, et l'image même. */
     @Test
-    void unPointChoisiAuClavierSeDessineEtSeMesure() throws Exception {
+    void unPointChoisiAuClavierMontreSonImageEtSonTemps() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
         frapper(KeyEvent.VK_RIGHT);
-        frapper(KeyEvent.VK_ENTER);
-        attendreEtat("Mesuré");
-        assertArrayEquals(presentsSansFenetre(), banc.imageAchevee().codes);
-        String dit = surFilEvenements(etat::getText);
-        Matcher m = Pattern.compile("Mesuré : (\\d+),\\d+ ± .*").matcher(dit);
+        attendre("le point se dit", () -> point.getText().contains(" --reflets "));
+        String dit = dit();
+        Matcher m = Pattern.compile("un rayon par pixel, --reflets 0 --seuil 0\\.0009765625 : (\\d+,\\d+) s, erreur de (\\d+),.*")
+                .matcher(dit);
         assertTrue(m.matches(), dit);
-        assertTrue(Integer.parseInt(m.group(1)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
+        assertTrue(Integer.parseInt(m.group(2)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
+        frapper(KeyEvent.VK_ENTER);
+        attendre("l'image sans réflexion", () -> banc.controleur.montre.getReglages().getReflets() == 0
+                && banc.controleur.getImageComplete() != null);
+        assertArrayEquals(sansFenetre(0), banc.imageAchevee().codes);
+        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.montre.getLancer().getDureeNs() / 1e9, 0.0006);
+        String resume = surFilEvenements(banc.resume::getText);
+        assertTrue(resume.contains(", 0 réflexion"), resume);
     }
 
     @Test
-    void unClicDeSourisSurUnPointDessineAvecSesReglages() throws Exception {
+    void unClicDeSourisSurUnPointMontreSonImageMemeSansLaRedessiner() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
         Point ou = plusRapide();
+        Dessin dernier = banc.main.getDessin();
         banc.cliquer(graphique, ou.x, ou.y);
-        attendreEtat("Mesuré");
-        assertArrayEquals(presentsSansFenetre(), banc.imageAchevee().codes);
+        attendre("le point se dit", () -> point.getText().contains(" --reflets "));
+        int reflets = Integer.parseInt(dit().replaceFirst(".* --reflets (\\d+) .*", "$1"));
+        attendre("son image", () -> banc.controleur.montre.getReglages().getReflets() == reflets
+                && !banc.controleur.enCours && banc.controleur.getImageComplete() != null);
+        assertArrayEquals(sansFenetre(reflets), banc.imageAchevee().codes);
+        assertSame(dernier, banc.main.getDessin(), "l'image existait");
+    }
+
+    @Test
+    void laPlaceDuGraphiqueNeChangePasQuandUnTexteEstLong() throws Exception {
+        ouvrirLePanneau();
+        attendreEtat("Un clic");
+        int avant = surFilEvenements(graphique::getHeight);
+        surFilEvenements(() -> {
+            point.setText("Une phrase qui prend quatre lignes, ou plus encore si ce panneau est étroit : chacun de ses mots compte, "
+                    + "et qu'il en faut encore, et encore, et encore, et encore, et encore, et encore.");
+            graphique.getParent().validate();
+            return null;
+        });
+        assertEquals(avant, surFilEvenements(graphique::getHeight));
     }
 
     @Test
     void laOuLErreurPeutEtreNulleElleEstDiteAuPlus() throws Exception {
-        // rien que du ciel : aucune erreur à attendre
+        // rien que du ciel : aucune erreur à mesurer
         ecrire("[Sphere loin]\ncentre=0 50 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
         ouvrirLePanneau();
         attendreEtat("Un clic");
-        JTextArea point = composant("vitesse.point", JTextArea.class);
         frapper(KeyEvent.VK_RIGHT);
         attendre("il se dit", () -> point.getText().contains(", erreur d'au plus "));
     }
 
     @Test
-    void unReglageChangeAuClavierDevientLePresentDuGraphique() throws Exception {
+    void cacherLePanneauSuspendLEchelleEtLeRouvrirLaContinue() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
-        for (int reflets : new int[] {2, 1, 0}) {
-            frapper(KeyEvent.VK_SUBTRACT);
-            attendre("moins de réflexions", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets);
-            attendre("elles ont leur point", graphique::aUnPresent);
-        }
-    }
-
-    @Test
-    void uneMesureAuDelaDeToutCeQuiEtaitAttenduSeVoitDansLeCadre() throws Exception {
-        ouvrirLePanneau();
-        attendreEtat("Un clic");
-        retailler(L, 500);
-        BufferedImage vue = surFilEvenements(() -> {
-            for (double temps = 0.01; temps < 2; temps *= 1.1) {
-                graphique.ajouterMesure(temps, 200, 10);
-            }
-            BufferedImage peinte = new BufferedImage(graphique.getWidth(), graphique.getHeight(), BufferedImage.TYPE_INT_RGB);
-            graphique.paint(peinte.createGraphics());
-            return peinte;
-        });
-        int rouges = 0;
-        for (int k = 0; k < vue.getWidth() * vue.getHeight(); k++) {
-            int y = k / vue.getWidth();
-            Color c = new Color(vue.getRGB(k % vue.getWidth(), y));
-            if (c.getRed() > c.getBlue() + 60) {
-                rouges++;
-                assertTrue(y >= 26, "au-dessus du cadre : " + y);
-            }
-        }
-        assertTrue(rouges > 5, rouges + " pixels");
-    }
-
-    @Test
-    void fermerLePanneauArreteLesEssais() throws Exception {
-        ouvrirLePanneau();
-        attendre("les essais commencent, ou finissent", () -> !etat.getText().equals(" "));
+        List<Object> dits = new CopyOnWriteArrayList<>();
+        etat.addCaretListener(e -> dits.add(etat.getText()));
         frapper(KeyEvent.VK_ESCAPE);
         attendre("le panneau se ferme", () -> !graphique.isShowing());
-        attendre("plus aucun essai", () -> !essaiEnCours());
+        attendre("plus aucune mesure", () -> !mesureEnCours());
+        banc.frapper(KeyEvent.VK_F3);
+        attendre("le panneau revient", graphique::isShowing);
+        attendreEtat("Un clic");
+        assertFalse(dits.stream().anyMatch(dit -> dit.toString().startsWith("dessin de")), "ce qui est dessiné le reste : " + dits);
     }
 
     @Test
-    void changerLaSceneRecommenceLesEssais() throws Exception {
+    void changerLaSceneRecommenceLEchelle() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
         List<Object> dits = new CopyOnWriteArrayList<>();
         etat.addCaretListener(e -> dits.add(etat.getText()));
         ecrire(BLEUE);
-        attendre("d'autres essais commencent", () -> dits.contains("premiers essais…"));
+        attendre("une autre échelle commence", () -> dits.contains("dessin de l'échelon 1 sur 5…"));
         attendreEtat("Un clic");
     }
 
     @Test
-    void relireUnFichierQuiNAPasChangeNeRecommencePasLesEssais() throws Exception {
+    void relireUnFichierQuiNAPasChangeNeRecommencePasLEchelle() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
         List<Object> dits = new CopyOnWriteArrayList<>();
@@ -174,6 +175,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F5);
         attendre("l'image est neuve", () -> banc.controleur.getImageComplete() != null
                 && banc.controleur.getImageComplete() != avant);
-        assertFalse(dits.contains("premiers essais…"), dits.toString());
+        attendreEtat("Un clic");
+        assertFalse(dits.contains("dessin de l'échelon 1 sur 5…"), dits.toString());
     }
 }

@@ -19,7 +19,7 @@ class MainLent extends Main {
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
     volatile boolean lent;
-    private volatile Dessin dernier = super.getDessin();
+    private volatile Dessin dernier;
     private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
     private Consumer<SceneLue> apresLecture = lue -> { };
 
@@ -32,6 +32,7 @@ class MainLent extends Main {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
+        dernier = new Dessin(options, this::lireScene, BancFenetre.flux(erreur), options.scene, options.largeur, options.hauteur);
     }
 
     MainLent lent() {
@@ -57,7 +58,7 @@ class MainLent extends Main {
     }
 
     @Override
-    public SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+    protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
         avantLecture.accept(fichier, suivi);
         SceneLue lue = super.lireScene(fichier, suivi);
         apresLecture.accept(lue);
@@ -97,13 +98,12 @@ class MainLent extends Main {
         }.dessiner();
     }
 
+    Dessin getDessin() {
+        return dernier;
+    }
+
     /** Ouvre la fenêtre de ce programme. */
     Fenetre ouvrir(Runnable fin) {
         return Ouverture.ouvrir(options, dernier, this::dessiner, BancFenetre.flux(erreur), fin);
-    }
-
-    @Override
-    protected Dessin getDessin() {
-        return dernier;
     }
 }

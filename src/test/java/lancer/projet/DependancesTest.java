@@ -111,7 +111,7 @@ class DependancesTest {
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
         verifier("lancer\\.auto\\..*", COURS + "lancer\\.(contrat|fils)\\..*");
-        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.(PanneauVitesse|figures\\.GraphiqueVitesse)).*";
+        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.PanneauVitesse).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
 

@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -139,6 +140,27 @@ class AjoutsTest {
             essayer(changements, change, avant, scene);
         }
         assertEquals(0, pasVues.size(), pasVues.toString());
+    }
+
+    /** Aucun rayon du sondage ne rencontre la dernière boule, mais les boucles l'interrogent. */
+    @Test
+    void uneListeSansLaDerniereDeMilleBoulesSeVoit() throws IOException {
+        try (Essai.Isole change = Modification.de(dossier, "Scene", "return objets;", "return objets.subList(0, objets.size() - 1);")) {
+            Path scene = Paths.get("scenes/tournesol.ini");
+            assertArrayEquals(dessiner(change, dossier, scene, "--simple"), dessiner(change, dossier, scene));
+        }
+    }
+
+    @Test
+    void comparerDitAussiQueLesBouclesDessinent() throws IOException {
+        String boucle = "for (Objet3D autre : objets";
+        try (Essai.Isole change = Modification.de(dossier, "Scene", boucle + ")", boucle + ".subList(3, objets.size()))")) {
+            String image = dossier.resolve("i.png").toString();
+            assertEquals(0, change.executer("--simple", "--taille=200x150", "--image", image, "scenes/scene1.ini").code);
+            Essai essai = change.executer("--comparer", image, "scenes/scene1.ini");
+            assertEquals(0, essai.code, essai.toString());
+            assertTrue(essai.erreur.contains("ce sont les boucles du cours qui dessinent"), essai.toString());
+        }
     }
 
     /** Elle ne change que la normale, ou que le point de surface : les structures en répondent, sans un examen de plus. */

@@ -21,12 +21,11 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Réglages proposés à {@code --auto} : n, méthode, seuil, erreur ordinaire en niveaux, prix. */
+    /** Réglages proposés, du moins cher au plus juste : n, méthode, seuil, seuil des reflets. */
     private static final String[] PROPOSES = {
-        "1 coins 0 7 1", "2 partage 0.4 2.8 1.7", "3 partage 0.3 2 2.1", "4 partage 0.2 1.3 2.6",
-        "4 partage 0.15 1.2 2.9", "6 partage 0.12 0.85 3.8", "8 partage 0.1 0.65 4.5", "8 partage 0.08 0.55 5.2",
-        "12 partage 0.06 0.38 7.8", "16 partage 0.06 0.35 8.3", "16 partage 0.04 0.26 13", "16 partage 0.026 0.19 21",
-        "16 partage 0.016 0.165 32", "16 coins 0 0.15 256"};
+        "1 coins 0 0.015625", "2 partage 0.4 0.015625", "4 partage 0.2 0.0078125", "6 partage 0.12 0.00390625",
+        "8 partage 0.08 0.00390625", "16 partage 0.055 0.00390625", "16 partage 0.026 0.001953125",
+        "16 partage 0.013 0.001953125", "16 coins 0 0"};
 
     /** La méthode du cours. @param n de 1 à 64 @param seuil contraste, de 0 (tous les sous-pixels) à 1 */
     public static Echantillonnage coins(int n, double seuil) {
@@ -66,7 +65,7 @@ public final class Antialias implements Variante {
         for (String propose : PROPOSES) {
             String[] mots = propose.split(" ");
             Section section = sienne.sansFichier("n", mots[0], "methode", mots[1], "seuil", mots[2]);
-            proposes.add(new ReglagePropose(section, Double.parseDouble(mots[3]), Double.parseDouble(mots[4])));
+            proposes.add(new ReglagePropose(section, Double.parseDouble(mots[3])));
         }
         return proposes;
     }

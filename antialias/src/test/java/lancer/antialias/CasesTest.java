@@ -115,15 +115,16 @@ class CasesTest {
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
         List<ReglagePropose> proposes = antialias.getReglagesProposes(new SectionLue("Antialias"));
-        assertEquals(14, proposes.size());
-        double prix = 0;
+        assertEquals("[Antialias] n=1 methode=coins seuil=0", proposes.get(0).section.toString(), "un rayon d'abord");
+        double seuil = 1;
         for (ReglagePropose propose : proposes) {
             Modele modele = new Modele();
             antialias.installer(propose.section, modele);
             assertNotNull(modele.getEchantillonnage(), propose.section.toString());
-            assertTrue(propose.prix > prix, "de moins cher en plus juste");
-            prix = propose.prix;
+            assertTrue(propose.seuil <= seuil, "de moins cher en plus juste");
+            seuil = propose.seuil;
         }
-        assertEquals("[Antialias] n=16 methode=coins seuil=0", proposes.get(13).section.toString(), "une grille pleine en dernier");
+        assertEquals("[Antialias] n=16 methode=coins seuil=0", proposes.get(proposes.size() - 1).section.toString(),
+                "une grille pleine en dernier");
     }
 }

@@ -11,13 +11,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
-import lancer.contrat.Echantillonnage;
 import lancer.dessin.Dessin;
 import lancer.essai.Essai;
 import lancer.scene.SectionLue;
@@ -43,45 +45,35 @@ class AutoAntialiasTest {
         assertEquals(0, essai.code, essai.toString());
         Map<String, String> lignes = new LinkedHashMap<>();
         for (String ligne : essai.erreur.split("\r?\n")) {
-            assertTrue(ligne.matches("lancer : auto, (choisi|attendu|mesuré) : .*"), ligne);
+            assertTrue(ligne.matches("lancer : auto, (choisi|mesuré) : .*"), ligne);
             String[] moities = ligne.substring("lancer : auto, ".length()).split(" : ", 2);
             lignes.put(moities[0], moities[1]);
         }
-        assertEquals("[choisi, attendu, mesuré]", lignes.keySet().toString());
+        assertEquals("[choisi, mesuré]", lignes.keySet().toString());
         return lignes;
     }
 
-    /** Erreur et prix de chaque réglage, attendus de quelques pixels, contre ceux de l'image entière. */
+    /** L'échelle de la variante, en entier, sur une image petite : l'erreur de chaque échelon est celle de son image. */
     @Test
-    void ceQuiEstAttenduDesReglagesEstCeQuIlsDessinent() {
-        Lancer prepare = Dessin.lancer(new Scene(scene.toString()), 80, 60, false);
-        Auto auto = new Auto(prepare, 0, null, null, 2,
-                Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
-        assertEquals(new Antialias().getReglagesProposes(new SectionLue("Antialias")).size(), auto.essayes.size());
-        double[][] juste = image(avec(prepare, Antialias.coins(16, 0), 0), 1000);
-        for (Candidat reglage : auto.essayes) {
-            Lancer lancer = avec(prepare, reglage.echantillonnage, reglage.seuil);
-            double[][] image = image(lancer, reglage.reflets);
-            assertEquals(1, reglage.prix * 80 * 60 / lancer.getCompteurs().rayons(), 0.25, reglage.toString());
-            double somme = 0;
-            for (int k = 0; k < image.length; k++) {
-                somme += EchantillonPilote.produit(image[k], juste[k], juste[k]);
-            }
-            double vraie = Math.sqrt(somme / image.length);
-            assertTrue(vraie > 0.7 * reglage.auMoins - 0.1 && vraie < 1.3 * reglage.auPlus + 0.1, reglage + " : de " + reglage.auMoins
-                    + " à " + reglage.auPlus + ", vraie " + vraie);
+    void lErreurDeChaqueEchelonEstCelleDeSonImage() {
+        Lancer prepare = Dessin.lancer(new Scene(scene.toString()), 80, 50, false);
+        List<Echelon> echelle = Echelon.echelle(prepare.getScene().getModele(),
+                Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), null, null);
+        assertEquals(9, echelle.size());
+        Echantillon tous = new Echantillon(prepare, 2, 2, 6, new SplittableRandom(1), new BitSet());
+        double avant = Double.POSITIVE_INFINITY;
+        long rayons = 0;
+        for (Echelon echelon : echelle) {
+            Mesure essai = tous.essayer(echelon);
+            Lancer lancer = echelon.lancer(prepare);
+            lancer.TracerPixels(tous, echelon.reflets, 2);
+            assertEquals(tous.mesurer().erreur, essai.erreur, echelon.toString());
+            assertTrue(essai.plus(-1) <= avant, echelon + " : " + essai.erreur + " après " + avant);
+            assertTrue(lancer.getCompteurs().rayons() > rayons, echelon.toString());
+            avant = essai.plus(1);
+            rayons = lancer.getCompteurs().rayons();
         }
-    }
-
-    private static Lancer avec(Lancer prepare, Echantillonnage echantillonnage, double seuil) {
-        Scene scene = prepare.getScene();
-        return new Lancer(scene.avec(scene.getModele().avec(echantillonnage, seuil)), prepare.getCamera());
-    }
-
-    private static double[][] image(Lancer lancer, int reflets) {
-        double[][] image = new double[80 * 60][];
-        lancer.TracerPixels((couleur, i, j) -> image[j * 80 + i] = EchantillonPilote.niveaux(couleur), reflets, 2);
-        return image;
+        assertTrue(avant < 0.3, "" + avant);
     }
 
     @Test

@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -53,14 +54,21 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     }
 
     @Test
-    void f3CompareAuxReglagesPresentsMemeSiLaSceneNEnDitRien() throws Exception {
+    void f3NommeLaMethodeDeChaqueImageEtMontreCelleQueLOnChoisit() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        attendre("les essais finis", () -> etat.getText().startsWith("Un clic"));
         JTextArea point = composant("vitesse.point", JTextArea.class);
-        banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_RIGHT);
-        attendre("un autre réglage s'y compare", () -> point.getText().contains("; au lieu du présent, "));
+        attendre("deux images", () -> etat.getText().matches("dessin de l'échelon [3-9].*|Un clic.*"));
+        for (int k = 0; k < 2; k++) {
+            banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_RIGHT);
+        }
+        attendre("la deuxième", () -> point.getText().startsWith(
+                "[Antialias] n=2 methode=partage seuil=0.4, --reflets 1000 --seuil 0.015625 : "));
+        banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_ENTER);
+        attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.015625, [Antialias] n=2 "));
+        ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
+        assertArrayEquals(attendue("--reflets=1000", "--seuil=0.015625"), banc.imageAchevee().codes);
     }
 
     @Test

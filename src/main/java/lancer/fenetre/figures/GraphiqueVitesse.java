@@ -2,33 +2,29 @@ package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Shape;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.Comparator;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
-import lancer.Constantes;
-import lancer.auto.Candidat;
 
-/** Graphique des réglages : temps en abscisse, erreur en ordonnée, en échelles logarithmiques. */
+/** Graphique des réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
@@ -42,43 +38,57 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int BAS = 42;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
-    private static final double NS_PAR_S = 1e9;
-    private static final Color REFLET = new Color(0xE0503C);
+
     private final Consumer<String> siAtteint;
-    private final Predicate<Candidat> estPresent;
-    private List<Candidat> points = Collections.emptyList();
-    /** Réglages dont aucun autre n'est à la fois plus rapide et plus juste, du moins cher au plus cher. */
-    private List<Candidat> front = Collections.emptyList();
-    private final List<double[]> mesures = new ArrayList<>();
-    private int choisi = -1;
-    /** Durée de l'image, en secondes, pour un rayon par pixel et une nanoseconde par rayon. */
-    private double parRayon = 1;
+    private List<Reglage> echelle = new ArrayList<>();
+    private List<Reglage> points = new ArrayList<>();
+    private Reglage ici;
+    private Reglage choisi;
     private double xMin;
     private double xMax;
     private double yMax;
 
-    /** @param clic reçoit le réglage choisi @param siAtteint reçoit la légende du réglage sous la souris */
-    public GraphiqueVitesse(Consumer<Candidat> clic, Consumer<String> siAtteint, Predicate<Candidat> estPresent) {
+    /** Un réglage dessiné : son temps, son erreur en niveaux, et l'incertitude de cette erreur à 95 %. */
+    public static class Reglage {
+
+        final String nom;
+        final String texte;
+        final double secondes;
+        final double erreur;
+        final double incertitude;
+        /** Vrai si l'erreur peut être nulle : seule sa borne supérieure est alors écrite. */
+        final boolean borne;
+
+        /** @param nom nom court @param texte le réglage en entier */
+        public Reglage(String nom, String texte, double secondes, double erreur, double incertitude) {
+            this.nom = nom;
+            this.secondes = secondes;
+            this.erreur = erreur;
+            this.incertitude = incertitude;
+            borne = erreur - incertitude <= Y_MIN;
+            this.texte = texte + String.format(Locale.FRANCE, borne ? " : %.3f s, erreur d'au plus %.2f"
+                    : " : %.3f s, erreur de %3$.2f ± %4$.2f", secondes, erreur + incertitude, erreur, incertitude);
+        }
+    }
+
+    /** @param clic reçoit le réglage choisi @param siAtteint reçoit le texte du réglage sous la souris */
+    public GraphiqueVitesse(Consumer<Reglage> clic, Consumer<String> siAtteint) {
         this.siAtteint = siAtteint;
-        this.estPresent = estPresent;
         setName("vitesse.graphique");
         setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
         MouseAdapter suiveur = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                if (sous(e) != null) {
-                    dire(sous(e));
-                }
+                choisir(sous(e));
             }
 
             @Override
             public void mousePressed(MouseEvent e) {
                 requestFocusInWindow();
-                Candidat vise = sous(e);
-                if (vise != null) {
-                    choisi = front.indexOf(vise);
-                    clic.accept(vise);
+                if (sous(e) != null) {
+                    choisir(sous(e));
+                    clic.accept(choisi);
                 }
             }
         };
@@ -87,60 +97,46 @@ public final class GraphiqueVitesse extends JPanel {
         addKeyListener(new KeyAdapter() {
             @Override
             public void keyPressed(KeyEvent e) {
-                int touche = e.getKeyCode();
-                if (touche == KeyEvent.VK_LEFT || touche == KeyEvent.VK_RIGHT) {
-                    avancer(touche == KeyEvent.VK_RIGHT ? 1 : -1);
+                int pas = e.getKeyCode() == KeyEvent.VK_RIGHT ? 1 : e.getKeyCode() == KeyEvent.VK_LEFT ? -1 : 0;
+                if (pas != 0 && !echelle.isEmpty()) {
+                    choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
                     e.consume();
-                } else if (touche == KeyEvent.VK_ENTER && choisi >= 0) {
+                } else if (e.getKeyCode() == KeyEvent.VK_ENTER && choisi != null) {
                     // si aucun point n'est choisi, Entrée sert à l'image
-                    clic.accept(front.get(choisi));
+                    clic.accept(choisi);
                     e.consume();
                 }
             }
         });
     }
 
-    public void vider() {
-        mesures.clear();
-        choisi = -1;
-        montrer(Collections.emptyList(), null, 1);
+    private void choisir(Reglage vise) {
+        if (vise != null && vise != choisi) {
+            choisi = vise;
+            siAtteint.accept(vise.texte);
+            getAccessibleContext().setAccessibleDescription(vise.texte);
+            repaint();
+        }
     }
 
-    /**
-     * @param ici les réglages de l'image, s'ils sont évalués, ou {@code null}
-     * @param pixels nombre de pixels que dessine chaque fil
-     */
-    public void montrer(List<Candidat> essayes, Candidat ici, double pixels) {
-        parRayon = pixels / NS_PAR_S;
-        points = new ArrayList<>(essayes);
-        if (ici != null && !aUnPresent()) {
+    /** @param ici celui de l'image montrée, de l'échelle ou non ; {@code null} s'il n'est pas mesuré */
+    public void montrer(List<? extends Reglage> dessines, Reglage ici) {
+        echelle = new ArrayList<>(dessines);
+        points = new ArrayList<>(dessines);
+        if (ici != null && !points.contains(ici)) {
             points.add(ici);
         }
-        front = points.stream().filter(p -> points.stream().noneMatch(
-                q -> secondes(q) < secondes(p) && q.erreur <= p.erreur))
-                .sorted(Comparator.comparingDouble(this::secondes)).collect(Collectors.toList());
-        choisi = Math.min(choisi, front.size() - 1);
-        DoubleSummaryStatistics temps = points.stream().mapToDouble(this::secondes).summaryStatistics();
-        xMin = temps.getMin() / 1.3;
-        xMax = temps.getMax() * 1.3;
-        yMax = Math.max(1, 1.3 * Math.max(points.stream().mapToDouble(p -> p.auPlus).max().orElse(0),
-                mesures.stream().mapToDouble(mesure -> mesure[1] + mesure[2]).max().orElse(0)));
+        this.ici = ici;
+        choisi = points.contains(choisi) ? choisi : null;
+        // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
+        xMin = graduation(points.stream().mapToDouble(p -> p.secondes).min().orElse(1) / 2.5);
+        xMax = graduation(points.stream().mapToDouble(p -> p.secondes).max().orElse(1) * 1.1);
+        yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
         repaint();
     }
 
-    /** Temps estimé de l'image : nombre de ses rayons, multiplié par la durée d'un rayon des essais. */
-    private double secondes(Candidat p) {
-        return p.prix * p.nsParRayon * parRayon;
-    }
-
-    public boolean aUnPresent() {
-        return points.stream().anyMatch(estPresent);
-    }
-
-    /** Ajoute un point mesuré sur l'image dessinée. @param temps en secondes */
-    public void ajouterMesure(double temps, double erreur, double incertitude) {
-        mesures.add(new double[] {temps, erreur, incertitude});
-        montrer(points, null, parRayon * NS_PAR_S);
+    private static double graduation(double min) {
+        return graduations(min, Double.MAX_VALUE).findFirst().orElse(min);
     }
 
     private double x(double temps) {
@@ -152,53 +148,10 @@ public final class GraphiqueVitesse extends JPanel {
         return getHeight() - BAS - (getHeight() - HAUT - BAS) * part;
     }
 
-    private void avancer(int pas) {
-        if (!front.isEmpty()) {
-            choisi = Math.max(0, Math.min(front.size() - 1, choisi + pas));
-            dire(front.get(choisi));
-            repaint();
-        }
-    }
-
-    private void dire(Candidat p) {
-        siAtteint.accept(legende(p));
-        getAccessibleContext().setAccessibleDescription(legende(p));
-    }
-
-    private Candidat sous(MouseEvent e) {
-        return points.stream().filter(p -> e.getPoint().distance(x(secondes(p)), y(p.erreur)) < PORTEE)
-                .min(Comparator.comparingDouble(p -> e.getPoint().distance(x(secondes(p)), y(p.erreur)))).orElse(null);
-    }
-
-    /** Texte du réglage : prix, erreur, et comparaison avec les réglages de l'image. */
-    private String legende(Candidat p) {
-        String gain = points.stream().filter(estPresent).findFirst().filter(autre -> autre != p)
-                .map(autre -> String.format(Locale.FRANCE, "\u00A0; au lieu du présent, %s de temps et %s d'erreur",
-                        fois(secondes(p) / secondes(autre)), fois(p.erreur / autre.erreur))).orElse("");
-        String erreur = auPlus(p) ? String.format(Locale.FRANCE, "d'au plus %.2f", p.auPlus)
-                : String.format(Locale.FRANCE, "de %.2f à %.2f", p.auMoins, p.auPlus);
-        return enMots(p) + String.format(Locale.FRANCE, " — %s s, %.1f rayons par pixel, erreur %s niveau%s",
-                nombre(secondes(p)), p.prix, erreur, p.auPlus < 2 ? "" : "x") + gain;
-    }
-
-    /** Le réglage en mots, par exemple {@code 16 rayons là où c'est utile, reflets : 10}. */
-    private static String enMots(Candidat reglage) {
-        String n = reglage.section == null ? null : reglage.section.valeur("n");
-        String rayons = n == null ? reglage.toString().replaceFirst(", .*", "")
-                : n.equals("1") ? "un rayon par pixel" : Math.round(Math.pow(Double.parseDouble(n), 2))
-                + " rayons là où c'est utile, seuil " + reglage.section.valeur("seuil");
-        return rayons + ", reflets : " + reglage.reflets + (reglage.seuil == Constantes.SEUIL ? ""
-                : reglage.seuil == 0 ? " sans seuil" : " jusqu'au seuil 1/" + Math.round(1 / reglage.seuil));
-    }
-
-    /** Dit si l'erreur attendue peut être nulle : seule sa borne supérieure est alors affichée. */
-    private static boolean auPlus(Candidat p) {
-        return p.auMoins <= Y_MIN;
-    }
-
-    private static String fois(double rapport) {
-        return Math.abs(Math.log(rapport)) < 0.05 ? "autant" : String.format(Locale.FRANCE,
-                rapport < 1 ? "%.1f fois moins" : "%.1f fois plus", Math.max(rapport, 1 / rapport));
+    private Reglage sous(MouseEvent e) {
+        ToDoubleFunction<Reglage> distance = p -> e.getPoint().distance(x(p.secondes), y(p.erreur));
+        return points.stream().filter(p -> distance.applyAsDouble(p) < PORTEE)
+                .min(Comparator.comparingDouble(distance)).orElse(null);
     }
 
     @Override
@@ -209,100 +162,91 @@ public final class GraphiqueVitesse extends JPanel {
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
-            peindreAxes(g);
+            g.setFont(g.getFont().deriveFont(g.getFont().getSize2D() * 0.9f));
+            peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
             peindrePoints(g);
         }
         g.dispose();
     }
 
-    private void peindreAxes(Graphics2D g) {
-        int droite = getWidth() - DROITE;
-        int bas = getHeight() - BAS;
-        g.setColor(UIManager.getColor("Panel.background"));
+    private void peindreAxes(Graphics2D g, int droite, int bas) {
+        Color trame = UIManager.getColor("Panel.background");
+        g.setColor(trame);
         g.fillRect(GAUCHE, (int) y(ARRONDI), droite - GAUCHE, bas - (int) y(ARRONDI));
-        g.setFont(g.getFont().deriveFont(Font.PLAIN, g.getFont().getSize2D() * 0.9f));
-        for (double t : graduations(xMin, xMax)) {
-            trait(g, x(t), HAUT, x(t), bas, trame());
+        graduations(xMin, xMax).forEach(t -> {
+            trait(g, new Line2D.Double(x(t), HAUT, x(t), bas), trame);
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
-        }
-        for (double t : graduations(Y_MIN, yMax)) {
-            trait(g, GAUCHE, y(t), droite, y(t), trame());
+        });
+        graduations(Y_MIN, yMax).forEach(t -> {
+            trait(g, new Line2D.Double(GAUCHE, y(t), droite, y(t)), trame);
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
-        }
-        g.setColor(gris());
-        g.drawRect(GAUCHE, HAUT, droite - GAUCHE, bas - HAUT);
-        ecrire(g, "sous l'arrondi de l'écran", droite - 4, y(ARRONDI) + 14, 1);
-        ecrire(g, "temps de l'image sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur attendue (niveaux sur 255)", 6, 14, 0);
+        });
+        ecrire(g, "temps du dessin sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "erreur mesurée (niveaux sur 255) ; en gris, sous l'arrondi", 6, 14, 0);
     }
 
     private void peindrePoints(Graphics2D g) {
+        Color accent = UIManager.getColor("Component.accentColor") == null ? encre()
+                : UIManager.getColor("Component.accentColor");
         g.setStroke(new BasicStroke(1.5f));
-        for (int k = 1; k < front.size(); k++) {
-            Candidat avant = front.get(k - 1);
-            trait(g, x(secondes(avant)), y(avant.erreur), x(secondes(front.get(k))), y(front.get(k).erreur), accent());
-        }
-        for (Candidat p : points) {
-            Color couleur = front.contains(p) ? accent() : gris();
-            double x = x(secondes(p));
-            double pied = auPlus(p) ? y(Y_MIN) - RAYON : y(p.auMoins);
-            trait(g, x, pied, x, y(p.auPlus), couleur);
-            if (auPlus(p)) {
-                // borne supérieure : un trait horizontal, et une flèche vers le bas
-                trait(g, x - RAYON, y(p.auPlus), x + RAYON, y(p.auPlus), couleur);
-                trait(g, x - RAYON, pied - RAYON, x, pied, couleur);
-                trait(g, x + RAYON, pied - RAYON, x, pied, couleur);
-            }
-            g.fill(disque(secondes(p), p.erreur, front.contains(p) ? RAYON : RAYON - 2));
-            g.setColor(encre());
-            if (estPresent.test(p)) {
-                g.draw(disque(secondes(p), p.erreur, 2 * RAYON));
-                nommer(g, "ici : ", p, -2 * RAYON);
-            }
-            if (choisi >= 0 && p == front.get(choisi)) {
-                g.drawRect((int) x - 8, (int) y(p.erreur) - 8, 16, 16);
+        List<Shape> traits = new ArrayList<>();
+        for (Reglage p : points) {
+            double x = x(p.secondes);
+            traits.add(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
+            if (echelle.indexOf(p) > 0) {
+                Reglage avant = echelle.get(echelle.indexOf(p) - 1);
+                traits.add(new Line2D.Double(x(avant.secondes), y(avant.erreur), x, y(p.erreur)));
             }
         }
-        front.stream().filter(p -> p.erreur <= ARRONDI).findFirst().filter(p -> !estPresent.test(p))
-                .ifPresent(p -> nommer(g, "assez pour l'œil : ", p, 4 * RAYON));
-        for (double[] m : mesures) {
-            trait(g, x(m[0]), y(m[1] - m[2]), x(m[0]), y(m[1] + m[2]), REFLET);
-            g.draw(disque(m[0], m[1], RAYON));
+        traits.forEach(trait -> trait(g, trait, accent));
+        for (Reglage p : points) {
+            Shape disque = disque(p, RAYON);
+            g.setColor(p.borne ? UIManager.getColor("Tree.background") : accent);
+            g.fill(disque);
+            trait(g, disque, accent);
+            traits.add(disque(p, p == ici ? 2 * RAYON : RAYON));
+            if (p == ici) {
+                trait(g, disque(p, 2 * RAYON), encre());
+            }
+            if (p == choisi) {
+                trait(g, disque(p, RAYON + 3).getBounds(), encre());
+            }
+        }
+        if (ici != null) {
+            nommer(g, "ici : " + ici.nom, ici, traits);
+        }
+        echelle.stream().filter(p -> p != ici).forEach(p -> nommer(g, p.nom, p, traits));
+    }
+
+    /** Écrit le nom d'un point près de lui, à la première place où il ne touche ni un trait, ni un autre nom. */
+    private void nommer(Graphics2D g, String nom, Reglage p, List<Shape> pris) {
+        double large = g.getFontMetrics().stringWidth(nom);
+        double haut = g.getFontMetrics().getAscent();
+        for (int k = 0; k < 16; k++) {
+            // à droite, puis à gauche ; au-dessus, puis au-dessous ; de plus en plus loin
+            double x = x(p.secondes) + (k % 4 < 2 ? 2 * RAYON : -2 * RAYON - large);
+            double y = y(p.erreur) + (k % 2 == 0 ? -RAYON - haut * (k / 4) : RAYON + haut * (k / 4 + 1));
+            Rectangle2D place = new Rectangle2D.Double(x - 2, y - haut, large + 4, haut + 2);
+            if (x > GAUCHE && x + large < getWidth() - DROITE && y - haut > HAUT && y < getHeight() - BAS
+                    && pris.stream().noneMatch(forme -> forme.intersects(place))) {
+                ecrire(g, nom, x, y, 0);
+                pris.add(place);
+                return;
+            }
         }
     }
 
-    /** Écrit le nom de ce point, décalé de {@code dy}, dans le cadre. */
-    private void nommer(Graphics2D g, String debut, Candidat p, int dy) {
-        String nom = debut + enMots(p).replaceFirst(",.*", "");
-        double droite = getWidth() - DROITE - g.getFontMetrics().stringWidth(nom);
-        ecrire(g, nom, Math.max(GAUCHE + RAYON, Math.min(droite, x(secondes(p)) + 3 * RAYON)), y(p.erreur) + dy, 0);
+    private Ellipse2D disque(Reglage p, int rayon) {
+        return new Ellipse2D.Double(x(p.secondes) - rayon, y(p.erreur) - rayon, 2 * rayon, 2 * rayon);
     }
 
     private static Color encre() {
         return UIManager.getColor("Tree.textForeground");
     }
 
-    private static Color accent() {
-        Color accent = UIManager.getColor("Component.accentColor");
-        return accent == null ? encre() : accent;
-    }
-
-    private static Color gris() {
-        return UIManager.getColor("Label.disabledForeground");
-    }
-
-    private static Color trame() {
-        Color gris = gris();
-        return new Color(gris.getRed(), gris.getGreen(), gris.getBlue(), 60);
-    }
-
-    private Ellipse2D disque(double temps, double erreur, int rayon) {
-        return new Ellipse2D.Double(x(temps) - rayon, y(erreur) - rayon, 2 * rayon, 2 * rayon);
-    }
-
-    private static void trait(Graphics2D g, double x0, double y0, double x1, double y1, Color couleur) {
+    private static void trait(Graphics2D g, Shape forme, Color couleur) {
         g.setColor(couleur);
-        g.draw(new Line2D.Double(x0, y0, x1, y1));
+        g.draw(forme);
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
@@ -311,15 +255,14 @@ public final class GraphiqueVitesse extends JPanel {
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
     }
 
-    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes ; d'autres aussi si les bornes sont proches. */
-    private static List<Double> graduations(double min, double max) {
-        double[] fois = max < 10 * min ? new double[] {1, 2, 3, 4, 5, 7} : new double[] {1, 2, 5};
-        return IntStream.range(-3, 10).boxed().flatMap(k -> Arrays.stream(fois).mapToObj(n -> n * Math.pow(10, k)))
-                .filter(t -> t >= min && t <= max).collect(Collectors.toList());
+    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
+    private static DoubleStream graduations(double min, double max) {
+        return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
+                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
     }
 
     private static String nombre(double t) {
         return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
-                : String.format(Locale.FRANCE, t >= 0.1 ? "%.2f" : "%.3f", t).replaceAll(",?0+$", "");
+                : String.format(Locale.FRANCE, "%.3f", t).replaceAll(",?0+$", "");
     }
 }

@@ -98,7 +98,7 @@ final class Comptes {
         } else {
             Auto auto = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image) : null;
             Compteurs c = auto == null ? methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils)
-                    : auto.lancer.getCompteurs();
+                    : auto.getLancer().getCompteurs();
             champs.putAll(Releve.champs("primaires", c.primaires, "ombre", c.ombre, "reflechis", c.reflechis, "rayons", c.rayons()
                     + (auto == null ? 0 : auto.getRayonsDesEssais())));
         }

@@ -9,6 +9,7 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -17,15 +18,18 @@ import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
+import lancer.auto.Echelon;
 import lancer.dessin.Dessin;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
@@ -36,28 +40,23 @@ import lancer.mesures.scenes.Scenes;
 import lancer.scene.SectionLue;
 
 /**
- * Mesure de {@code --auto erreur=E} : l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont les scènes livrées, et d'autres qui
- * rendent le choix difficile. L'erreur de l'image choisie est comparée à la référence et au verdict du programme. Les rayons du dessin sont
- * comparés à ceux du réglage le moins cher qui tient l'erreur ({@link Oracle}).
+ * Mesure de {@code --auto erreur=E} : l'erreur annoncée est-elle juste, l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont
+ * les scènes livrées, et d'autres qui rendent le choix difficile. Chaque échelon est dessiné en entier : le prix de la commande est comparé
+ * à celui du moins cher des échelons qui tiennent l'erreur.
  */
 public final class MesureAuto {
 
-    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,verdict,rayons,oracle,rayons_oracle,"
-            + "rayons_des_essais,secondes,secondes_oracle";
+    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,mesuree,incertitude,verdict,rayons,rayons_des_essais,"
+            + "moins_cher,rayons_moins_cher,secondes,secondes_moins_cher,commit,date";
 
     private static final Taille TAILLE = new Taille(200, 150);
 
-    /** Une taille ordinaire, pour quelques scènes seulement : la recherche de l'oracle y est longue. */
+    /** Une taille ordinaire, pour quelques scènes seulement. */
     private static final Taille GRANDE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
     private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "sort-1");
     private static final int PAS_EN_GRAND = 4;
 
     private static final double[] ERREURS = {0.5, 1, 2, 4};
-
-    /** Nombre de rayons permis aux essais : un minimum, un nombre par pixel, ou une part du dessin. */
-    private static final double ESSAIS = 200_000;
-    private static final double ESSAIS_PAR_PIXEL = 4;
-    private static final double PART_DES_ESSAIS = 0.5;
 
     private MesureAuto() {
     }
@@ -132,25 +131,48 @@ public final class MesureAuto {
         return new Scene(boules, toutes);
     }
 
-    /** Choix et verdict du programme pour chaque erreur voulue, croissante, avec l'erreur mesurée. */
+    /** Choix, mesure et verdict du programme pour chaque erreur voulue ; l'erreur vraie ; le moins cher des échelons qui la tiennent. */
     static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1);
-        Oracle oracle = new Oracle(scene, taille, voulues[0], image -> Intervalle.deLaRacine(gabarit.carres(image)).valeur);
+        Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
+        List<Echelon> echelle = echelle(prepare);
+        double[][] dessines = echelle.stream().map(e -> dessiner(e, prepare, gabarit, taille)).toArray(double[][]::new);
+        Circonstances c = new Circonstances();
         List<String> lignes = new ArrayList<>();
         for (double voulue : voulues) {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             double debut = secondes();
             Auto auto = dessiner(scene, taille, voulue, image);
             double secondes = secondes() - debut;
-            Oracle.Essai mieux = oracle.leMoinsCher(voulue);
-            double sienne = mieux == null ? 0 : oracle.secondes(mieux);
-            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.choisi, nombre(Intervalle.deLaRacine(gabarit.carres(image)).valeur),
+            int mieux = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).boxed()
+                    .min(Comparator.comparingDouble(k -> dessines[k][1])).orElse(-1);
+            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.getChoisi(), nombre(erreur(image, gabarit)),
+                    nombre(auto.getMesure().erreur), nombre(auto.getMesure().incertitude),
                     auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
-                    nombre((double) auto.lancer.getCompteurs().rayons() / taille.pixels()),
-                    mieux == null ? "" : mieux, mieux == null ? "" : nombre(mieux.prix),
-                    nombre((double) auto.getRayonsDesEssais() / taille.pixels()), nombre(secondes), mieux == null ? "" : nombre(sienne)));
+                    nombre((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
+                    nombre((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : echelle.get(mieux),
+                    mieux < 0 ? "" : nombre(dessines[mieux][1]), nombre(secondes), mieux < 0 ? "" : nombre(dessines[mieux][2]),
+                    c.commit, c.date));
         }
         return lignes;
+    }
+
+    private static double erreur(ImageLineaire image, Gabarit gabarit) {
+        return Intervalle.deLaRacine(gabarit.carres(image)).valeur;
+    }
+
+    private static List<Echelon> echelle(Lancer prepare) {
+        return Echelon.echelle(prepare.getScene().getModele(), Collections.singletonMap(new Antialias(), new SectionLue("Antialias")),
+                null, null);
+    }
+
+    /** L'erreur de l'image de cet échelon, ses rayons de toutes sortes par pixel, son temps de processeur en secondes. */
+    private static double[] dessiner(Echelon echelon, Lancer prepare, Gabarit gabarit, Taille taille) {
+        double debut = secondes();
+        Lancer lancer = echelon.lancer(prepare);
+        ImageLineaire image = ImageLineaire.de(lancer, echelon.reflets, taille.fils);
+        double secondes = secondes() - debut;
+        return new double[] {erreur(image, gabarit), (double) lancer.getCompteurs().rayons() / taille.pixels(), secondes};
     }
 
     /** Temps des processeurs de ce processus, dans tous ses fils, en secondes. */
@@ -159,25 +181,25 @@ public final class MesureAuto {
     }
 
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
-        Auto auto = new Auto(Dessin.lancer(scene, taille.largeur, taille.hauteur, false), voulue, null, null,
-                taille.fils, Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), enCours -> { });
-        auto.lancer.TracerPixels(auto.surveiller(image, auto.choisi), auto.choisi.reflets, taille.fils);
+        Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
+        Auto auto = new Auto(prepare, echelle(prepare), voulue, taille.fils);
+        do {
+            auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().reflets, taille.fils);
+        } while (!auto.controler());
         return auto;
     }
 
     /** Tableau de la page : une ligne par taille, sauf pour les images très petites, dont le prix ne compte pas. */
     static String tableau(List<Map<String, String>> lignes) {
-        StringBuilder tableau = new StringBuilder("\n\n| image | demandes tenables tenues | dites « tenue » | à tort "
-                + "| dites « dépassée » | dites « incertaine » | prix, médiane | prix, neuf fois sur dix | temps, en tout |\n"
+        StringBuilder tableau = new StringBuilder("\n\n| image | l'intervalle contient l'erreur vraie | demandes tenables tenues "
+                + "| dites « tenue » | à tort | dites « dépassée » | dites « incertaine » | rayons, médiane | temps, en tout |\n"
                 + "|---|---|---|---|---|---|---|---|---|\n");
         for (String taille : lignes.stream().filter(l -> pixels(l) >= TAILLE.pixels()).map(l -> l.get("taille")).distinct()
                 .toArray(String[]::new)) {
             Map<String, String> b = bilan(lignes.stream().filter(l -> l.get("taille").equals(taille)).collect(Collectors.toList()));
             tableau.append("| ").append(taille.replace("x", " × "));
-            for (String nom : new String[] {"tenues", "dites_tenues", "a_tort", "dites_depassees", "dites_incertaines"}) {
-                tableau.append(" | ").append(b.get(nom));
-            }
-            for (String nom : new String[] {"total", "total90", "secondes"}) {
+            for (String nom : new String[] {"justes", "tenues", "dites_tenues", "a_tort", "dites_depassees", "dites_incertaines", "prix",
+                "secondes"}) {
                 tableau.append(" | ").append(b.get(nom).replace('.', ','));
             }
             tableau.append(" |\n");
@@ -187,21 +209,18 @@ public final class MesureAuto {
 
     static Map<String, String> bilan(List<Map<String, String>> lignes) {
         Map<String, String> bilan = new TreeMap<>();
-        List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("oracle").isEmpty()).collect(Collectors.toList());
+        List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("moins_cher").isEmpty()).collect(Collectors.toList());
+        bilan.put("justes", compte(lignes, l -> Math.abs(x(l, "mesuree") - x(l, "erreur")) <= x(l, "incertitude")));
         bilan.put("tenues", compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")));
         bilan.put("dites_tenues", dites(lignes, "tenue"));
         bilan.put("dites_depassees", dites(lignes, "dépassée"));
         bilan.put("dites_incertaines", dites(lignes, "incertaine"));
         bilan.put("a_tort", compte(lignes, l -> l.get("verdict").equals("tenue") && x(l, "erreur") > x(l, "erreur_voulue")));
-        bilan.put("essais", compte(lignes, l -> x(l, "rayons_des_essais") <= Math.max(ESSAIS / pixels(l),
-                Math.max(ESSAIS_PAR_PIXEL, PART_DES_ESSAIS * x(l, "rayons")))));
-        double[] prix = tenables.stream().mapToDouble(l -> (x(l, "rayons") + x(l, "rayons_des_essais")) / x(l, "rayons_oracle"))
-                .sorted().toArray();
-        bilan.put("total", nombre(quantile(prix, 0.5)));
-        bilan.put("total90", nombre(quantile(prix, 0.9)));
+        bilan.put("prix", nombre(Intervalle.mediane(tenables.stream()
+                .mapToDouble(l -> (x(l, "rayons") + x(l, "rayons_des_essais")) / x(l, "rayons_moins_cher")).toArray())));
         // l'horloge des processeurs avance par centièmes de seconde : seule la somme peut être comparée
         bilan.put("secondes", nombre(tenables.stream().mapToDouble(l -> x(l, "secondes")).sum()
-                / tenables.stream().mapToDouble(l -> x(l, "secondes_oracle")).sum()));
+                / tenables.stream().mapToDouble(l -> x(l, "secondes_moins_cher")).sum()));
         return bilan;
     }
 
@@ -211,10 +230,6 @@ public final class MesureAuto {
 
     private static double pixels(Map<String, String> ligne) {
         return Arrays.stream(ligne.get("taille").split("x")).mapToDouble(Double::parseDouble).reduce(1, (a, b) -> a * b);
-    }
-
-    private static double quantile(double[] tries, double part) {
-        return tries.length == 0 ? Double.NaN : tries[Math.min(tries.length - 1, (int) (part * tries.length))];
     }
 
     private static String compte(List<Map<String, String>> lignes, Predicate<Map<String, String>> condition) {

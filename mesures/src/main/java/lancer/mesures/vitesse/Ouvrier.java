@@ -136,7 +136,8 @@ final class Ouvrier {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         boolean auto = methode.nom.equals(Catalogue.AUTO);
         Methode.ScenePrete dessin = auto ? null : methode.new ScenePrete(scene, taille.largeur, taille.hauteur);
-        Compteurs comptes = auto ? MesureAuto.dessiner(scene, taille, 1, image).lancer.getCompteurs() : dessin.faire(image, taille.fils);
+        Compteurs comptes = auto ? MesureAuto.dessiner(scene, taille, 1, image).getLancer().getCompteurs()
+                : dessin.faire(image, taille.fils);
         BufferedImage lue = ImageIO.read(png.toFile());
         for (int k = 0; k < taille.pixels(); k++) {
             if (lue.getRGB(k % taille.largeur, k / taille.largeur) != image.getCouleur(k).getCode()) {
