@@ -110,10 +110,9 @@ class FaussesCouleursTest {
                 dessiner(scene, "rayons").echelle);
         ImageMemoire meme = new ImageMemoire(L, H, true);
         new Lancer(scene, camera).TracerPixels(meme, 5, 2);
-        meme.legende = "5 réflexions";
         ImageMemoire image = new ImageMemoire(L, H, false);
         new FaussesCouleurs(new Lancer(scene, camera), 5, 2, sien -> { }).dessiner("difference", image, meme);
-        assertEquals("vue difference : écart, au plus 0 (blanc : 32 niveaux sur 255), avec l'image d'avant, 5 réflexions", image.echelle);
+        assertEquals("vue difference : écart, au plus 0 (blanc : 32 niveaux sur 255), avec l'image d'avant", image.echelle);
         String seule = dessiner(scene, "difference").echelle;
         assertTrue(seule.matches("vue difference : écart, au plus [1-9][\\d.]+ \\(.*, avec une image de 64 rayons par pixel"), seule);
     }
