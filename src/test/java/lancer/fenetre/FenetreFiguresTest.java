@@ -41,9 +41,9 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ImageMemoire avant = banc.controleur.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.etat.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
