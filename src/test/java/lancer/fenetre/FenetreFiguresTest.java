@@ -99,8 +99,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     @Test
     void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        Point coin = ouvrirSurUnEcranDense();
+        ouvrirSurUnEcranDense();
         Robot robot = new Robot();
+        // le panneau s'ouvre d'abord : sur un si petit écran, il déplace l'image
+        robot.keyPress(KeyEvent.VK_F2);
+        robot.keyRelease(KeyEvent.VK_F2);
+        Thread.sleep(2000);
+        Point coin = BancFenetre.trouver(attendue(L, H), L);
         robot.mouseMove(coin.x + 150, coin.y + 110);
         attendre("l'anneau", () -> {
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
