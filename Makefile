@@ -14,7 +14,7 @@ RAPPORTS := . -path '*/surefire-reports/TEST-*.xml'
 
 # Tout, tous modules, un par cœur s'ils ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils $(LISTES)
-	@echo "Tous les tests : six minutes environ sur deux cœurs"
+	@echo "Tous les tests : sept minutes environ sur deux cœurs"
 	@find $(RAPPORTS) -delete
 	$(XVFB) $(MVN) -T 1C -f ensemble.xml $(if $(FENETRES),-Dfenetre.exigee=true -Djava.awt.headless=false) verify
 	@$(if $(FENETRES),,echo "$$(find $(RAPPORTS) -exec cat {} + | grep -c '<skipped .*ouvre une fenêtre')" \
