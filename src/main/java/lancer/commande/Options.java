@@ -18,24 +18,23 @@ public final class Options {
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    /** Options à valeur : nom, attente si la valeur manque, attente si la valeur est impossible. */
+    /** Options à valeur, chacune avec la valeur attendue. */
     private static final String[][] A_VALEUR = {
-        {"--image", "un fichier .png", "un fichier dont le nom finit par .png"},
-        {"--lineaire", "un fichier .pfm", "un fichier dont le nom finit par .pfm"},
-        {"--taille", "une taille, par exemple 800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                + " chacune, et au plus " + PIXELS_MAX + " pixels"},
+        {"--image", "un fichier dont le nom finit par .png"},
+        {"--lineaire", "un fichier dont le nom finit par .pfm"},
+        {"--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
+                + " pixels"},
         {"--reflets", "un entier de 0 à 1000"},
         {"--etape", "une étape du cours : lambert, phong, ombres ou reflets"},
         {"--vue", "une vue : normales, distance, lampes, rayons ou difference"},
-        {"--seuil", "un nombre positif ou nul", "un nombre positif ou nul, par exemple 0.001"},
-        {"--sans", "une variante, par exemple Brume",
-            "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
+        {"--seuil", "un nombre positif ou nul, par exemple 0.001"},
+        {"--sans", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
         {"--fils", "un entier de 1 à " + FILS_MAX},
         {"--repeter", "un entier de 1 à 100000"},
         {"--pixel", "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426"},
         {"--auto", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1"},
         {"--comparer", "une image PNG ou PFM"},
-        {"--tolerance", "un nombre de niveaux positif ou nul", "un nombre de niveaux positif ou nul, par exemple 1"},
+        {"--tolerance", "un nombre de niveaux positif ou nul, par exemple 1"},
         {"--part", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%"}};
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
@@ -154,7 +153,7 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (aValeur(nom) != null) {
+            if (attendue(nom) != null) {
                 // dans « --image --fils 2 », le nom du fichier a été oublié
                 if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
                     valeur = arguments[++k];
@@ -172,10 +171,11 @@ public final class Options {
         }
     }
 
-    private static String[] aValeur(String nom) {
+    /** La valeur que cette option attend ; {@code null} si elle n'en a pas. */
+    private static String attendue(String nom) {
         for (String[] option : A_VALEUR) {
             if (option[0].equals(nom)) {
-                return option;
+                return option[1];
             }
         }
         return null;
@@ -296,7 +296,7 @@ public final class Options {
     private String valeur(String nom) {
         String valeur = donnees.get(nom);
         if (valeur != null && valeur.isEmpty()) {
-            throw demande("option sans sa valeur : " + nom, aValeur(nom)[1]);
+            throw demande("option sans sa valeur : " + nom, attendue(nom));
         }
         return valeur;
     }
@@ -334,8 +334,7 @@ public final class Options {
 
     private void exiger(boolean juste, String nom) {
         if (!juste) {
-            String[] option = aValeur(nom);
-            throw impossible(nom, option[option.length - 1]);
+            throw impossible(nom, attendue(nom));
         }
     }
 
