@@ -75,21 +75,15 @@ public final class SansFenetre implements Runnable {
 
     @Override
     public void run() {
-        statut = faire();
-    }
-
-    private int faire() {
         if (options.comparer != null) {
-            return comparer();
-        }
-        if (options.pixel) {
+            comparer();
+        } else if (options.pixel) {
             dessinerUnPixel();
         } else if (options.vue != null) {
             dessinerUneVue();
         } else {
             versFichiers();
         }
-        return 0;
     }
 
     private void versFichiers() {
@@ -174,19 +168,15 @@ public final class SansFenetre implements Runnable {
         Mesure mesure = auto.getMesure();
         if (options.statistiques) {
             Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
-                    + texte("auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%nauto.rayons.essais: %d%n"
-                    + "auto.essais.ms: %.3f", mesure.erreur, mesure.incertitude, auto.getRayonsDesEssais(),
-                    1e3 * essais), sortie);
+                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%n"
+                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, mesure.incertitude,
+                    auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         Messages.avertir(Arrays.asList("auto, choisi : " + auto.getChoisi(),
-                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
+                String.format(Locale.ROOT,
+                        "auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
                         mesure.incertitude, auto.getLancer().getDureeNs() / NS_PAR_S, essais, auto.getVerdict())),
                 erreur);
-    }
-
-    /** Met en forme avec un point décimal, quelle que soit la langue de la machine. */
-    private static String texte(String format, Object... valeurs) {
-        return String.format(Locale.ROOT, format, valeurs);
     }
 
     private void dessinerUneVue() {
@@ -214,8 +204,8 @@ public final class SansFenetre implements Runnable {
         Messages.avertir(dessin.getLue().avertissements, erreur);
     }
 
-    /** Compare deux images, et écrit celle des différences si elle est demandée. @return le statut de sortie */
-    private int comparer() {
+    /** Compare deux images, et écrit celle des différences si elle est demandée. */
+    private void comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
@@ -232,6 +222,6 @@ public final class SansFenetre implements Runnable {
                     fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);
-        return comparaison.sontPareilles() ? 0 : 1;
+        statut = comparaison.sontPareilles() ? 0 : 1;
     }
 }
