@@ -1,7 +1,6 @@
 package lancer.dessin;
 
 import java.io.PrintStream;
-import java.text.NumberFormat;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
@@ -297,9 +296,8 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
     /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine insécable manque à beaucoup de polices
-        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
-                .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
+        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", lancer.getCompteurs().rayons(),
+                lancer.getDureeNs() / 1e9).replace('\u202F', '\u00A0');
     }
 
     /**
