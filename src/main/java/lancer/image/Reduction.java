@@ -1,6 +1,7 @@
 package lancer.image;
 
 import java.util.stream.IntStream;
+import lancer.Couleur;
 
 /** Réduction d'une image : chaque pixel réduit est la moyenne de la surface qu'il couvre. */
 public final class Reduction {
@@ -41,12 +42,7 @@ public final class Reduction {
                     total += poids;
                 }
             }
-            codes[y * largeur + x] = total == 0 ? 0 : 0xFF000000 | arrondi(r / total) << 16
-                    | arrondi(v / total) << 8 | arrondi(b / total);
+            codes[y * largeur + x] = total == 0 ? 0 : new Couleur(r, v, b).div(255 * total).getCode();
         }
-    }
-
-    private static int arrondi(double composante) {
-        return (int) (composante + 0.5);
     }
 }
