@@ -39,17 +39,8 @@ public final class Options {
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
-    /** Options incompatibles avec {@code --pixel}, qui n'écrit pas d'image. */
-    private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
-
-    /** Options incompatibles avec {@code --comparer}, qui a la taille de la référence et n'écrit qu'un PNG. */
-    private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
-
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
-
-    /** Options incompatibles avec {@code --vue}, qui n'écrit qu'un PNG. */
-    private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};
 
     /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
@@ -250,7 +241,7 @@ public final class Options {
 
     private void accorder() {
         if (pixel) {
-            refuser(SANS_PIXEL, "--pixel ne va pas avec %s");
+            refuser("--pixel ne va pas avec %s", "--image", "--lineaire", "--auto", "--repeter", "--comparer");
             if (pixelX >= largeur || pixelY >= hauteur) {
                 throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
             }
@@ -259,10 +250,10 @@ public final class Options {
             if (scene == null) {
                 throw demande("rien à comparer à " + Texte.cite(comparer), "une scène, ou une image PNG ou PFM");
             }
-            refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
+            refuser("%s ne va pas avec --comparer", "--taille", "--lineaire", "--repeter", "--statistiques", "--auto");
         }
         if (vue != null) {
-            refuser(SANS_VUE, "--vue ne va pas avec %s");
+            refuser("--vue ne va pas avec %s", "--lineaire", "--auto", "--pixel", "--repeter");
             if (image == null) {
                 throw demande("--vue ne sert pas seule", "avec elle, --image FICHIER.png");
             }
@@ -284,7 +275,7 @@ public final class Options {
         }
     }
 
-    private void refuser(String[] autres, String faute) {
+    private void refuser(String faute, String... autres) {
         for (String autre : autres) {
             if (estDonnee(autre)) {
                 throw demande(String.format(faute, autre), "l'une ou l'autre");
