@@ -218,11 +218,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return lenteur;
     }
 
-    /**
-     * Prépare une scène pour une image de cette taille, comme le font la fenêtre et la ligne de commande.
-     *
-     * @param simple vrai pour les boucles du cours
-     */
+    /** Le lancer d'une scène préparée pour une image de cette taille. @param simple vrai pour les boucles du cours */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
         Preparation.choisir(scene, camera, simple, part -> { });

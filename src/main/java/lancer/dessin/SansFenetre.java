@@ -33,10 +33,7 @@ import lancer.inspection.Recit;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/**
- * Les travaux sans fenêtre : écrire une image dans des fichiers, expliquer un pixel, comparer deux images. Les fichiers
- * de sortie sont vérifiés avant le dessin.
- */
+/** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre implements Runnable {
 
     private static final double NS_PAR_S = 1e9;
@@ -105,11 +102,7 @@ public final class SansFenetre implements Runnable {
         dessin.avertir();
     }
 
-    /**
-     * Les fichiers demandés, chacun avec son format.
-     *
-     * @throws Echec si un fichier ne peut être écrit, ou s'il écraserait un fichier lu ou l'autre fichier écrit
-     */
+    /** Les fichiers demandés. @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre */
     private Map<Ecriture, Ecriture.Format> fichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
         boolean deuxImages = options.comparer != null && Options.estImage(options.scene);

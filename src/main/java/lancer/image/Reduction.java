@@ -9,11 +9,7 @@ public final class Reduction {
     private Reduction() {
     }
 
-    /**
-     * Les codes de l'image réduite, 0 pour un pixel non dessiné.
-     *
-     * @param pas 1 pour la moyenne exacte ; n pour ne lire qu'une ligne et une colonne sur n
-     */
+    /** Les codes, 0 sans dessin. @param pas 1 pour la moyenne exacte ; n pour lire une ligne et une colonne sur n */
     public static int[] moyenne(ImageMemoire image, int largeur, int hauteur, int pas) {
         int[] codes = new int[largeur * hauteur];
         IntStream.range(0, hauteur).parallel().forEach(y -> reduireLigne(image, largeur, hauteur, y, pas, codes));

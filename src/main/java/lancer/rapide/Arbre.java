@@ -44,11 +44,7 @@ final class Arbre implements Intersections, Occultations {
         this.spheres = spheres;
     }
 
-    /**
-     * Les nœuds. Le premier fil qui les demande les construit ; les autres attendent.
-     *
-     * @throws CancellationException si ce fil est interrompu
-     */
+    /** Les nœuds, que construit le premier fil qui les demande. @throws CancellationException s'il est interrompu */
     Noeuds noeuds() {
         if (noeuds == null) {
             construire();

@@ -90,11 +90,7 @@ final class Face {
         return casePlane((e[0] * x + e[1] * y + e[2] * z) * parW, (e[3] * x + e[4] * y + e[5] * z) * parW);
     }
 
-    /**
-     * La case de l'image que traverse ce rayon.
-     *
-     * @return -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou s'il est hors de l'image
-     */
+    /** La case que traverse ce rayon ; -1 s'il est hors de l'image, ou ne va pas de l'écran à l'opposé de l'œil. */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
         // écart permis entre la direction du rayon et celle de l'œil, en z = 1 : le quart de la marge
         double ecart = MARGE / 4 * focale * vz;
@@ -111,12 +107,7 @@ final class Face {
                 ? Math.min((int) j, lignes - 1) * colonnes + Math.min((int) i, colonnes - 1) : -1;
     }
 
-    /**
-     * Cherche les cases que touche cette sphère, et celles qu'elle couvre entièrement.
-     *
-     * @param dx centre de la sphère moins point de vue
-     * @return faux si elle n'en touche aucune
-     */
+    /** Cherche les cases que touche, ou couvre, une sphère vue en (dx, dy, dz). @return faux s'il n'y en a pas */
     boolean silhouette(double dx, double dy, double dz, double rayon) {
         double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double r = rayon / loin;

@@ -131,11 +131,7 @@ final class Grille implements Intersections {
         return true;
     }
 
-    /**
-     * Compte une sphère dans chaque case qu'elle touche, ou l'y place si {@link #entrees} existe.
-     *
-     * @return le nombre de cases que touche la boîte englobante de la sphère
-     */
+    /** Compte une sphère dans les cases qu'elle touche, ou l'y place. @return le nombre de cases de sa boîte */
     private long noter(int k) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;

@@ -24,10 +24,7 @@ final class Cases {
     private final int largeur;
     private final int hauteur;
 
-    /**
-     * Vrai si la case d'un pixel, ou de l'un de ses huit voisins, dépasse le seuil : un détail déborde souvent de sa
-     * case. Les indices de ligne et de colonne sont décalés de un.
-     */
+    /** Vrai si la case d'un pixel, ou d'un voisin, dépasse le seuil ; les indices sont décalés de un. */
     private final boolean[][] suspects;
 
     /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme des sous-pixels déjà peints. */
