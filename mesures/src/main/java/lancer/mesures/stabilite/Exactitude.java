@@ -6,12 +6,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 
 /** Exactitude d'une méthode sur un nombre d'essais : une ligne de stabilite.csv. */
 public final class Exactitude {
 
-    private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
+    private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites,commit,date";
 
     /** Nom de la courbe : voir {@link Mesures}. */
     final String figure;
@@ -48,8 +49,9 @@ public final class Exactitude {
     static void ecrire(Path fichier, List<Exactitude> exactitudes) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(COLONNES);
+        Circonstances c = new Circonstances();
         exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.y, r.essais, r.faux, r.erreurRelative,
-                r.erreurEnUnites)));
+                r.erreurEnUnites, c.commit, c.date)));
         Files.write(fichier, lignes);
     }
 

@@ -10,7 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Juge chaque méthode sur des rayons au hasard. Rien n'est chronométré : le fichier est le même sur toute machine. */
+/** Juge chaque méthode sur des rayons au hasard. Rien n'est chronométré : les nombres sont les mêmes sur toute machine. */
 public final class Mesures {
 
     public static final String CSV = "stabilite.csv";

@@ -20,6 +20,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.auto.Auto;
 import lancer.contrat.Compteurs;
+import lancer.mesures.Circonstances;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;

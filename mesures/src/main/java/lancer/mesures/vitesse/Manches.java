@@ -6,8 +6,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 
 /**
@@ -51,14 +49,16 @@ final class Manches {
     /** Résultat de quelques manches. */
     static final class Temps {
 
-        /** Pour chaque manche gardée, coût de la référence, et rapport du temps de la méthode à celui de la référence. */
+        /** Pour chaque manche gardée, coûts de la référence et de la méthode, et rapport de leurs temps. */
         final List<double[]> references;
+        final List<double[]> couts;
         final List<Double> rapports;
         final int manches;
         final int jetees;
 
-        Temps(List<double[]> references, List<Double> rapports, int manches, int jetees) {
+        Temps(List<double[]> references, List<double[]> couts, List<Double> rapports, int manches, int jetees) {
             this.references = references;
+            this.couts = couts;
             this.rapports = rapports;
             this.manches = manches;
             this.jetees = jetees;
@@ -68,25 +68,18 @@ final class Manches {
             return Intervalle.desRapports(rapports.stream().mapToDouble(r -> r).toArray());
         }
 
-        /** Coût médian de la référence ; NaN s'il n'est pas connu. */
-        double reference(int grandeur) {
-            return Intervalle.desRapports(references.stream().mapToDouble(m -> grandeur < m.length ? m[grandeur] : Double.NaN)
-                    .toArray()).valeur;
+        /** Temps réel médian de la référence. */
+        double reference() {
+            return mediane(references, REEL);
         }
 
-        /** Remplace les rapports par leur moyenne : les manches d'une même machine virtuelle ne sont pas indépendantes. */
-        Temps enUnRapport() {
-            return new Temps(references, Collections.singletonList(rapport().valeur), manches, jetees);
+        /** Coût médian de la méthode ; NaN s'il n'est pas connu. */
+        double cout(int grandeur) {
+            return mediane(couts, grandeur);
         }
 
-        /** Ajoute les manches d'une autre machine virtuelle. */
-        Temps plus(Temps autre) {
-            return new Temps(ensemble(references, autre.references), ensemble(rapports, autre.rapports), manches + autre.manches,
-                    jetees + autre.jetees);
-        }
-
-        private static <T> List<T> ensemble(List<T> unes, List<T> autres) {
-            return Stream.concat(unes.stream(), autres.stream()).collect(Collectors.toList());
+        private static double mediane(List<double[]> couts, int grandeur) {
+            return Intervalle.desRapports(couts.stream().mapToDouble(c -> grandeur < c.length ? c[grandeur] : Double.NaN).toArray()).valeur;
         }
     }
 
@@ -105,6 +98,7 @@ final class Manches {
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
         List<double[]> references = new ArrayList<>();
+        List<double[]> couts = new ArrayList<>();
         List<Double> rapports = new ArrayList<>();
         List<Double> partsReference = new ArrayList<>();
         List<Double> parts = new ArrayList<>();
@@ -122,13 +116,14 @@ final class Manches {
             toutes++;
             if (garde && calme || agitee) {
                 references.add(r);
+                couts.add(m);
                 rapports.add(m[REEL] / r[REEL]);
             } else {
                 jetees++;
                 renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);
             }
         }
-        return new Temps(references, rapports, essais, essais - rapports.size());
+        return new Temps(references, couts, rapports, essais, essais - rapports.size());
     }
 
     private static boolean partTenue(List<Double> parts, double[] temps) {

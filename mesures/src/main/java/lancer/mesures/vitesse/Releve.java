@@ -16,8 +16,8 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
-            "memoire_mo");
+            "raffines", "pixels_verifies", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
+            "processeur_ms", "memoire_mo");
 
     final String famille;
     final String scene;
