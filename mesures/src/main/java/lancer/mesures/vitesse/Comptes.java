@@ -121,7 +121,7 @@ final class Comptes {
         }
         Planche planche = new Planche("Deux programmes justes, en double, ne donnent pas la même image", "10 000 petites boules, toutes "
                 + "des miroirs parfaits, sans lampe : chaque pixel est le ciel vu au bout de la chaîne. " + petite + ". make mesures")
-                .taille(Style.LARGEUR, 1000);
+                .colonnes(3).taille(Style.LARGEUR, 1000);
         for (int reflets : new int[] {Constantes.MAX_REFLETS, REFLETS}) {
             SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
                     petite.largeur, petite.hauteur);
