@@ -107,7 +107,7 @@ public final class Juge {
         try {
             SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());
-            Accord a = new Accord(nous, jugee.image(jugee.dessiner()));
+            Accord a = new Accord(nous, jugee.image());
             accord &= a.estLa();
             String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
                     + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.jfree.chart.JFreeChart;
@@ -37,19 +38,14 @@ public final class Planche {
 
     private final String titre;
     private final String note;
-    private final List<Case> cases = new ArrayList<>();
+    /** Ce qui dessine chaque volet ou chaque vignette dans un rectangle. */
+    private final List<BiConsumer<Graphics2D, Rectangle2D>> cases = new ArrayList<>();
 
     /** Légende commune des volets, sans doublon. */
     private final Map<String, LegendItem> legende = new LinkedHashMap<>();
     private int colonnes = Integer.MAX_VALUE;
     private int largeur = Style.LARGEUR;
     private int hauteur = Style.HAUTEUR;
-
-    /** Ce qui se dessine dans un rectangle. */
-    private interface Case {
-
-        void dessiner(Graphics2D g, Rectangle2D place);
-    }
 
     /**
      * @param titre le constat
@@ -156,7 +152,7 @@ public final class Planche {
             double l = place.getWidth() / parRangee;
             double h = place.getHeight() / ((cases.size() + parRangee - 1) / parRangee);
             for (int k = 0; k < cases.size(); k++) {
-                cases.get(k).dessiner(g, new Rectangle2D.Double(place.getX() + k % parRangee * l, place.getY() + k / parRangee * h, l,
+                cases.get(k).accept(g, new Rectangle2D.Double(place.getX() + k % parRangee * l, place.getY() + k / parRangee * h, l,
                         h - 10));
             }
         }

@@ -1,7 +1,6 @@
 package lancer.mesures.vitesse;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -93,9 +92,8 @@ final class Comptes {
         Scene scene = Scenes.lire(fichier);
         if (methode.povray) {
             SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
-            Raster rouge = jugee.dessiner(methode.options);
+            image = jugee.image(methode.options);
             champs.put("rayons", String.valueOf(povray.rayons()));
-            image = jugee.image(rouge, methode.options);
         } else {
             Auto auto = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image) : null;
             Compteurs c = auto == null ? methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils)
@@ -126,7 +124,7 @@ final class Comptes {
             SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
                     petite.largeur, petite.hauteur);
             ImageLineaire notre = ImageLineaire.de(jugee.lancer, reflets, taille.fils);
-            ImageLineaire sienne = jugee.image(jugee.dessiner());
+            ImageLineaire sienne = jugee.image();
             BufferedImage ecart = new BufferedImage(petite.largeur, petite.hauteur, BufferedImage.TYPE_INT_RGB);
             double part = 0;
             for (int p = 0; p < petite.pixels(); p++) {

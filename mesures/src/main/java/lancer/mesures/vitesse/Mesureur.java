@@ -31,7 +31,8 @@ final class Mesureur {
     /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Nombre de machines virtuelles de chaque calcul de distance. */
+    /** Nombre de manches d'un programme entier, et d'un calcul de distance. */
+    private static final int PROGRAMMES = 6;
     private static final int NOYAUX = 9;
 
     private final boolean court;
@@ -81,11 +82,6 @@ final class Mesureur {
         }
     }
 
-    /** Nombre de manches de programmes entiers : au moins cinq, sauf pour un programme très long. */
-    private int manchesEntieres(double mancheNs) {
-        return court ? 2 : mancheNs < 1.5e9 ? 6 : mancheNs < 12e9 ? 5 : 3;
-    }
-
     private void enNoyaux(Catalogue.Groupe groupe) throws IOException {
         for (Methode methode : groupe.methodes) {
             noter(groupe, methode, 1, new HashMap<>(), manches.mesurer(noyau(groupe.scene, groupe.methodes.get(0).nom),
@@ -120,9 +116,10 @@ final class Mesureur {
                 echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                         dossier.resolve("embree.ppm")).reussi().pris;
             }
-            // un premier passage charge le cache du disque et donne la durée d'une manche
-            double mancheNs = repere.prendre()[Manches.REEL] + echantillon.prendre()[Manches.REEL];
-            Manches.Temps temps = manches.mesurer(repere, echantillon, manchesEntieres(mancheNs));
+            // un premier passage charge le cache du disque
+            repere.prendre();
+            echantillon.prendre();
+            Manches.Temps temps = manches.mesurer(repere, echantillon, court ? 2 : PROGRAMMES);
             if (methode.nom.equals(Catalogue.EMBREE)) {
                 Controle.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
             } else if (methode.boucles) {
@@ -174,13 +171,14 @@ final class Mesureur {
         champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
                 groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
                 "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees, "reference_ms", Releve.reel(reference), "processeur_ms",
-                Releve.reel(temps.cout(Manches.PROCESSEURS) / 1e6), "memoire_mo", Releve.reel(temps.cout(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
+                temps.jetees(), "reference_ms", Releve.reel(reference), "processeur_ms",
+                Releve.reel(temps.cout(Manches.PROCESSEURS) / 1e6), "memoire_mo",
+                Releve.reel(temps.cout(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
                 "rapport_min", Releve.reel(rapport.min), "rapport_max", Releve.reel(rapport.max)));
         String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms %2d/%d", methode.nom,
-                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.manches - temps.jetees,
+                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.couts.size(),
                 temps.manches));
     }
 }

@@ -63,7 +63,7 @@ final class Releve {
         return methode.equals(Catalogue.UN_RAYON) && nombre("rapport") > 0 ? Intervalle.exact(1) : mesure();
     }
 
-    /** Rapport mesuré, sans bornes s'il n'y a qu'une manche. */
+    /** Rapport mesuré, sans bornes s'il y a trop peu de manches. */
     Intervalle mesure() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),

@@ -159,11 +159,11 @@ final class Tableaux {
 
     /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
     private String besoins() {
-        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "utiles", "reflets qui changent l'écran", "sphères",
+        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "reflets qui changent l'écran", "sphères",
                 "essayées par rayon", "structures", "première image", "mémoire"), besoins.stream().map(b -> {
                     Releves temps = releves.scene(b.get("scene")).tels(r -> !r.famille.equals(Catalogue.DEMANDES));
                     return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / nombre(b, "largeur")
-                            / nombre(b, "hauteur")), b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
+                            / nombre(b, "hauteur")), b.get("lampes"), b.get("profondeur_utile")
                             + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
                             Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
                             b.get("structures").toLowerCase(Locale.ROOT), avec(temps.secondes(), " s"),
