@@ -133,7 +133,8 @@ final class Manches {
             throw troublee(jetees + " manches jetées sur " + toutes);
         }
         if (temps.manches >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
-            throw troublee(temps.couts.size() + " manches gardées sur " + temps.manches + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
+            throw troublee(temps.couts.size() + " manches gardées sur " + temps.manches + " en "
+                    + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
         }
     }
 

@@ -96,8 +96,8 @@ public final class MesureAuto {
                     auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
                     Releve.reel((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
                     Releve.reel((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : echelle.get(mieux),
-                    mieux < 0 ? "" : Releve.reel(dessines[mieux][1]), Releve.reel(secondes), mieux < 0 ? "" : Releve.reel(dessines[mieux][2]),
-                    c.commit, c.date));
+                    mieux < 0 ? "" : Releve.reel(dessines[mieux][1]), Releve.reel(secondes),
+                    mieux < 0 ? "" : Releve.reel(dessines[mieux][2]), c.commit, c.date));
         }
         return lignes;
     }
