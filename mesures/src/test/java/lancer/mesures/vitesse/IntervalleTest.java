@@ -13,16 +13,16 @@ import org.junit.jupiter.api.Test;
 /** Ce qui se sait d'un nombre mesuré. */
 class IntervalleTest {
 
-    private static void assertDedansDixNeufFoisSurVingt(double juste, Supplier<Intervalle> mesure) {
-        assertEquals(0.95, Stream.generate(mesure).limit(2000).filter(i -> i.min <= juste && i.max >= juste).count() / 2000.0, 0.015);
+    private static void assertDedans(double part, double juste, Supplier<Intervalle> mesure) {
+        assertEquals(part, Stream.generate(mesure).limit(2000).filter(i -> i.min <= juste && i.max >= juste).count() / 2000.0, 0.015);
     }
 
     @Test
     void dixNeufFoisSurVingtLeRapportJusteEstDansLIntervalle() {
         Random hasard = new Random(1);
-        // la loi binomiale donne 96,1 % pour 9 rapports, 95,9 pour 20
-        for (int n : new int[] {9, 20}) {
-            assertDedansDixNeufFoisSurVingt(2,
+        // la loi binomiale dit 96,9 % pour 6 rapports, 96,1 pour 9, 95,9 pour 20
+        for (int n : new int[] {6, 9, 20}) {
+            assertDedans(n == 6 ? 0.969 : 0.96, 2,
                     () -> Intervalle.desRapports(hasard.doubles(n).map(x -> 2 * Math.exp(0.1 * hasard.nextGaussian())).toArray()));
         }
     }
@@ -57,7 +57,7 @@ class IntervalleTest {
     void dixNeufFoisSurVingtLErreurJusteEstDansLIntervalle() {
         Random hasard = new Random(2);
         // un pixel sur dix a une erreur de 10, les autres aucune
-        assertDedansDixNeufFoisSurVingt(Math.sqrt(10),
+        assertDedans(0.95, Math.sqrt(10),
                 () -> Intervalle.deLaRacine(hasard.doubles(2000).map(x -> x < 0.1 ? 100 : 0).toArray()));
     }
 
