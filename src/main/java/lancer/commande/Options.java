@@ -17,6 +17,7 @@ public final class Options {
     private static final int COTE_MAX = 16384;
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
+    public static final int REFLETS_MAX = 1000;
 
     /** Options à valeur : nom, attente si la valeur manque, attente si la valeur est impossible. */
     private static final String[][] A_VALEUR = {
@@ -204,7 +205,7 @@ public final class Options {
             largeur = (int) cotes[0];
             hauteur = (int) cotes[1];
         }
-        reflets = entier("--reflets", reflets, 0, 1000);
+        reflets = entier("--reflets", reflets, 0, REFLETS_MAX);
         seuil = positif("--seuil", seuil);
         String nom = valeur("--etape");
         for (Etape celle : Etape.values()) {

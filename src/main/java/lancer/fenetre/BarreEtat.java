@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Point;
-import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -64,7 +63,15 @@ final class BarreEtat extends JPanel {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        return image.largeur + " × " + image.hauteur + " pixels" + reduite;
+        String vue = image.echelle.isEmpty() ? "" : image.echelle + " ; ";
+        return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite;
+    }
+
+    /** Remplace les nombres du pixel par ce texte. */
+    void dire(String texte) {
+        pastille.setOpaque(false);
+        pastille.repaint();
+        pixel.setText(texte);
     }
 
     /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
@@ -72,20 +79,13 @@ final class BarreEtat extends JPanel {
         pastille.setOpaque(ou != null);
         pastille.repaint();
         if (ou == null) {
-            pixel.setText(" ");
+            dire(" ");
             return;
         }
         int k = ou.y * image.largeur + ou.x;
         int code = image.codes[k];
         pastille.setBackground(new Color(code));
-        String texte = String.format("pixel %d, %d%s : #%06X = %d %d %d", ou.x, ou.y, brouillon ? " (brouillon)" : "",
-                code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF);
-        float[] lineaire = image.lineaire;
-        if (lineaire != null) {
-            // point décimal, comme dans les fichiers de scène
-            texte += String.format(Locale.ROOT, " " + image.sens, lineaire[3 * k], lineaire[3 * k + 1],
-                    lineaire[3 * k + 2]);
-        }
-        pixel.setText(texte);
+        pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
+                code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF, image.dire(k)));
     }
 }

@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
@@ -40,16 +40,10 @@ final class Dialogues {
 
     /** Donne aux dialogues leurs textes : certaines versions de Java ne les ont pas en français. */
     private static void traduire() {
-        for (String[] texte : lire("dialogues.txt")) {
-            UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);
-        }
-    }
-
-    /** Les lignes d'un fichier de textes, en deux colonnes que sépare une tabulation. */
-    private static String[][] lire(String fichier) {
-        try (BufferedReader texte = new BufferedReader(new InputStreamReader(
-                Dialogues.class.getResourceAsStream(fichier), StandardCharsets.UTF_8))) {
-            return texte.lines().map(ligne -> ligne.split("\t")).toArray(String[][]::new);
+        try (BufferedReader textes = new BufferedReader(new InputStreamReader(
+                Dialogues.class.getResourceAsStream("dialogues.txt"), StandardCharsets.UTF_8))) {
+            textes.lines().map(ligne -> ligne.split("\t"))
+                    .forEach(texte -> UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -60,20 +54,29 @@ final class Dialogues {
     }
 
     /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
-    static JDialog touches(JFrame cadre) {
-        JLabel table = new JLabel("<html><table>" + Arrays.stream(lire("touches.txt"))
-                .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
+    static JDialog touches(JFrame cadre, Map<String, String> dites) {
+        String lignes = dites.entrySet().stream()
+                .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining());
+        JLabel table = new JLabel("<html><table>" + lignes);
         table.setName("table");
         JDialog touches = new JDialog(cadre, "Touches");
         JScrollPane ascenseur = new JScrollPane(table);
+        Rectangle ecran = ecran();
+        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
+        if (table.getPreferredSize().width > ecran.width - BORDS) {
+            // sur un petit écran, les lignes sont coupées en deux
+            table.setText("<html><table width=" + (ecran.width - BORDS) + ">" + lignes);
+        }
         touches.add(ascenseur);
         touches.setFocusableWindowState(false);
         touches.pack();
-        Rectangle ecran = ecran();
-        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
         touches.setSize(Math.min(touches.getWidth() + barre, ecran.width), Math.min(touches.getHeight(), ecran.height));
         touches.setLocation(ecran.x + ecran.width - touches.getWidth(), ecran.y);
         return touches;
+    }
+
+    static JScrollPane ascenseur(JDialog touches) {
+        return (JScrollPane) touches.getContentPane().getComponent(0);
     }
 
     /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */

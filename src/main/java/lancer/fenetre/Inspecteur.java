@@ -6,12 +6,11 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.HierarchyEvent;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.KeyListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
@@ -26,13 +25,11 @@ import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.ImageIcon;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
@@ -56,8 +53,7 @@ import lancer.texte.Nombre;
 final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
-    private static final Dimension TAILLE = new Dimension(420, 400);
-    private static final int SAUT = 10;
+    private static final int HAUTEUR_VUE = 100;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
@@ -65,19 +61,22 @@ final class Inspecteur extends JPanel {
         @Override
         public void updateUI() {
             super.updateUI();
-            // les flèches déplacent le pixel et les chiffres choisissent un rebond : l'arbre n'a aucune touche
-            SwingUtilities.replaceUIInputMap(this, WHEN_FOCUSED, null);
-            SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-            for (KeyListener frappe : getKeyListeners()) {
-                removeKeyListener(frappe);
-            }
             setRowHeight(getFontMetrics(getFont()).getHeight() + MARGE / 2);
             setCellRenderer(new Rendu());
         }
+
+        /** L'image reçoit les touches de l'arbre : les flèches déplacent le pixel. */
+        @Override
+        protected void processKeyEvent(KeyEvent e) {
+            KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(panneau, e);
+        }
     };
+    private final JScrollPane ascenseur = new JScrollPane(arbre);
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final VueDeCote vue = new VueDeCote(this::isoler);
     private final ExecutorService fil = Controleur.unFil("lancer-inspection");
+    /** Vrai si le panneau n'a pas encore montré de récit depuis qu'il est ouvert. */
+    private boolean neuf = true;
     private Inspection enCours;
     private Inspection montree;
     private Point pixel;
@@ -93,8 +92,7 @@ final class Inspecteur extends JPanel {
     /** État ouvert ou fermé de chaque nœud, par sujet. */
     private final Map<String, Boolean> ouverts = new HashMap<>();
 
-    /** @param caracteres reçoit les actions des caractères de ce panneau */
-    Inspecteur(Controleur controleur, PanneauImage panneau, Map<Character, Runnable> caracteres) {
+    Inspecteur(Controleur controleur, PanneauImage panneau) {
         super(new BorderLayout(MARGE, MARGE));
         this.controleur = controleur;
         this.panneau = panneau;
@@ -106,9 +104,7 @@ final class Inspecteur extends JPanel {
         arbre.setLargeModel(true);
         arbre.setToggleClickCount(0);
         ToolTipManager.sharedInstance().registerComponent(arbre);
-        JScrollPane ascenseur = new JScrollPane(arbre);
-        ascenseur.setPreferredSize(TAILLE);
-        vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
+        vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
         // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
         partage.setResizeWeight(0.8);
@@ -124,11 +120,6 @@ final class Inspecteur extends JPanel {
                 }
             }
         });
-        lierTouches(arbre, WHEN_FOCUSED);
-        lierTouches(this, WHEN_IN_FOCUSED_WINDOW);
-        arbre.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), WHEN_FOCUSED);
-        IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
-        caracteres.put('d', this::deplier);
         controleur.prevenir(this::calculer);
         addHierarchyListener(e -> {
             if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
@@ -137,25 +128,25 @@ final class Inspecteur extends JPanel {
         });
     }
 
-    private void lierTouches(JComponent ou, int quand) {
-        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
-            {KeyEvent.VK_DOWN, 0, 1}};
-        for (int[] s : sens) {
-            for (int pas : new int[] {1, SAUT}) {
-                ou.registerKeyboardAction(e -> {
-                    if (pixel != null) {
-                        montrer(new Point(pixel.x + pas * s[1], pixel.y + pas * s[2]));
-                    }
-                }, KeyStroke.getKeyStroke(s[0], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
-            }
+    boolean aLeClavier() {
+        return arbre.isFocusOwner();
+    }
+
+    /** Va au pixel situé à cette distance. */
+    void aller(int dx, int dy) {
+        if (pixel != null) {
+            montrer(new Point(pixel.x + dx, pixel.y + dy));
         }
-        for (int pas : new int[] {-1, 1}) {
-            ou.registerKeyboardAction(e -> {
-                if (montree != null) {
-                    choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
-                }
-            }, Menus.ctrl(pas < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN), quand);
+    }
+
+    void echantillonner(int pas) {
+        if (montree != null) {
+            choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
         }
+    }
+
+    void defiler(int rang) {
+        Actions.defiler(ascenseur, rang);
     }
 
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
@@ -168,6 +159,7 @@ final class Inspecteur extends JPanel {
     }
 
     private void paraitreOuNon() {
+        neuf |= !isShowing();
         panneau.suivre(isShowing() ? pixel : null);
         if (!isShowing()) {
             panneau.superposer(null, null);
@@ -181,8 +173,8 @@ final class Inspecteur extends JPanel {
     }
 
     /** Ne montre que ce rebond dans les figures ; les montre tous si c'est déjà lui ou s'il n'existe pas. */
-    private void isoler(int numero) {
-        rebond = numero == rebond || !isShowing() ? 0 : numero;
+    void isoler(int numero) {
+        rebond = numero == rebond ? 0 : numero;
         calculer();
     }
 
@@ -205,14 +197,14 @@ final class Inspecteur extends JPanel {
         }
     }
 
-    private void copier() {
+    void copier() {
         getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
         panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }
 
     /** Explique le pixel de l'image montrée. L'explication d'avant est grisée pendant le calcul. */
     private void calculer() {
-        Dessin montre = controleur.montre;
+        Dessin montre = controleur.etat.montre;
         if (enCours != null) {
             enCours.arreter();
             enCours = null;
@@ -267,6 +259,10 @@ final class Inspecteur extends JPanel {
                 + (rebond == 0 ? "" : "\nLes figures ne montrent que le rebond " + rebond + " ; 0 pour tous."));
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
+        if (neuf) {
+            neuf = false;
+            ((Onglets) SwingUtilities.getAncestorOfClass(Onglets.class, this)).ajuster();
+        }
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {
@@ -307,7 +303,7 @@ final class Inspecteur extends JPanel {
     }
 
     /** Ouvre tous les nœuds ou, s'ils sont ouverts, les remet dans leur état initial. */
-    private void deplier() {
+    void deplier() {
         boolean[] tout = {true};
         parcourir((noeud, chemin) -> tout[0] &= !noeud.replie || !arbre.isExpanded(chemin));
         parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, tout[0] || !noeud.replie));

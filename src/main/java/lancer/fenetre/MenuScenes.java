@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.EventQueue;
-import java.awt.event.KeyEvent;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -11,41 +10,50 @@ import java.util.concurrent.ExecutorService;
 import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
+import javax.swing.JRadioButtonMenuItem;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/** Le menu des scènes du dossier de la scène montrée. */
+/** Les scènes du dossier de la scène montrée, en tête de leur menu. */
 final class MenuScenes {
 
     private static final int SCENES_MAX = 40;
 
-    final JMenu menu = Menus.menu("Scènes");
     private final Controleur controleur;
     private final ExecutorService fil = Controleur.unFil("lancer-scenes");
-    /** Le dessin qui a lu la scène montrée, ou {@code null}. */
-    private Tracage montree;
-    private List<File> voisines;
-    private int rang;
+    private JMenu menu;
+    /** Le nombre d'articles du menu qui ne changent pas : les derniers. */
+    private int fixes;
+    /** La scène demandée, dont le dossier est lu. */
+    private String demandee;
+    private List<File> voisines = Collections.emptyList();
+    private int rang = -1;
 
     MenuScenes(Controleur controleur) {
         this.controleur = controleur;
-        remplir(Collections.emptyList());
+    }
+
+    /** Tient à jour le haut de ce menu. */
+    JMenu remplir(JMenu vide) {
+        menu = vide;
+        fixes = vide.getItemCount();
         controleur.prevenir(() -> {
-            if (montree != controleur.adopte) {
-                lister(controleur.adopte);
+            if (controleur.etat.enCours && !controleur.etat.demande.equals(demandee)) {
+                lister(controleur.etat.courant);
             }
         });
+        return vide;
     }
 
     /** Lit le dossier de la scène de ce dessin, après l'affichage de la première image. */
     private void lister(Tracage tracage) {
-        montree = tracage;
+        demandee = tracage.dessin.fichier;
         Controleur.confier(fil, () -> {
             tracage.attendreDEtreVu();
             List<File> trouvees = voisines(tracage.dessin.fichier);
             EventQueue.invokeLater(() -> {
-                if (montree == tracage) {
-                    remplir(trouvees);
+                if (demandee.equals(tracage.dessin.fichier)) {
+                    montrer(trouvees);
                 }
             });
         }, menu::setToolTipText);
@@ -60,28 +68,33 @@ final class MenuScenes {
                 .collect(Collectors.toList());
     }
 
-    private void remplir(List<File> scenes) {
+    private void montrer(List<File> scenes) {
         voisines = scenes;
         menu.setToolTipText(null);
-        rang = montree == null ? -1 : scenes.stream().map(File::getName).collect(Collectors.toList())
-                .indexOf(new File(montree.dessin.fichier).getName());
-        menu.removeAll();
-        ButtonGroup groupe = new ButtonGroup();
-        for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {
-            Menus.choix(menu, groupe, Texte.echappe(scene.getName()), null, () -> controleur.ouvrir(scene.getPath()))
-                    .setSelected(scenes.indexOf(scene) == rang);
+        rang = scenes.stream().map(File::getName).collect(Collectors.toList())
+                .indexOf(new File(demandee).getName());
+        while (menu.getItemCount() > fixes) {
+            menu.remove(0);
         }
-        menu.addSeparator();
-        Menus.article(menu, "Scène suivante", Menus.touche(KeyEvent.VK_PAGE_DOWN), () -> voisine(1))
-                .setEnabled(rang >= 0 && rang + 1 < scenes.size());
-        Menus.article(menu, "Scène précédente", Menus.touche(KeyEvent.VK_PAGE_UP), () -> voisine(-1))
-                .setEnabled(rang > 0);
+        ButtonGroup groupe = new ButtonGroup();
+        JMenu articles = new JMenu();
+        for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {
+            groupe.add(Actions.article(articles, new JRadioButtonMenuItem(Texte.echappe(scene.getName()),
+                    scenes.indexOf(scene) == rang), null, () -> controleur.ouvrir(scene.getPath())));
+        }
+        articles.addSeparator();
+        for (int k = 0; articles.getItemCount() > 0; k++) {
+            menu.add(articles.getMenuComponent(0), k);
+        }
+        controleur.avertir();
     }
 
-    private void voisine(int pas) {
-        if (rang + pas >= 0 && rang + pas < voisines.size()) {
-            rang += pas;
-            controleur.ouvrir(voisines.get(rang).getPath());
-        }
+    boolean existe(int pas) {
+        return rang >= 0 && rang + pas >= 0 && rang + pas < voisines.size();
+    }
+
+    void ouvrir(int pas) {
+        rang += pas;
+        controleur.ouvrir(voisines.get(rang).getPath());
     }
 }

@@ -20,7 +20,7 @@ import javax.swing.UIManager;
 @SuppressWarnings("serial")
 final class Onglets extends JSplitPane {
 
-    static final int LARGEUR = 430;
+    private static final int LARGEUR = 430;
     private static final int BARRE = 6;
 
     private final JFrame cadre;
@@ -29,7 +29,7 @@ final class Onglets extends JSplitPane {
     private JTabbedPane onglets;
     private LookAndFeel apparence;
     /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
-    private int largeur = LARGEUR;
+    private int largeur = Math.min(LARGEUR, getLargeurMax());
     private int gagne;
 
     /** @param image composant de gauche, toujours visible @param contenus contenu de chaque onglet, dans l'ordre */
@@ -87,6 +87,13 @@ final class Onglets extends JSplitPane {
         return getRightComponent() != null;
     }
 
+    /** Le contenu de l'onglet montré, s'il est de cette classe ; {@code null} sinon. */
+    <T extends JComponent> T getVisible(Class<T> classe) {
+        JComponent onglet = estOuvert() ? (JComponent) onglets.getSelectedComponent() : null;
+        return onglet == null || onglet.getComponentCount() == 0 || !classe.isInstance(onglet.getComponent(0))
+                || !onglet.getComponent(0).isShowing() ? null : classe.cast(onglet.getComponent(0));
+    }
+
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
     JComponent montrer(int rang) {
         onglets = onglets == null ? faire() : onglets;
@@ -97,21 +104,38 @@ final class Onglets extends JSplitPane {
                 apparence = UIManager.getLookAndFeel();
                 SwingUtilities.updateComponentTreeUI(onglets);
             }
-            Rectangle ecran = Dialogues.ecran();
-            boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
-            gagne = !libre ? 0 : Math.max(0, Math.min(largeur + BARRE,
-                    ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
             setRightComponent(onglets);
             setDividerSize(BARRE);
-            setDividerLocation(getWidth() - largeur - BARRE);
-            cadre.validate();
-            // la largeur gagnée par le cadre est donnée à l'image
-            cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
-            cadre.validate();
-            setDividerLocation(getWidth() - largeur - BARRE);
+            gagne = 0;
+            elargir(largeur + BARRE, largeur);
             remplir();
+            ajuster();
         }
         return (JComponent) ((JComponent) onglets.getSelectedComponent()).getComponent(0);
+    }
+
+    /** La plus grande largeur du panneau quand il s'ouvre : deux cinquièmes de l'écran. */
+    static int getLargeurMax() {
+        return 2 * Dialogues.ecran().width / 5;
+    }
+
+    /** Donne au panneau ouvert la largeur que demande sa plus longue ligne, si elle manque. */
+    void ajuster() {
+        int voulue = Math.min(getLargeurMax(), onglets.getPreferredSize().width);
+        if (voulue > onglets.getWidth()) {
+            elargir(voulue - onglets.getWidth(), voulue);
+        }
+    }
+
+    private void elargir(int manque, int voulue) {
+        Rectangle ecran = Dialogues.ecran();
+        boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
+        int plus = !libre ? 0 : Math.max(0, Math.min(manque, ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
+        gagne += plus;
+        cadre.setSize(cadre.getWidth() + plus, cadre.getHeight());
+        cadre.validate();
+        setDividerLocation(getWidth() - voulue - BARRE);
+        validate();
     }
 
     void fermer() {

@@ -7,6 +7,7 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
@@ -21,6 +22,9 @@ public final class Ouverture {
 
     /** Temps laissé à la lecture de la première scène avant l'ouverture de la fenêtre. */
     private static final long PATIENCE_MS = 400;
+
+    /** Vrai si l'écran manque parce que ce Java n'a pas de bibliothèques graphiques. */
+    private static boolean javaSansFenetres;
 
     private Ouverture() {
     }
@@ -43,7 +47,10 @@ public final class Ouverture {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.machine("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.machine(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
+                    + System.getProperty("java.home")
+                    + " ; attendu : un JDK complet, par exemple le paquet default-jdk, ou --image FICHIER.png"
+                    : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
@@ -59,7 +66,9 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
-                ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
+                List<String> variantes = Services.nomsDesVariantes();
+                ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
+                new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -82,14 +91,21 @@ public final class Ouverture {
     }
 
     private static boolean ecranPresent() {
+        // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
+        javaSansFenetres = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
+                && System.getProperty("java.awt.headless") == null;
         try {
             boolean present = !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
             // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
             Toolkit.getDefaultToolkit();
             return present;
-        } catch (HeadlessException | AWTError | LinkageError e) {
-            // DISPLAY sans serveur, ou Java sans bibliothèques graphiques
+        } catch (LinkageError e) {
+            // Java sans bibliothèques graphiques
+            return false;
+        } catch (HeadlessException | AWTError e) {
+            // DISPLAY sans serveur
+            javaSansFenetres = false;
             return false;
         }
     }

@@ -156,6 +156,12 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
+    /** Peint de nouveau l'image, et ce qui dépend de la souris. */
+    void rafraichir() {
+        repaint();
+        siBouge.run();
+    }
+
     /** Affiche une ligne en haut de l'image. @param texte vide pour l'effacer */
     void dire(String texte) {
         ligne = texte;
@@ -266,8 +272,8 @@ final class PanneauImage extends JPanel {
                 Math.round(t.getTranslateY())));
         peinte |= getVisible() != null;
         peindre(g2, getVisible());
+        g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
         if (dessus != null && montree != null && tenue == null) {
-            g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
         prises.accept(g2);
@@ -342,6 +348,18 @@ final class PanneauImage extends JPanel {
         }
         Point pixel = getPixel(image, souris);
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
+    }
+
+    /** Dit si le pixel sous cet événement est dans l'image montrée, et dessiné. */
+    boolean estDessine(MouseEvent e) {
+        Point2D p = pointDe(e);
+        return p.getX() >= 0 && p.getX() < montree.largeur && p.getY() >= 0 && p.getY() < montree.hauteur
+                && montree.codes[(int) p.getY() * montree.largeur + (int) p.getX()] != 0;
+    }
+
+    /** La partie visible de l'image montrée, en pixels de l'écran. */
+    Rectangle getCadre() {
+        return getPlace(montree).intersection(new Rectangle(getLibre()));
     }
 
     /** Position à l'écran de ce point de l'image montrée, en pixels de l'écran. */

@@ -171,8 +171,8 @@ final class PanneauVitesse extends JPanel {
     private List<Object> cle(Dessin montre) {
         ReglagesDessin reglages = montre.getReglages();
         // un fichier relu sans changement garde les mesures
-        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.estDeplacee() ? montre.getScene().getObjets()
-                : montre.fichier + " " + controleur.adopte.version, montre.largeur, montre.hauteur,
+        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? montre.getScene().getObjets()
+                : montre.fichier + " " + controleur.etat.lecture.version, montre.largeur, montre.hauteur,
                 reglages.getEtape()));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
                 reglages.getEssayees().containsKey(variante) ? variante.getSection()
@@ -182,8 +182,8 @@ final class PanneauVitesse extends JPanel {
 
     /** Montre les mesures, et les commence, les continue ou les interrompt. */
     private void suivre() {
-        Dessin montre = controleur.montre;
-        boolean libre = isShowing() && montre != null && !controleur.enCours
+        Dessin montre = controleur.etat.montre;
+        boolean libre = isShowing() && montre != null && !controleur.etat.enCours
                 && controleur.getImageComplete() == montre.getImage();
         if (travail != null && !libre) {
             travail.cancel(true);
@@ -205,7 +205,7 @@ final class PanneauVitesse extends JPanel {
     /** Montre l'image de ce point si elle est gardée ; sinon, la dessine. */
     private void montrer(Dessine voulu) {
         Dessin dessin = voulu.dessin;
-        if (dessin == null || dessin.largeur != controleur.montre.largeur) {
+        if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
             controleur.dessiner(voulu.reglages, false);
         } else {
             controleur.montrer(dessin);

@@ -243,7 +243,7 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !controleur.enCours && controleur.getImageComplete() != null);
+        attendre("l'image est achevée", () -> !controleur.etat.enCours && controleur.getImageComplete() != null);
         return surFilEvenements(controleur::getImageComplete);
     }
 

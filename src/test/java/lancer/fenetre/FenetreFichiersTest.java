@@ -19,10 +19,14 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
 import java.io.File;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
 import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
@@ -50,6 +54,19 @@ class FenetreFichiersTest extends EssaiFenetre {
         Files.write(nouveau, BLEUE.replace("0.1 0.2 0.9", "0.9 0.9 0.1").getBytes(StandardCharsets.UTF_8));
         Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
         banc.attendreImage("la boule est jaune", attendue(L, H));
+    }
+
+    @Test
+    void unEnregistrementDeMemeTailleALaMemeHeureEstVu() throws Exception {
+        String autre = ROUGE.replace("0.9 0.15 0.1", "0.1 0.15 0.9");
+        FileTime heure = FileTime.fromMillis(1_700_000_000_000L);
+        Files.setLastModifiedTime(scene, heure);
+        ouvrir();
+        try (FileChannel fichier = FileChannel.open(scene, StandardOpenOption.WRITE)) {
+            fichier.write(ByteBuffer.wrap(autre.getBytes(StandardCharsets.UTF_8)));
+        }
+        Files.setLastModifiedTime(scene, heure);
+        banc.attendreImage("l'autre couleur", attendue(L, H));
     }
 
     @Test
@@ -114,18 +131,22 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void uneSceneQuiNePeutEtreLueLaisseLeTitreF5EtLaSurveillanceACelleQuiEstMontree() throws Exception {
-        ouvrir();
-        Path fautive = dossier.resolve("fautive.ini");
-        Files.write(fautive, FAUTIVE.getBytes(StandardCharsets.UTF_8));
+    void laSceneDemandeeEnDernierEstSurveilleeMemeFautiveEtSonMessageDitDeQuiEstLImageQuiReste() throws Exception {
+        int[] rouge = ouvrir().codes;
+        scene = dossier.resolve("fautive.ini");
+        ecrire(FAUTIVE);
         banc.frapperCtrl('O');
-        choisir(fautive);
-        banc.attendreMessage(fautive.toString());
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        choisir(scene);
+        banc.attendreMessage(scene.toString());
+        assertTrue(banc.message().endsWith("\nl'image qui reste est celle de boule.ini"), banc.message());
+        assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
+        assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        banc.attendreMessage("");
+        attendre("F5 la relit", () -> !banc.controleur.etat.enCours);
+        banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
-        banc.attendreImage("la scène montrée est toujours surveillée", attendue(L, H));
+        banc.attendreMessage("");
+        banc.attendreImage("enregistrée sans sa faute, elle est dessinée", attendue(L, H));
     }
 
     @Test
@@ -199,6 +220,18 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals("lancer", banc.cadre.getTitle());
         choisir(scene);
         banc.attendreImage("la scène choisie", attendue(L, H));
+    }
+
+    @Test
+    void uneSceneFautiveOuverteLaPremiereEstRelueDesQuElleEstCorrigee() throws Exception {
+        ecrire(FAUTIVE);
+        banc = new BancFenetre(TAILLE);
+        choisir(scene);
+        banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        ecrire(BLEUE);
+        banc.attendreMessage("");
+        banc.attendreImage("corrigée, elle est dessinée", attendue(L, H));
     }
 
     @Test

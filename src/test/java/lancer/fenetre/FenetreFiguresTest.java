@@ -41,9 +41,9 @@ class FenetreFiguresTest extends EssaiInspecteur {
         ImageMemoire avant = banc.controleur.getImageComplete();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.etat.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -99,8 +99,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     @Test
     void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        Point coin = ouvrirSurUnEcranDense();
+        ouvrirSurUnEcranDense();
         Robot robot = new Robot();
+        // le panneau s'ouvre d'abord : sur un si petit écran, il déplace l'image
+        robot.keyPress(KeyEvent.VK_F2);
+        robot.keyRelease(KeyEvent.VK_F2);
+        Thread.sleep(2000);
+        Point coin = BancFenetre.trouver(attendue(L, H), L);
         robot.mouseMove(coin.x + 150, coin.y + 110);
         attendre("l'anneau", () -> {
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

@@ -45,7 +45,7 @@ class FenetreScenesTest extends EssaiFenetre {
         ouvrir();
         attendre("la liste est là", () -> articles().contains("* boule.ini"));
         assertEquals(Arrays.asList("abîmée.ini", "* boule.ini", "chat.ini", "",
-                "Scène suivante", "Scène précédente"), articles());
+                "Scène suivante (Page suivante)", "Scène précédente (Page précédente)"), articles());
         int[] rouge = attendue(L, H);
         banc.frapper(KeyEvent.VK_PAGE_DOWN);
         attendre("le titre est celui de la suivante", () -> banc.cadre.getTitle().equals("lancer — chat.ini"));

@@ -92,10 +92,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         assertTrue(m.matches(), dit);
         assertTrue(Integer.parseInt(m.group(2)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
         frapper(KeyEvent.VK_ENTER);
-        attendre("l'image sans réflexion", () -> banc.controleur.montre.getReglages().getReflets() == 0
+        attendre("l'image sans réflexion", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0
                 && banc.controleur.getImageComplete() != null);
         assertArrayEquals(sansFenetre(0), banc.imageAchevee().codes);
-        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.montre.getLancer().getDureeNs() / 1e9, 0.0006);
+        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.etat.montre.getLancer().getDureeNs() / 1e9, 0.0006);
         String resume = surFilEvenements(banc.resume::getText);
         assertTrue(resume.contains(", 0 réflexion"), resume);
     }
@@ -109,8 +109,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.cliquer(graphique, ou.x, ou.y);
         attendre("le point se dit", () -> point.getText().contains(" --reflets "));
         int reflets = Integer.parseInt(dit().replaceFirst(".* --reflets (\\d+) .*", "$1"));
-        attendre("son image", () -> banc.controleur.montre.getReglages().getReflets() == reflets
-                && !banc.controleur.enCours && banc.controleur.getImageComplete() != null);
+        attendre("son image", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets
+                && !banc.controleur.etat.enCours && banc.controleur.getImageComplete() != null);
         assertArrayEquals(sansFenetre(reflets), banc.imageAchevee().codes);
         assertSame(dernier, banc.main.getDessin(), "l'image existait");
     }

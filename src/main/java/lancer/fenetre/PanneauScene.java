@@ -1,0 +1,204 @@
+package lancer.fenetre;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultCellEditor;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.TableColumn;
+import lancer.SceneFautive;
+import lancer.scene.Origines;
+import lancer.scene.SectionLue;
+
+/** Les objets et les lampes, dans l'ordre du fichier. Une valeur changée est lue comme le fichier le serait. */
+@SuppressWarnings("serial")
+final class PanneauScene extends JPanel {
+
+    private static final int MARGE = 6;
+    private static final int HAUTEUR = 400;
+    /** Nombre de sections qui décident de la largeur des colonnes. */
+    private static final int REGARDEES = 50;
+
+    /** Les clés de chaque colonne ; une section a au plus une clé d'une colonne. */
+    private final List<List<String>> colonnes = new ArrayList<>();
+    private final Controleur controleur;
+    private final Prise prise;
+    private final Valeurs valeurs = new Valeurs();
+    private final JTable table = new JTable(valeurs);
+    private final JTextArea refus = Bandeau.etiquette("refus");
+    /** Le dessin qui a lu la scène montrée, et vrai pendant que ce panneau change lui-même la ligne choisie. */
+    private Tracage lue;
+    private boolean miseAJour;
+
+    PanneauScene(Controleur controleur, Prise prise, PanneauImage image) {
+        super(new BorderLayout(MARGE, MARGE));
+        this.controleur = controleur;
+        this.prise = prise;
+        setName("scene");
+        setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        table.setName("table");
+        table.getAccessibleContext().setAccessibleName("objets et lampes");
+        table.setAutoResizeMode(JTable.AUTO_RESIZE_OFF);
+        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.getTableHeader().setReorderingAllowed(false);
+        table.putClientProperty("terminateEditOnFocusLost", true);
+        table.setDefaultEditor(Object.class, new Saisie());
+        table.getSelectionModel().addListSelectionListener(e -> {
+            if (!miseAJour && !e.getValueIsAdjusting()) {
+                prise.prendre(table.getSelectedRow());
+            }
+        });
+        table.addMouseListener(new MouseAdapter() {
+            /** Un clic sur un nom rend le clavier à l'image : les flèches y poussent ce qui est pris. */
+            @Override
+            public void mouseReleased(MouseEvent e) {
+                if (table.columnAtPoint(e.getPoint()) == 0) {
+                    image.requestFocusInWindow();
+                }
+            }
+        });
+        add(new JScrollPane(table), BorderLayout.CENTER);
+        add(refus, BorderLayout.PAGE_END);
+        prise.prevenir(this::choisir);
+        controleur.prevenir(this::montrer);
+        montrer();
+    }
+
+    private Origines origines() {
+        return controleur.etat.choix.scene.origines;
+    }
+
+    private void montrer() {
+        if (lue != controleur.etat.lecture) {
+            lue = controleur.etat.lecture;
+            table.removeEditor();
+            refus.setText(" ");
+            colonnes.clear();
+            colonnes.addAll(Arrays.asList(Arrays.asList("centre", "position"), Arrays.asList("rayon"),
+                    Arrays.asList("Kd", "couleur"), Arrays.asList("Ks", "Kr")));
+            origines().getCles().filter(cle -> colonnes.stream().noneMatch(groupe -> groupe.contains(cle)))
+                    .forEach(cle -> colonnes.add(Arrays.asList(cle)));
+            valeurs.fireTableStructureChanged();
+            IntStream.range(0, valeurs.getColumnCount()).forEach(this::elargir);
+            table.setPreferredScrollableViewportSize(new Dimension(table.getPreferredSize().width, HAUTEUR));
+            choisir();
+        }
+        table.repaint();
+    }
+
+    /** Donne à cette colonne la largeur de son titre et de ses premières valeurs. */
+    private void elargir(int c) {
+        TableColumn colonne = table.getColumnModel().getColumn(c);
+        Component titre = table.getTableHeader().getDefaultRenderer().getTableCellRendererComponent(table,
+                valeurs.getColumnName(c), false, false, -1, c);
+        colonne.setPreferredWidth(2 * MARGE + IntStream.range(0, Math.min(REGARDEES, valeurs.getRowCount()))
+                .map(r -> table.prepareRenderer(table.getCellRenderer(r, c), r, c).getPreferredSize().width)
+                .reduce(titre.getPreferredSize().width, Math::max));
+    }
+
+    private void choisir() {
+        int rang = prise.getRang();
+        miseAJour = true;
+        if (rang < 0) {
+            table.clearSelection();
+        } else if (rang != table.getSelectedRow()) {
+            table.changeSelection(rang, Math.max(0, table.getSelectedColumn()), false, false);
+        }
+        miseAJour = false;
+    }
+
+    private final class Valeurs extends AbstractTableModel {
+
+        @Override
+        public int getRowCount() {
+            return controleur.etat.choix == null ? 0 : origines().getNombre();
+        }
+
+        @Override
+        public int getColumnCount() {
+            return colonnes.size() + 1;
+        }
+
+        @Override
+        public String getColumnName(int c) {
+            return c == 0 ? "section" : String.join(", ", colonnes.get(c - 1));
+        }
+
+        /** La clé de cette case : celle que la section donne ou, à défaut, la première qu'elle permet. */
+        String cle(SectionLue section, int c) {
+            return c == 0 ? null : colonnes.get(c - 1).stream().filter(cle -> section.valeur(cle) != null).findFirst()
+                    .orElse(colonnes.get(c - 1).stream().filter(section::estConnue).findFirst().orElse(null));
+        }
+
+        @Override
+        public Object getValueAt(int r, int c) {
+            SectionLue section = origines().getSection(r);
+            String cle = cle(section, c);
+            return c == 0 ? origines().getNom(r) : cle == null ? "—" : section.valeur(cle);
+        }
+
+        @Override
+        public boolean isCellEditable(int r, int c) {
+            return cle(origines().getSection(r), c) != null;
+        }
+    }
+
+    /** La saisie d'une valeur. Une valeur refusée reste dans sa case, et la phrase de la lecture est écrite dessous. */
+    private final class Saisie extends DefaultCellEditor {
+
+        Saisie() {
+            super(new JTextField());
+            getComponent().setName("valeur");
+        }
+
+        @Override
+        public Component getTableCellEditorComponent(JTable t, Object valeur, boolean choisie, int r, int c) {
+            dire(" ");
+            return super.getTableCellEditorComponent(t, valeur, choisie, r, c);
+        }
+
+        private void dire(String phrase) {
+            refus.setText(phrase);
+            ((JTextField) getComponent()).setBorder(BorderFactory.createLineBorder(
+                    phrase.equals(" ") ? table.getSelectionBackground()
+                    : Apparence.couleur("Component.error.focusedBorderColor", "Table.foreground")));
+        }
+
+        @Override
+        public boolean stopCellEditing() {
+            int r = table.getEditingRow();
+            SectionLue section = origines().getSection(r);
+            String cle = valeurs.cle(section, table.getEditingColumn());
+            String voulue = ((JTextField) getComponent()).getText().trim();
+            try {
+                if (!voulue.equals(section.valeur(cle)) && !(voulue.isEmpty() && section.valeur(cle) == null)) {
+                    controleur.changer(controleur.etat.choix.scene.avec(r, cle, voulue), false);
+                }
+            } catch (SceneFautive e) {
+                dire(e.getMessage());
+                return false;
+            }
+            dire(" ");
+            return super.stopCellEditing();
+        }
+
+        @Override
+        public void cancelCellEditing() {
+            dire(" ");
+            super.cancelCellEditing();
+        }
+    }
+}
