@@ -200,7 +200,8 @@ final class PanneauImage extends JPanel {
         Dimension max = getTailleMax(image.largeur, image.hauteur);
         int l = loupe > 0 ? loupe * image.largeur : Math.min(image.largeur, max.width);
         int h = loupe > 0 ? loupe * image.hauteur : Math.min(image.hauteur, max.height);
-        return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
+        return new Rectangle((int) Math.ceil(libre.width / 2.0 - centreX * l - 0.5),
+                (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
     /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
@@ -230,9 +231,11 @@ final class PanneauImage extends JPanel {
         if (loupe == 0) {
             centrer(0.5, 0.5);
         } else {
-            Rectangle apres = getPlace(montree);
-            centrer((double) (ici.x - place.x) / place.width - (ici.x - libre.width / 2.0) / apres.width,
-                    (double) (ici.y - place.y) / place.height - (ici.y - libre.height / 2.0) / apres.height);
+            // à une place entière, le pixel sous la souris y reste, même après plusieurs crans
+            double l = loupe * montree.largeur;
+            double h = loupe * montree.hauteur;
+            centrer((libre.width / 2.0 - ici.x + Math.round((ici.x - place.x) * l / place.width)) / l,
+                    (libre.height / 2.0 - ici.y + Math.round((ici.y - place.y) * h / place.height)) / h);
         }
     }
 
@@ -277,14 +280,19 @@ final class PanneauImage extends JPanel {
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
         prises.accept(g2);
-        g2.dispose();
         if (!ligne.isEmpty()) {
-            FontMetrics m = g.getFontMetrics();
-            g.setColor(new Color(0x80000000, true));
-            g.fillRect(0, 0, getWidth(), m.getHeight());
-            g.setColor(Color.WHITE);
-            g.drawString(ligne, m.getHeight() / 2, m.getAscent());
+            ecrire(g2, ligne);
         }
+        g2.dispose();
+    }
+
+    /** Écrit cette ligne en haut. */
+    void ecrire(Graphics2D g, String texte) {
+        FontMetrics m = g.getFontMetrics();
+        g.setColor(new Color(0x80000000, true));
+        g.fillRect(0, 0, getLibre().width, m.getHeight());
+        g.setColor(Color.WHITE);
+        g.drawString(texte, m.getHeight() / 2, m.getAscent());
     }
 
     private static BufferedImage image(int[] codes, int largeur) {
@@ -348,13 +356,6 @@ final class PanneauImage extends JPanel {
         }
         Point pixel = getPixel(image, souris);
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
-    }
-
-    /** Dit si le pixel sous cet événement est dans l'image montrée, et dessiné. */
-    boolean estDessine(MouseEvent e) {
-        Point2D p = pointDe(e);
-        return p.getX() >= 0 && p.getX() < montree.largeur && p.getY() >= 0 && p.getY() < montree.hauteur
-                && montree.codes[(int) p.getY() * montree.largeur + (int) p.getX()] != 0;
     }
 
     /** La partie visible de l'image montrée, en pixels de l'écran. */
