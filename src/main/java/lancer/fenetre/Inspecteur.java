@@ -304,13 +304,8 @@ final class Inspecteur extends JPanel {
         public Component getTreeCellRendererComponent(JTree tree, Object branche, boolean choisi, boolean ouvert,
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
-            boolean change = noeud.avant != null || !ouvert && noeud.aChange();
-            // entre le fond et celui de la sélection : lisible dans un thème clair comme dans un sombre
-            Color fond = tree.getBackground();
-            Color choix = getBackgroundSelectionColor();
-            setBackgroundNonSelectionColor(!change || choix == null ? null
-                    : new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
-                            (2 * fond.getBlue() + choix.getBlue()) / 3));
+            setBackgroundNonSelectionColor(noeud.avant == null && (ouvert || !noeud.aChange()) ? null
+                    : Apparence.couleur("Tree.selectionInactiveBackground", "Panel.background"));
             String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
             super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
             Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
@@ -326,9 +321,7 @@ final class Inspecteur extends JPanel {
         BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
         Graphics g = carre.createGraphics();
         g.setColor(new Color(couleur.getCode()));
-        g.fillRect(0, 0, 2 * MARGE, 2 * MARGE);
-        g.setColor(Color.GRAY);
-        g.drawRect(0, 0, 2 * MARGE - 1, 2 * MARGE - 1);
+        g.fillRect(1, 1, 2 * MARGE - 2, 2 * MARGE - 2);
         return new ImageIcon(carre);
     }
 

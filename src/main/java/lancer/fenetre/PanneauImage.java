@@ -18,6 +18,8 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
@@ -51,10 +53,9 @@ final class PanneauImage extends JPanel {
     ImageMemoire apercu;
     /** Dessine les objets à prendre, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    /** L'image réduite ; l'image d'origine ; vrai si l'image d'origine était achevée. */
+    /** L'image réduite, et ce dont elle dépend. */
     private BufferedImage reduite;
-    private ImageMemoire reduiteDe;
-    private boolean reduiteAchevee;
+    private List<Object> reduiteDe;
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -93,8 +94,8 @@ final class PanneauImage extends JPanel {
     private final class Suiveur extends MouseAdapter {
 
         private void placer(MouseEvent e) {
-            AffineTransform ecran = getEchelle();
-            souris = new Point((int) (e.getX() * ecran.getScaleX()), (int) (e.getY() * ecran.getScaleY()));
+            souris = new Point();
+            getEchelle().transform(e.getPoint(), souris);
         }
 
         @Override
@@ -204,10 +205,9 @@ final class PanneauImage extends JPanel {
                 (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
-    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
+    /** Le rapport de la taille affichée de l'image à sa taille. */
     double getReduction(ImageMemoire image) {
-        Rectangle place = getPlace(image);
-        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
+        return Math.max((double) getPlace(image).width / image.largeur, (double) getPlace(image).height / image.hauteur);
     }
 
     /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
@@ -325,11 +325,11 @@ final class PanneauImage extends JPanel {
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
         boolean achevee = legendes.containsKey(image);
-        if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
+        List<Object> voulue = Arrays.asList(image, achevee, place.width);
+        if (!achevee || !voulue.equals(reduiteDe)) {
             reduite = image(Reduction.moyenne(image, place.width, place.height,
                     achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);
-            reduiteDe = image;
-            reduiteAchevee = achevee;
+            reduiteDe = voulue;
         }
         return reduite;
     }
@@ -344,9 +344,8 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
-        boolean sous = souris != null && montree != null && getPlace(montree).contains(souris);
-        return montree == null ? null
-                : getPixel(montree, sous ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
+        return montree == null ? null : getPixel(montree, souris != null && getPlace(montree).contains(souris) ? souris
+                : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
@@ -372,10 +371,10 @@ final class PanneauImage extends JPanel {
 
     /** Le point de l'image montrée sous cet événement, en pixels de l'image. */
     Point2D pointDe(MouseEvent e) {
-        AffineTransform ecran = getEchelle();
+        Point2D ou = getEchelle().transform(e.getPoint(), new Point2D.Double());
         Rectangle place = getPlace(montree);
-        return new Point2D.Double((e.getX() * ecran.getScaleX() - place.x) * montree.largeur / place.width,
-                (e.getY() * ecran.getScaleY() - place.y) * montree.hauteur / place.height);
+        return new Point2D.Double((ou.getX() - place.x) * montree.largeur / place.width,
+                (ou.getY() - place.y) * montree.hauteur / place.height);
     }
 
     private Point getPixel(ImageMemoire image, Point ou) {

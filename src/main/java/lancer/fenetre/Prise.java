@@ -1,9 +1,8 @@
 package lancer.fenetre;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
+import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.event.MouseAdapter;
@@ -11,8 +10,6 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.Objects;
 import java.util.Optional;
@@ -29,6 +26,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
+import lancer.fenetre.figures.Figure;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
 import lancer.scene.SectionLue;
@@ -42,14 +40,13 @@ final class Prise extends MouseAdapter {
     /** Rapport des distances à l'œil avant et après un cran de la molette. */
     private static final double CRAN = 1.04;
     private static final int RAYON_ETOILE = 9;
-    private static final int BRANCHES = 4;
+    private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
+            new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
     private static final Color LAMPE = new Color(0xFFE040);
     /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
     private static final long GESTE_NS = 1_000_000_000;
     /** Nombre de rayons, par côté de l'image, qui mesurent ce que couvre un objet. */
     private static final int GRILLE = 32;
-    /** Rayon, en pixels de l'écran, d'un cercle que Java peint mal. */
-    private static final double GRAND = 1e5;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
@@ -157,8 +154,9 @@ final class Prise extends MouseAdapter {
     private int viser(MouseEvent e) {
         Point2D ou = panneau.pointDe(e);
         refus = "";
-        Optional<Lampe> lampe = getLue().lampes.stream().filter(l -> etoile(l) != null
-                && etoile(l).distance(panneau.placeDe(ou.getX(), ou.getY())) < RAYON_ETOILE).findFirst();
+        Point2D souris = panneau.placeDe(ou.getX(), ou.getY());
+        Optional<Lampe> lampe = getLue().lampes.stream().filter(l -> aLEcran(l.getPosition()) != null
+                && aLEcran(l.getPosition()).distance(souris) < RAYON_ETOILE).findFirst();
         if (lampe.isPresent()) {
             return getLue().origines.getRang(lampe.get());
         }
@@ -171,10 +169,10 @@ final class Prise extends MouseAdapter {
                 return -1;
             }
             int vu = controleur.etat.montre.getLue().origines.getRang(contact.objet);
-            Point place = Deplacement.place(getLue().origines.getSection(vu));
-            refus = place == null ? getLue().origines.getNom(vu) + " ne se prend pas : sa section n'a ni centre, ni position"
-                    : !estTropGrand(contact.objet) ? "" : getLue().origines.getNom(vu)
-                    + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
+            String nom = getLue().origines.getNom(vu);
+            refus = Deplacement.place(getLue().origines.getSection(vu)) == null
+                    ? nom + " ne se prend pas : sa section n'a ni centre, ni position" : !estTropGrand(contact.objet) ? ""
+                    : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
             return refus.isEmpty() ? vu : -1;
         } catch (RuntimeException panne) {
             refus = Messages.message(panne);
@@ -254,10 +252,10 @@ final class Prise extends MouseAdapter {
         panneau.repaint();
     }
 
-    /** Position de cette lampe à l'écran ; {@code null} si elle est derrière l'œil. */
-    private Point2D etoile(Lampe lampe) {
-        Point vue = getCamera().projeter(lampe.getPosition());
-        return vue.z > 0 && !Double.isInfinite(vue.z) ? panneau.placeDe(vue.x, vue.y) : null;
+    /** La place de ce point à l'écran ; {@code null} s'il est derrière l'œil ou n'existe pas. */
+    private Point2D aLEcran(Point p) {
+        Point vu = p == null ? null : getCamera().projeter(p);
+        return vu == null || vu.z <= 0 || Double.isInfinite(vu.z) ? null : panneau.placeDe(vu.x, vu.y);
     }
 
     private void peindre(Graphics2D g) {
@@ -265,55 +263,26 @@ final class Prise extends MouseAdapter {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        getLue().lampes.stream().map(this::etoile).filter(Objects::nonNull)
-                .forEach(etoile -> tracer(g, etoile(etoile), LAMPE));
-        IntStream.of(rang, survol).filter(k -> k >= 0).forEach(k -> marquer(g, k));
+        getLue().lampes.stream().map(lampe -> aLEcran(lampe.getPosition())).filter(Objects::nonNull)
+                .forEach(ou -> Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                .createTransformedShape(ETOILE), LAMPE));
+        entourer(g, survol);
         if (estPris()) {
-            panneau.ecrire(g, dire(rang));
+            entourer(g, rang);
+            Point2D ou = aLEcran(getPosition());
+            panneau.ecrire(g, dire(rang) + (ou != null && panneau.getCadre().contains(ou) ? "" : " (hors de l'image)"));
         }
     }
 
-    /** Un cercle ou, hors de l'image, une étoile à son bord. Celui d'une boule a son centre et son rayon. */
-    private void marquer(Graphics2D g, int k) {
-        Point place = Deplacement.place(getLue().origines.getSection(k));
-        if (place == null) {
-            return;
+    /** Entoure ce qui a ce rang. Le cercle d'une boule a son centre et son rayon. */
+    private void entourer(Graphics2D g, int k) {
+        Point place = k < 0 ? null : Deplacement.place(getLue().origines.getSection(k));
+        Point2D ou = aLEcran(place);
+        if (ou != null) {
+            Object chose = getLue().origines.getChose(k);
+            double r = !(chose instanceof Sphere) ? 2 * RAYON_ETOILE : ((Sphere) chose).getRayon()
+                    * getCamera().projeter(place).z * panneau.getReduction(panneau.montree);
+            Figure.peindreLisere(g, new Ellipse2D.Double(ou.getX() - r, ou.getY() - r, 2 * r, 2 * r), Color.WHITE);
         }
-        Object chose = getLue().origines.getChose(k);
-        Rectangle cadre = panneau.getCadre();
-        Point vue = getCamera().projeter(place);
-        // derrière l'œil, la projection est retournée
-        double sens = vue.z > 0 ? 1 : -GRAND;
-        Point2D ou = panneau.placeDe(getCamera().getLargeur() / 2.0 + sens * (vue.x - getCamera().getLargeur() / 2.0),
-                getCamera().getHauteur() / 2.0 + sens * (vue.y - getCamera().getHauteur() / 2.0));
-        double rayon = chose instanceof Sphere ? ((Sphere) chose).getRayon() * vue.z
-                * panneau.getReduction(panneau.montree) : 2 * RAYON_ETOILE;
-        if (cadre.contains(ou) && rayon < GRAND) {
-            tracer(g, new Ellipse2D.Double(ou.getX() - rayon, ou.getY() - rayon, 2 * rayon, 2 * rayon), Color.WHITE);
-        } else {
-            ou.setLocation(Math.max(cadre.getMinX(), Math.min(cadre.getMaxX(), ou.getX())),
-                    Math.max(cadre.getMinY(), Math.min(cadre.getMaxY(), ou.getY())));
-            tracer(g, etoile(ou), Color.WHITE);
-        }
-    }
-
-    private static void tracer(Graphics2D g, Shape forme, Color couleur) {
-        g.setStroke(new BasicStroke(4));
-        g.setColor(Color.BLACK);
-        g.draw(forme);
-        g.setStroke(new BasicStroke(2));
-        g.setColor(couleur);
-        g.draw(forme);
-    }
-
-    private static Shape etoile(Point2D centre) {
-        Path2D etoile = new Path2D.Double();
-        Line2D branche = new Line2D.Double(centre.getX() - RAYON_ETOILE, centre.getY(), centre.getX() + RAYON_ETOILE,
-                centre.getY());
-        for (int k = 0; k < BRANCHES; k++) {
-            etoile.append(AffineTransform.getRotateInstance(k * Math.PI / BRANCHES, centre.getX(), centre.getY())
-                    .createTransformedShape(branche), false);
-        }
-        return etoile;
     }
 }

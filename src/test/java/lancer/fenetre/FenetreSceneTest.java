@@ -105,8 +105,8 @@ class FenetreSceneTest extends EssaiFenetre {
         ouvrirLaTable();
         Point2D bord = place(sphere(0).getCentre(), 0, -1.01);
         cliquerLaCase(0, 0, 1);
-        attendre("son contour est blanc", () -> IntStream.rangeClosed(-3, 3)
-                .anyMatch(k -> (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xFFFFFF) == 0xFFFFFF));
+        attendre("son cercle est blanc", () -> IntStream.rangeClosed(-3, 3)
+                .anyMatch(k -> (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xC0C0C0) == 0xC0C0C0));
         viserAvecMaj(place(sphere(1).getCentre(), 0, 0));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         attendre("la deuxième ligne est choisie", () -> table.getSelectedRow() == 1);
