@@ -9,7 +9,6 @@ import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.HierarchyEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -120,11 +119,7 @@ final class Inspecteur extends JPanel {
             }
         });
         controleur.prevenir(this::calculer);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                paraitreOuNon();
-            }
-        });
+        addHierarchyListener(e -> paraitreOuNon());
     }
 
     boolean aLeClavier() {

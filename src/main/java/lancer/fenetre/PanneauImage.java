@@ -207,7 +207,8 @@ final class PanneauImage extends JPanel {
 
     /** Le rapport de la taille affichée de l'image à sa taille. */
     double getReduction(ImageMemoire image) {
-        return Math.max((double) getPlace(image).width / image.largeur, (double) getPlace(image).height / image.hauteur);
+        Rectangle place = getPlace(image);
+        return Math.max((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
     /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
@@ -254,8 +255,7 @@ final class PanneauImage extends JPanel {
     private void centrer(double x, double y) {
         centreX = Math.max(0, Math.min(1, x));
         centreY = Math.max(0, Math.min(1, y));
-        repaint();
-        siBouge.run();
+        rafraichir();
     }
 
     /** Peint cette figure par-dessus l'image. Un clic sur un de ses numéros appelle {@code siChoisi}. */

@@ -171,8 +171,8 @@ final class Prise extends MouseAdapter {
             int vu = controleur.etat.montre.getLue().origines.getRang(contact.objet);
             String nom = getLue().origines.getNom(vu);
             refus = Deplacement.place(getLue().origines.getSection(vu)) == null
-                    ? nom + " ne se prend pas : sa section n'a ni centre, ni position" : !estTropGrand(contact.objet) ? ""
-                    : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
+                    ? nom + " ne se prend pas : sa section n'a ni centre, ni position"
+                    : !estTropGrand(contact.objet) ? "" : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
             return refus.isEmpty() ? vu : -1;
         } catch (RuntimeException panne) {
             refus = Messages.message(panne);
