@@ -110,10 +110,10 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return autre;
     }
 
-    /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
+    /** Remplace l'image par cette vue. @param avant référence de la vue « difference », si elle a cette taille */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
-        reference = avant;
+        reference = avant != null && avant.largeur == largeur && avant.hauteur == hauteur ? avant : null;
     }
 
     /** Nom de la vue en fausses couleurs ; {@code null} pour l'image. */

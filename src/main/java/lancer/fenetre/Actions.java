@@ -1,8 +1,7 @@
 package lancer.fenetre;
 
+import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.KeyboardFocusManager;
-import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -10,92 +9,74 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
-import java.util.function.Supplier;
-import javax.swing.AbstractAction;
-import javax.swing.ComponentInputMap;
+import javax.swing.Action;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JPanel;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
-import javax.swing.MenuSelectionManager;
 import javax.swing.text.JTextComponent;
 
 /**
  * La table des actions de la fenêtre : nom, touches, effet, condition. Les menus, les touches et le tableau de F1 en
  * viennent. Si plusieurs lignes ont la même touche, la première qui est possible répond.
  */
+@SuppressWarnings("serial")
 final class Actions {
 
     private static final int AVEC = InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK;
 
-    /** Une ligne de la table : une action, ou plusieurs que distingue leur rang. Seules celles dites sont dans F1. */
+    private final List<Ligne> lignes = new ArrayList<>();
+    private final List<Runnable> aMontrer = new ArrayList<>();
+
+    /** Une action, ou plusieurs que distingue leur rang. Un menu dit son texte jusqu'aux deux points, F1 en entier. */
     static final class Ligne {
 
-        private final String nom;
-        private final String dit;
+        private final String texte;
         private final BooleanSupplier possible;
         private final IntConsumer faire;
         private final String[] touches;
+        private IntPredicate coche;
         private String[] choix = {};
-        private IntPredicate choisi;
 
-        private Ligne(String nom, String dit, BooleanSupplier possible, IntConsumer faire, String... touches) {
-            this.nom = nom;
-            this.dit = dit;
+        private Ligne(String texte, BooleanSupplier possible, IntConsumer faire, String... touches) {
+            this.texte = texte;
             this.possible = possible;
             this.faire = faire;
             this.touches = touches;
         }
 
-        /** Un sous-menu où chaque rang a son article. */
-        Ligne choix(String... noms) {
+        /** Un article coché si {@code condition} est vraie, ou un sous-menu où chaque rang a son article. */
+        Ligne coche(IntPredicate condition, String... noms) {
+            coche = condition;
             choix = noms;
             return this;
         }
-
-        /** L'article de ce rang est coché si {@code condition} est vraie. */
-        Ligne coche(IntPredicate condition) {
-            choisi = condition;
-            return this;
-        }
-
-        private boolean sansLien() {
-            return touches.length > 0 && !touches[0].matches("F\\d+|.* .*");
-        }
     }
 
-    private final List<Ligne> lignes = new ArrayList<>();
-    private final List<Runnable> aMontrer = new ArrayList<>();
-
-    /** Ajoute une ligne. @param nom celui de son article @param dit son effet dans F1, ou {@code null} */
-    Ligne ligne(String nom, String dit, BooleanSupplier possible, IntConsumer faire, String... touches) {
-        lignes.add(new Ligne(nom, dit, possible, faire, touches));
+    Ligne ligne(String texte, BooleanSupplier possible, IntConsumer faire, String... touches) {
+        lignes.add(new Ligne(texte, possible, faire, touches));
         return lignes.get(lignes.size() - 1);
     }
 
-    Ligne ligne(String nom, String dit, BooleanSupplier possible, Runnable faire, String... touches) {
-        return ligne(nom, dit, possible, rang -> faire.run(), touches);
+    Ligne ligne(String texte, BooleanSupplier possible, Runnable faire, String... touches) {
+        return ligne(texte, possible, rang -> faire.run(), touches);
     }
 
-    /** Ajoute un geste de la souris, que F1 décrit. */
-    void souris(String geste, String dit) {
-        ligne(geste, dit, () -> false, () -> { });
-    }
-
-    /** Le tableau de F1 : les touches, et leur effet. */
+    /** Les touches, et ce qu'elles font. */
     Map<String, String> dire() {
         Map<String, String> dites = new LinkedHashMap<>();
-        lignes.stream().filter(ligne -> ligne.dit != null).forEach(ligne -> dites.merge(ligne.touches.length == 0
-                ? ligne.nom : Touches.dire(ligne.touches), ligne.dit, (un, autre) -> un + "<br>sinon " + autre));
+        lignes.stream().filter(ligne -> ligne.texte != null && ligne.touches.length > 0)
+                .forEach(ligne -> dites.merge(Touches.dire(ligne.touches), Character.toLowerCase(ligne.texte.charAt(0))
+                        + ligne.texte.substring(1).replace("…", ""), (un, autre) -> un + "<br>sinon " + autre));
         return dites;
     }
 
@@ -105,111 +86,94 @@ final class Actions {
         barre.setValue(barre.getValue() + (2 * rang - 1) * barre.getBlockIncrement(1));
     }
 
-    private void executer(Ligne ligne, int rang) {
-        ligne.faire.accept(rang);
-        montrer();
-    }
-
     /** Grise les articles impossibles, et coche ceux qui sont choisis. */
     void montrer() {
         aMontrer.forEach(Runnable::run);
     }
 
-    /** Lie les touches de la table. Liées à la racine du cadre, elles manqueraient à un menu ouvert. */
-    void lier(JComponent contenu) {
-        // en place, cette table serait relue à chaque touche qui s'y ajoute
-        ComponentInputMap touches = new ComponentInputMap(contenu);
+    /** Le contenu du cadre : il a les touches que n'a prises ni un menu ni le composant qui a le clavier. */
+    JPanel contenu() {
+        return new JPanel(new BorderLayout()) {
+            @Override
+            protected boolean processKeyBinding(KeyStroke touche, KeyEvent e, int condition, boolean pressee) {
+                return super.processKeyBinding(touche, e, condition, pressee)
+                        || condition == WHEN_ANCESTOR_OF_FOCUSED_COMPONENT && !estEcrite(touche, e.getComponent())
+                        && executer(touche);
+            }
+        };
+    }
+
+    /** Un texte et un tableau gardent les touches sans Ctrl ni Alt, sauf Échap et F1 à F12. */
+    private static boolean estEcrite(KeyStroke touche, Component clavier) {
+        int code = touche.getKeyCode();
+        return (touche.getModifiers() & AVEC) == 0 && code != KeyEvent.VK_ESCAPE
+                && (code < KeyEvent.VK_F1 || code > KeyEvent.VK_F12) && (clavier instanceof JTable
+                || clavier instanceof JTextComponent && ((JTextComponent) clavier).isEditable());
+    }
+
+    /** Exécute la première ligne possible qui a cette touche. @return faux s'il n'y en a pas */
+    private boolean executer(KeyStroke touche) {
         for (Ligne ligne : lignes) {
             for (int k = 0; k < ligne.touches.length; k++) {
-                int rang = k;
-                for (KeyStroke touche : Touches.de(ligne.touches[k])) {
-                    touches.put(touche, touche);
-                    if (contenu.getActionMap().get(touche) == null) {
-                        contenu.getActionMap().put(touche, new Touche(touche));
-                    }
-                    ((Touche) contenu.getActionMap().get(touche)).siennes.add(() -> ligne.possible.getAsBoolean()
-                            ? () -> executer(ligne, rang) : null);
+                if (Touches.de(ligne.touches[k]).contains(touche) && ligne.possible.getAsBoolean()) {
+                    executer(ligne, k);
+                    return true;
                 }
             }
         }
-        contenu.setInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW, touches);
+        return false;
     }
 
-    /** Ce que fait une touche : la première de ses lignes qui est possible. */
-    @SuppressWarnings("serial")
-    private static final class Touche extends AbstractAction {
-
-        /** Vrai si un texte ou un tableau garde cette touche pour lui : sans Ctrl ni Alt, sauf Échap et F1 à F12. */
-        private final boolean saisie;
-        private final List<Supplier<Runnable>> siennes = new ArrayList<>();
-
-        Touche(KeyStroke touche) {
-            int code = touche.getKeyCode();
-            saisie = (touche.getModifiers() & AVEC) == 0 && code != KeyEvent.VK_ESCAPE
-                    && (code < KeyEvent.VK_F1 || code > KeyEvent.VK_F12);
-        }
-
-        private Runnable premiere() {
-            return siennes.stream().map(Supplier::get).filter(Objects::nonNull).findFirst().orElse(null);
-        }
-
-        /** Sinon, la touche garde son autre sens : dans un menu ouvert, dans un texte. */
-        @Override
-        public boolean isEnabled() {
-            Component clavier = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-            boolean ecrit = clavier instanceof JTable
-                    || clavier instanceof JTextComponent && ((JTextComponent) clavier).isEditable();
-            return !(saisie && ecrit) && MenuSelectionManager.defaultManager().getSelectedPath().length == 0
-                    && premiere() != null;
-        }
-
-        @Override
-        public void actionPerformed(ActionEvent e) {
-            premiere().run();
-        }
+    private void executer(Ligne ligne, int rang) {
+        ligne.faire.accept(rang);
+        montrer();
     }
 
-    /** Un menu de ces lignes, de sous-menus et d'autres actions ; {@code null} pour un trait. */
+    /** Un menu de ces lignes et d'autres actions ; {@code null} pour un trait. */
     JMenu menu(String nom, Object... contenu) {
         JMenu menu = new JMenu(nom);
         menu.setMnemonic(nom.charAt(0));
         for (Object quoi : contenu) {
-            if (quoi == null) {
-                menu.addSeparator();
-            } else if (quoi instanceof Ligne) {
+            if (quoi instanceof Ligne) {
                 ajouter(menu, (Ligne) quoi);
+            } else if (quoi != null) {
+                menu.add((Action) quoi);
             } else {
-                menu.add((javax.swing.Action) quoi);
+                menu.addSeparator();
             }
         }
         return menu;
     }
 
     private void ajouter(JMenu menu, Ligne ligne) {
-        if (ligne.choix.length > 0) {
-            JMenu sousMenu = article(menu, new JMenu(ligne.nom), null, () -> { });
-            aMontrer.add(() -> sousMenu.setEnabled(ligne.possible.getAsBoolean()));
-            for (int k = 0; k < ligne.choix.length; k++) {
-                ajouter(sousMenu, new JRadioButtonMenuItem(ligne.choix[k]), ligne, k);
-            }
-        } else {
-            String nom = ligne.nom + (ligne.sansLien() ? " (" + Touches.dire(ligne.touches) + ")" : "");
-            ajouter(menu, ligne.choisi == null ? new JMenuItem(nom) : new JCheckBoxMenuItem(nom), ligne, 0);
+        String nom = ligne.texte.split(" : ")[0];
+        if (ligne.choix.length == 0) {
+            ajouter(menu, ligne.coche == null ? new JMenuItem(nom) : new JCheckBoxMenuItem(nom), ligne, 0);
+            return;
+        }
+        JMenu sousMenu = article(menu, new JMenu(nom), () -> { });
+        aMontrer.add(() -> sousMenu.setEnabled(ligne.possible.getAsBoolean()));
+        for (int k = 0; k < ligne.choix.length; k++) {
+            ajouter(sousMenu, new JRadioButtonMenuItem(ligne.choix[k]), ligne, k);
         }
     }
 
     private void ajouter(JMenu menu, JMenuItem article, Ligne ligne, int rang) {
-        // liée à son article, une touche sans Ctrl ni Alt manquerait à un texte ou à un menu
-        article(menu, article, rang < ligne.touches.length && !ligne.sansLien()
-                ? Touches.de(ligne.touches[rang]).get(0) : null, () -> executer(ligne, rang));
+        article(menu, article, () -> executer(ligne, rang));
+        if (rang < ligne.touches.length) {
+            KeyStroke touche = Touches.de(ligne.touches[rang]).get(0);
+            article.setAccelerator(touche);
+            // liée par Swing, elle manquerait à un texte
+            article.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(touche, "none");
+        }
         aMontrer.add(() -> {
             article.setEnabled(ligne.possible.getAsBoolean());
-            article.setSelected(ligne.choisi != null && ligne.choisi.test(rang));
+            article.setSelected(ligne.coche != null && ligne.coche.test(rang));
         });
     }
 
     /** Ajoute un article. Sa lettre, si possible, est une que les autres articles de son menu n'ont pas. */
-    static <T extends JMenuItem> T article(JMenu menu, T article, KeyStroke touche, Runnable action) {
+    static <T extends JMenuItem> T article(JMenu menu, T article, Runnable action) {
         // un nom de fichier qui commence par <html> doit être affiché tel quel
         article.putClientProperty("html.disable", true);
         article.updateUI();
@@ -217,9 +181,6 @@ final class Actions {
                 .map(KeyEvent::getExtendedKeyCodeForChar)
                 .filter(lettre -> Arrays.stream(menu.getMenuComponents()).noneMatch(autre -> autre instanceof JMenuItem
                         && ((JMenuItem) autre).getMnemonic() == lettre)).findFirst().orElse(KeyEvent.VK_UNDEFINED));
-        if (touche != null) {
-            article.setAccelerator(touche);
-        }
         article.addActionListener(e -> action.run());
         menu.add(article);
         return article;

@@ -67,25 +67,18 @@ final class BarreEtat extends JPanel {
         return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite;
     }
 
-    /** Remplace les nombres du pixel par ce texte. */
-    void dire(String texte) {
-        pastille.setOpaque(false);
-        pastille.repaint();
+    /** Affiche ce texte et cette couleur. @param couleur {@code null} pour aucune */
+    void dire(String texte, Color couleur) {
+        pastille.setOpaque(couleur != null);
+        pastille.setBackground(couleur);
         pixel.setText(texte);
     }
 
-    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
+    /** @param ou le pixel sous la souris @param brouillon vrai si sa couleur n'est pas définitive */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
-        pastille.setOpaque(ou != null);
-        pastille.repaint();
-        if (ou == null) {
-            dire(" ");
-            return;
-        }
         int k = ou.y * image.largeur + ou.x;
-        int code = image.codes[k];
-        pastille.setBackground(new Color(code));
-        pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
-                code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF, image.dire(k)));
+        Color c = new Color(image.codes[k]);
+        dire(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
+                c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(), image.dire(k)), c);
     }
 }

@@ -7,51 +7,36 @@ import lancer.scene.SceneLue;
 final class Choix {
 
     private final String fichier;
-    /** La scène telle qu'elle est dans le fichier, et les réglages de la ligne de commande et de ce fichier. */
+    /** La scène telle qu'elle est dans le fichier, puis avec les déplacements. */
     final SceneLue lue;
-    private final ReglagesDessin initiaux;
-    /** La scène avec les déplacements, et les réglages choisis. */
     final SceneLue scene;
     final ReglagesDessin reglages;
     /** La vue en fausses couleurs montrée à la place de l'image, ou {@code null}. */
     final String vue;
 
-    /** Ce que disent le fichier et la ligne de commande. */
-    Choix(String fichier, SceneLue lue, ReglagesDessin initiaux) {
-        this(fichier, lue, initiaux, lue, initiaux, null);
-    }
-
-    private Choix(String fichier, SceneLue lue, ReglagesDessin initiaux, SceneLue scene, ReglagesDessin reglages,
-            String vue) {
+    Choix(String fichier, SceneLue lue, SceneLue scene, ReglagesDessin reglages, String vue) {
         this.fichier = fichier;
         this.lue = lue;
-        this.initiaux = initiaux;
         this.scene = scene;
         this.reglages = reglages;
         this.vue = vue;
     }
 
     Choix avec(SceneLue autre) {
-        return new Choix(fichier, lue, initiaux, autre, reglages, vue);
+        return new Choix(fichier, lue, autre, reglages, vue);
     }
 
     Choix avec(ReglagesDessin autres) {
-        return new Choix(fichier, lue, initiaux, scene, autres, vue);
+        return new Choix(fichier, lue, scene, autres, vue);
     }
 
     Choix avec(String autreVue) {
-        return new Choix(fichier, lue, initiaux, scene, reglages, autreVue);
+        return new Choix(fichier, lue, scene, reglages, autreVue);
     }
 
     /** Les mêmes choix pour une scène qui vient d'être relue, ou pour une autre, dont rien n'est déplacé. */
     Choix pour(Choix relu, boolean malgreLeFichier) {
-        return relu.lue == lue ? this : new Choix(relu.fichier, relu.lue, relu.initiaux, relu.fichier.equals(fichier)
-                ? relu.lue.reporter(lue, scene, malgreLeFichier) : relu.lue,
-                reglages.pour(relu.initiaux), vue);
-    }
-
-    /** Vrai si quelque chose de déplacé n'est pas dans le fichier. */
-    boolean estDeplace() {
-        return scene != lue;
+        return relu.lue == lue ? this : new Choix(relu.fichier, relu.lue, relu.fichier.equals(fichier)
+                ? relu.lue.reporter(lue, scene, malgreLeFichier) : relu.lue, reglages.pour(relu.reglages), vue);
     }
 }

@@ -118,15 +118,11 @@ final class Controleur {
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
         etat = etat.demander(scene);
-        lire();
+        lancer(premier.pour(scene, taille.get().width, taille.get().height), false);
     }
 
     void relire() {
         ouvrir(etat.demande);
-    }
-
-    private void lire() {
-        lancer(premier.pour(etat.demande, taille.get().width, taille.get().height), false);
     }
 
     /** Dessine la scène montrée avec ces réglages. @param suite vrai si le geste continue : « avant » ne change pas */
@@ -134,22 +130,12 @@ final class Controleur {
         choisir(etat.choix.avec(voulus), suite);
     }
 
-    /** Montre cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
-    void voir(String voulue) {
-        choisir(etat.choix.avec(voulue), false);
-    }
-
     /** Dessine cette version de la scène, en mémoire seulement. @param suite vrai si le geste continue */
     void changer(SceneLue version, boolean suite) {
         choisir(etat.choix.avec(version), suite);
     }
 
-    /** Revient à ce que disent le fichier et la ligne de commande. */
-    void revenir() {
-        choisir(etat.choix.avec(etat.lecture.getLue()).avec(etat.getReglages().initiaux()), false);
-    }
-
-    private void choisir(Choix voulu, boolean suite) {
+    void choisir(Choix voulu, boolean suite) {
         etat = etat.choisir(voulu, suite);
         if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré
@@ -165,9 +151,9 @@ final class Controleur {
         lancer(dessine, false);
     }
 
-    /** Défait le dernier choix, ou le refait. */
-    void defaire(boolean refaire) {
-        etat = etat.revenir(refaire);
+    /** Défait le dernier choix ({@code sens} −1), ou le refait (1). */
+    void revenir(int sens) {
+        etat = etat.revenir(sens);
         redessiner(false);
     }
 
@@ -197,7 +183,7 @@ final class Controleur {
     private void redessiner(boolean geste) {
         // une scène en cours de lecture passe avant la scène montrée
         if (etat.lit()) {
-            lire();
+            relire();
         } else {
             lancer(etat.lecture.dessin.avec(taille.get().width, taille.get().height), geste);
         }
@@ -211,9 +197,7 @@ final class Controleur {
         if (etat.courant != null) {
             etat.courant.arreter();
         }
-        ImageMemoire avant = etat.avant;
-        dessin.setVue(etat.choix == null ? null : etat.choix.vue, avant != null && avant.largeur == dessin.largeur
-                && avant.hauteur == dessin.hauteur ? avant : null);
+        dessin.setVue(etat.choix == null ? null : etat.choix.vue, etat.avant);
         Tracage tracage = new Tracage(programme, dessin, etat.choix,
                 panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         if (geste) {
@@ -240,11 +224,14 @@ final class Controleur {
         if (panneau.peinte) {
             courant.vue.countDown();
         }
-        if (courant.aLire && courant.choix != null && !courant.lueDite) {
+        if (courant.aLire && !courant.lueDite && (courant.choix != null
+                || fini && (courant.version != null || courant.getEchec() != null))) {
             courant.lueDite = true;
-            // la scène n'a plus de faute, même si son image n'est pas encore montrée
-            panneau.bandeau.dire(Sujet.SCENE, "");
             surveillance.suivre(etat.demande, courant.version);
+            if (courant.choix != null) {
+                // la scène n'a plus de faute, même si son image n'est pas encore montrée
+                panneau.bandeau.dire(Sujet.SCENE, "");
+            }
         }
         ImageMemoire image = dessin.getImage();
         if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
@@ -311,9 +298,6 @@ final class Controleur {
             }
         }
         poser(etat.finir());
-        if (courant.aLire && courant.choix == null && (courant.version != null || echec != null)) {
-            surveillance.suivre(etat.demande, courant.version);
-        }
         if (echec instanceof SceneFautive && courant.aLire) {
             refuser(Messages.message(echec));
         } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {

@@ -4,12 +4,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
-import java.io.BufferedReader;
 import java.io.File;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -19,7 +14,6 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
-import javax.swing.UIManager;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
@@ -38,23 +32,12 @@ final class Dialogues {
     private Dialogues() {
     }
 
-    /** Donne aux dialogues leurs textes : certaines versions de Java ne les ont pas en français. */
-    private static void traduire() {
-        try (BufferedReader textes = new BufferedReader(new InputStreamReader(
-                Dialogues.class.getResourceAsStream("dialogues.txt"), StandardCharsets.UTF_8))) {
-            textes.lines().map(ligne -> ligne.split("\t"))
-                    .forEach(texte -> UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     static Rectangle ecran() {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
 
     /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
-    static JDialog touches(JFrame cadre, Map<String, String> dites) {
+    static JScrollPane touches(JFrame cadre, Map<String, String> dites) {
         String lignes = dites.entrySet().stream()
                 .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining());
         JLabel table = new JLabel("<html><table>" + lignes);
@@ -72,16 +55,11 @@ final class Dialogues {
         touches.pack();
         touches.setSize(Math.min(touches.getWidth() + barre, ecran.width), Math.min(touches.getHeight(), ecran.height));
         touches.setLocation(ecran.x + ecran.width - touches.getWidth(), ecran.y);
-        return touches;
-    }
-
-    static JScrollPane ascenseur(JDialog touches) {
-        return (JScrollPane) touches.getContentPane().getComponent(0);
+        return ascenseur;
     }
 
     /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
-        traduire();
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
         File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
@@ -97,23 +75,21 @@ final class Dialogues {
 
     /** Le fichier PNG où enregistrer l'image, remplacement confirmé ; {@code null} si l'utilisateur renonce. */
     static File choisirImage(Component parent, File proposee) {
-        traduire();
         JFileChooser choix = new JFileChooser(proposee.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(proposee);
         File choisi = choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
         File cible = choisi == null || Texte.minuscules(choisi.getName()).endsWith(".png") ? choisi
                 : new File(choisi.getPath() + ".png");
-        return cible == null || cible.isFile() && !confirmerRemplacement(parent, cible) ? null : cible;
-    }
-
-    private static boolean confirmerRemplacement(Component parent, File fichier) {
+        if (cible == null || !cible.isFile()) {
+            return cible;
+        }
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
-                "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",
+                "Le fichier « " + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?",
                 TITRE_IMAGE, JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
         parent.requestFocus();
-        return reponse == 0;
+        return reponse == 0 ? cible : null;
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {

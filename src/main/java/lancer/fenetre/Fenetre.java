@@ -3,7 +3,6 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.datatransfer.DataFlavor;
@@ -22,7 +21,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.ImageIcon;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.Timer;
@@ -44,7 +42,7 @@ public final class Fenetre {
     private static final int PERIODE_MS = 33;
     private static final int REPOS_MS = 200;
 
-    final JFrame cadre = new Cadre();
+    final JFrame cadre = new JFrame();
     final Controleur controleur;
     private final String programme;
     /** La taille de l'image demandée par la ligne de commande. */
@@ -87,8 +85,12 @@ public final class Fenetre {
         cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         cadre.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        cadre.pack();
         Rectangle ecran = Dialogues.ecran();
+        // les bords du cadre sont alors connus ; réduit après coup, il reprend parfois sa taille d'avant
+        cadre.addNotify();
+        cadre.setPreferredSize(new Rectangle(cadre.getPreferredSize())
+                .intersection(new Rectangle(ecran.getSize())).getSize());
+        cadre.pack();
         // les panneaux s'ouvrent à droite de l'image
         cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth() - Onglets.getLargeurMax()) / 2),
                 ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
@@ -133,16 +135,6 @@ public final class Fenetre {
         cadre.addComponentListener(tailleEtPlace);
     }
 
-    /** Un cadre qui tient dans l'écran. Le réduire après coup ne suffit pas : il reprend parfois sa taille d'avant. */
-    private static final class Cadre extends JFrame {
-
-        @Override
-        public Dimension getPreferredSize() {
-            return new Rectangle(super.getPreferredSize())
-                    .intersection(new Rectangle(Dialogues.ecran().getSize())).getSize();
-        }
-    }
-
     private final class Depot extends TransferHandler {
 
         @Override
@@ -156,10 +148,10 @@ public final class Fenetre {
                 List<?> fichiers = (List<?>) depot.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
                 if (fichiers.size() == 1) {
                     controleur.ouvrir(((File) fichiers.get(0)).getPath());
-                } else {
-                    panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
+                    return true;
                 }
-                return fichiers.size() == 1;
+                panneau.bandeau.dire(Sujet.AVIS, "une scène à la fois : " + fichiers.size() + " fichiers déposés");
+                return false;
             } catch (UnsupportedFlavorException | IOException e) {
                 return false;
             }
@@ -186,8 +178,7 @@ public final class Fenetre {
         // la barre de titre ne peut être ôtée qu'à un cadre fermé
         cadre.dispose();
         cadre.setUndecorated(entre);
-        // des menus cachés ne répondraient plus à leurs touches
-        cadre.getJMenuBar().setPreferredSize(entre ? new Dimension() : null);
+        cadre.getJMenuBar().setVisible(!entre);
         barre.setVisible(!entre);
         cadre.getGraphicsConfiguration().getDevice().setFullScreenWindow(entre ? cadre : null);
         cadre.setBounds(entre ? cadre.getBounds() : avant);
@@ -234,11 +225,11 @@ public final class Fenetre {
 
     /** Ferme la fenêtre sans finir le programme : la première scène est refusée. */
     void abandonner() {
-        horloge.stop();
         controleur.terminer();
         // fermer l'onglet arrête son calcul
         onglets.fermer();
         cadre.dispose();
+        horloge.stop();
     }
 
     private void suivre() {
@@ -246,24 +237,15 @@ public final class Fenetre {
             horloge.start();
         } else {
             horloge.stop();
-            donnerIcones();
+            if (cadre.getIconImages().isEmpty()) {
+                // les icônes montrent la scène du cours ; « make images » les refait
+                cadre.setIconImages(Stream.of("16", "32", "48", "128").map(cote -> cadre.getToolkit().getImage(
+                        Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
+            }
         }
         titrer();
         avancer();
         decrire();
-    }
-
-    /** Charge les icônes dans un autre fil, pour ne pas retarder la première image. */
-    private void donnerIcones() {
-        if (cadre.getIconImages().isEmpty()) {
-            new Thread(() -> {
-                // les icônes montrent la scène du cours ; « make images » les refait
-                List<Image> icones = Stream.of("16", "32", "48", "128").map(cote ->
-                        new ImageIcon(Fenetre.class.getResource("icone-" + cote + ".png")).getImage())
-                        .collect(Collectors.toList());
-                EventQueue.invokeLater(() -> cadre.setIconImages(icones));
-            }, "lancer-icone").start();
-        }
     }
 
     private void avancer() {
@@ -300,12 +282,12 @@ public final class Fenetre {
 
     private void montrerPixel() {
         ImageMemoire image = panneau.getVisible();
-        if (!prise.dire().isEmpty()) {
-            barre.dire(prise.dire());
-            return;
+        Point pixel = image == panneau.apercu ? null : panneau.getPixelSouris(image);
+        if (pixel == null || !prise.dire().isEmpty()) {
+            barre.dire(prise.dire(), null);
+        } else {
+            barre.montrerPixel(pixel, image, !panneau.legendes.containsKey(image));
         }
-        barre.montrerPixel(image == panneau.apercu ? null : panneau.getPixelSouris(image), image,
-                !panneau.legendes.containsKey(image));
     }
 
     private void titrer() {

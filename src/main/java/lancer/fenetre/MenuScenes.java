@@ -14,87 +14,73 @@ import javax.swing.JRadioButtonMenuItem;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/** Les scènes du dossier de la scène montrée, en tête de leur menu. */
+/** Le menu des scènes du dossier de la scène demandée. */
 final class MenuScenes {
 
     private static final int SCENES_MAX = 40;
 
+    final JMenu menu;
     private final Controleur controleur;
     private final ExecutorService fil = Controleur.unFil("lancer-scenes");
-    private JMenu menu;
-    /** Le nombre d'articles du menu qui ne changent pas : les derniers. */
-    private int fixes;
-    /** La scène demandée, dont le dossier est lu. */
-    private String demandee;
+    /** La scène dont le dossier est lu, et les scènes de ce dossier. */
+    private String lue;
     private List<File> voisines = Collections.emptyList();
-    private int rang = -1;
 
-    MenuScenes(Controleur controleur) {
+    MenuScenes(Controleur controleur, Actions actions) {
         this.controleur = controleur;
-    }
-
-    /** Tient à jour le haut de ce menu. */
-    JMenu remplir(JMenu vide) {
-        menu = vide;
-        fixes = vide.getItemCount();
+        menu = actions.menu("Scènes",
+                actions.ligne("Scène suivante : dans le même dossier", () -> voisine(1) != null,
+                        () -> controleur.ouvrir(voisine(1).getPath()), "PAGE_DOWN"),
+                actions.ligne("Scène précédente", () -> voisine(-1) != null,
+                        () -> controleur.ouvrir(voisine(-1).getPath()), "PAGE_UP"),
+                null);
         controleur.prevenir(() -> {
-            if (controleur.etat.enCours && !controleur.etat.demande.equals(demandee)) {
+            if (controleur.etat.enCours && !controleur.etat.demande.equals(lue)) {
                 lister(controleur.etat.courant);
             }
         });
-        return vide;
+    }
+
+    private File voisine(int pas) {
+        int rang = controleur.etat.demande == null ? -1 : getRang();
+        return rang < 0 || rang + pas < 0 || rang + pas >= voisines.size() ? null : voisines.get(rang + pas);
+    }
+
+    /** Le rang de la scène demandée dans son dossier, ou −1. */
+    private int getRang() {
+        return voisines.stream().map(File::getName).collect(Collectors.toList())
+                .indexOf(new File(controleur.etat.demande).getName());
     }
 
     /** Lit le dossier de la scène de ce dessin, après l'affichage de la première image. */
     private void lister(Tracage tracage) {
-        demandee = tracage.dessin.fichier;
+        lue = tracage.dessin.fichier;
         Controleur.confier(fil, () -> {
             tracage.attendreDEtreVu();
-            List<File> trouvees = voisines(tracage.dessin.fichier);
-            EventQueue.invokeLater(() -> {
-                if (demandee.equals(tracage.dessin.fichier)) {
-                    montrer(trouvees);
-                }
-            });
+            Path scene = FichierScene.trouver(tracage.dessin.fichier);
+            String[] noms = scene.toAbsolutePath().getParent().toFile().list();
+            List<File> trouvees = Arrays.stream(noms == null ? new String[0] : noms).sorted()
+                    .map(nom -> scene.resolveSibling(nom).toFile())
+                    .filter(f -> Texte.minuscules(f.getName()).endsWith(".ini") && f.isFile())
+                    .collect(Collectors.toList());
+            EventQueue.invokeLater(() -> montrer(tracage.dessin.fichier, trouvees));
         }, menu::setToolTipText);
     }
 
-    private static List<File> voisines(String fichier) {
-        Path scene = FichierScene.trouver(fichier);
-        String[] noms = scene.toAbsolutePath().getParent().toFile().list();
-        return Arrays.stream(noms == null ? new String[0] : noms).sorted()
-                .map(nom -> scene.resolveSibling(nom).toFile())
-                .filter(f -> Texte.minuscules(f.getName()).endsWith(".ini") && f.isFile())
-                .collect(Collectors.toList());
-    }
-
-    private void montrer(List<File> scenes) {
-        voisines = scenes;
+    private void montrer(String de, List<File> trouvees) {
+        if (!de.equals(lue)) {
+            return;
+        }
+        voisines = trouvees;
         menu.setToolTipText(null);
-        rang = scenes.stream().map(File::getName).collect(Collectors.toList())
-                .indexOf(new File(demandee).getName());
-        while (menu.getItemCount() > fixes) {
-            menu.remove(0);
+        while (menu.getItemCount() > 3) {
+            menu.remove(3);
         }
         ButtonGroup groupe = new ButtonGroup();
-        JMenu articles = new JMenu();
-        for (File scene : scenes.subList(0, Math.min(SCENES_MAX, scenes.size()))) {
-            groupe.add(Actions.article(articles, new JRadioButtonMenuItem(Texte.echappe(scene.getName()),
-                    scenes.indexOf(scene) == rang), null, () -> controleur.ouvrir(scene.getPath())));
-        }
-        articles.addSeparator();
-        for (int k = 0; articles.getItemCount() > 0; k++) {
-            menu.add(articles.getMenuComponent(0), k);
+        for (File scene : voisines.subList(0, Math.min(SCENES_MAX, voisines.size()))) {
+            groupe.add(Actions.article(menu, new JRadioButtonMenuItem(Texte.echappe(scene.getName()),
+                    voisines.indexOf(scene) == getRang()), () -> controleur.ouvrir(scene.getPath())));
         }
         controleur.avertir();
-    }
-
-    boolean existe(int pas) {
-        return rang >= 0 && rang + pas >= 0 && rang + pas < voisines.size();
-    }
-
-    void ouvrir(int pas) {
-        rang += pas;
-        controleur.ouvrir(voisines.get(rang).getPath());
     }
 }

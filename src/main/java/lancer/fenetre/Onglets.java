@@ -12,9 +12,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 
 /** Les onglets à droite de l'image. Le contenu d'un onglet est créé quand il est demandé. */
 @SuppressWarnings("serial")
@@ -25,9 +23,8 @@ final class Onglets extends JSplitPane {
 
     private final JFrame cadre;
     private final Map<String, Supplier<JComponent>> contenus;
-    /** Les onglets, créés à la première demande, et l'apparence qui leur est appliquée. */
+    /** Les onglets, créés à la première demande. */
     private JTabbedPane onglets;
-    private LookAndFeel apparence;
     /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
     private int largeur = Math.min(LARGEUR, getLargeurMax());
     private int gagne;
@@ -44,13 +41,7 @@ final class Onglets extends JSplitPane {
     }
 
     private JTabbedPane faire() {
-        JTabbedPane faits = new JTabbedPane() {
-            @Override
-            public void updateUI() {
-                super.updateUI();
-                SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-            }
-        };
+        JTabbedPane faits = new JTabbedPane();
         faits.setName("panneau");
         faits.setFocusable(false);
         JButton fermer = new JButton("×");
@@ -66,13 +57,6 @@ final class Onglets extends JSplitPane {
         contenus.keySet().forEach(nom -> faits.addTab(nom, new JPanel(new BorderLayout())));
         faits.addChangeListener(e -> remplir());
         return faits;
-    }
-
-    /** Ôte les touches de Swing : les flèches et Ctrl servent à l'image, et non à changer d'onglet. */
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
     }
 
     private void remplir() {
@@ -99,11 +83,8 @@ final class Onglets extends JSplitPane {
         onglets = onglets == null ? faire() : onglets;
         onglets.setSelectedIndex(rang);
         if (!estOuvert()) {
-            if (apparence != UIManager.getLookAndFeel()) {
-                // l'apparence a changé pendant que le panneau était fermé
-                apparence = UIManager.getLookAndFeel();
-                SwingUtilities.updateComponentTreeUI(onglets);
-            }
+            // l'apparence a pu changer pendant que le panneau était fermé
+            SwingUtilities.updateComponentTreeUI(onglets);
             setRightComponent(onglets);
             setDividerSize(BARRE);
             gagne = 0;

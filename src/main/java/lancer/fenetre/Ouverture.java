@@ -23,9 +23,6 @@ public final class Ouverture {
     /** Temps laissé à la lecture de la première scène avant l'ouverture de la fenêtre. */
     private static final long PATIENCE_MS = 400;
 
-    /** Vrai si l'écran manque parce que ce Java n'a pas de bibliothèques graphiques. */
-    private static boolean javaSansFenetres;
-
     private Ouverture() {
     }
 
@@ -42,15 +39,13 @@ public final class Ouverture {
             Runnable fin) {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
-        if (!ecranPresent()) {
+        String manque = getManque();
+        if (manque != null) {
             if (dessin.fichier != null) {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.machine(javaSansFenetres ? "ce Java ne sait pas ouvrir de fenêtre : "
-                    + System.getProperty("java.home")
-                    + " ; attendu : un JDK complet, par exemple le paquet default-jdk, ou --image FICHIER.png"
-                    : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
@@ -90,23 +85,26 @@ public final class Ouverture {
         return ouverte[0];
     }
 
-    private static boolean ecranPresent() {
+    /** Ce qui manque pour ouvrir une fenêtre, ou {@code null}. */
+    private static String getManque() {
         // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
-        javaSansFenetres = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
+        boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
                 && System.getProperty("java.awt.headless") == null;
         try {
-            boolean present = !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-            // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-            Toolkit.getDefaultToolkit();
-            return present;
-        } catch (LinkageError e) {
-            // Java sans bibliothèques graphiques
-            return false;
+            if (!GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
+                // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
+                Toolkit.getDefaultToolkit();
+                return null;
+            }
         } catch (HeadlessException | AWTError e) {
             // DISPLAY sans serveur
-            javaSansFenetres = false;
-            return false;
+            nomme = false;
+        } catch (LinkageError e) {
+            // Java sans bibliothèques graphiques
         }
+        return nomme ? "ce Java ne sait pas ouvrir de fenêtre : " + System.getProperty("java.home")
+                + " ; attendu : un JDK complet, par exemple le paquet default-jdk"
+                : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran";
     }
 }

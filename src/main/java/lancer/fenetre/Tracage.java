@@ -114,7 +114,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (aLire) {
             version = FichierScene.version(dessin.fichier);
             dessin.lire();
-            lu = new Choix(dessin.fichier, dessin.getLue(), dessin.getReglages());
+            lu = new Choix(dessin.fichier, dessin.getLue(), dessin.getLue(), dessin.getReglages(), null);
             choix = voulu == null ? lu : voulu.pour(lu, false);
             lue.countDown();
         }

@@ -140,7 +140,7 @@ class FenetreMenusTest extends EssaiFenetre {
 
     @Test
     void unNomDeSceneNEstJamaisDuHtml() {
-        JMenuItem scene = Actions.article(new JMenu(), new JMenuItem("<html><h1>gros.ini"), null, () -> { });
+        JMenuItem scene = Actions.article(new JMenu(), new JMenuItem("<html><h1>gros.ini"), () -> { });
         assertEquals("<html><h1>gros.ini", scene.getText());
         assertNull(scene.getClientProperty(BasicHTML.propertyKey), "ce qui le dessinerait en HTML");
     }

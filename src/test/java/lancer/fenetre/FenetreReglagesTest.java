@@ -42,7 +42,7 @@ class FenetreReglagesTest extends EssaiFenetre {
     @Test
     void leMenuChangeLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
         ouvrir("--reflets=1");
-        faire(article("Plus de réflexions (+)")::doClick);
+        faire(article("Plus de réflexions")::doClick);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
         faire(article("Revenir à la scène et aux réglages du fichier")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));

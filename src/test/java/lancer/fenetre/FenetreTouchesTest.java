@@ -101,7 +101,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
     void pageSuivanteFaitDefilerLeRecitEtNeChangePasDeScene() throws Exception {
         Files.write(dossier.resolve("chat.ini"), BLEUE.getBytes(StandardCharsets.UTF_8));
         ouvrir();
-        attendre("il y a une scène suivante", () -> article(3, "Scène suivante (Page suivante)").isEnabled());
+        attendre("il y a une scène suivante", () -> article(3, "Scène suivante").isEnabled());
         cliquer(150, 100);
         attendreVerdict("Au bit près");
         JTree recit = composant("recit", JTree.class);
@@ -166,7 +166,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
         attendre("le clavier est au dialogue", () -> SwingUtilities.getWindowAncestor(choix).isFocused());
         faire(choix::cancelSelection);
         attendre("le dialogue est fermé", () -> !choix.isShowing());
-        for (String nom : new String[] {"Relire la scène et redessiner", "Arrêter (Échap)", "Défaire", "Refaire"}) {
+        for (String nom : new String[] {"Relire la scène et redessiner", "Arrêter le dessin", "Défaire", "Refaire"}) {
             assertFalse(surFilEvenements(article(nom)::isEnabled), nom);
         }
         for (int touche : new int[] {KeyEvent.VK_ESCAPE, KeyEvent.VK_F5, KeyEvent.VK_F2, KeyEvent.VK_PAGE_DOWN, KeyEvent.VK_ADD,

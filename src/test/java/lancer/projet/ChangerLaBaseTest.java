@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.File;
 import java.io.IOException;
+import java.lang.reflect.Field;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
@@ -63,7 +64,9 @@ class ChangerLaBaseTest {
                     .invoke(lue, 0, "centre", "0 1 6");
             Object boule = ((List<?>) changee.getClass().getField("objets").get(changee)).get(0);
             assertEquals("Point(0.0, 1.0, 6.0)", boule.getClass().getMethod("getCentre").invoke(boule).toString());
-            assertEquals("Couleur(0.3, 0.0, 0.0)", boule.getClass().getMethod("getKe").invoke(boule).toString());
+            Field emise = boule.getClass().getSuperclass().getDeclaredField("Ke");
+            emise.setAccessible(true);
+            assertEquals("Couleur(0.3, 0.0, 0.0)", emise.get(boule).toString());
         }
     }
 
