@@ -43,16 +43,11 @@ final class PanneauReglages extends JScrollPane {
     private static final int COLONNES = 9;
     private static final String[] COULEURS = {"rouge", "vert", "bleu"};
 
-    /** Temps maximal entre deux changements au clavier d'un même geste. */
-    private static final long GESTE_NS = 1_000_000_000;
-
     private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
     private final List<Runnable> ajustements = new ArrayList<>();
     /** Vrai pendant que le panneau lui-même change ses composants : l'utilisateur n'a rien changé. */
     private boolean miseAJour;
-    private Object dernier;
-    private long dernierNs;
 
     /** À créer quand une scène est lue. */
     PanneauReglages(Controleur controleur) {
@@ -218,13 +213,10 @@ final class PanneauReglages extends JScrollPane {
         if (!voulue.equals(section.valeur(parametre.cle))) {
             changer(reglages().avec(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
                     glisse);
-        } else if (!miseAJour && !glisse) {
-            // la glissière est lâchée : le geste est fini
-            dernier = null;
         }
     }
 
-    /** @param cause ce qui change : le geste continue si c'était déjà cela @param glisse vrai pendant un glissement */
+    /** @param cause ce qui change, ou {@code null} @param glisse vrai pendant un glissement */
     private void changer(ReglagesDessin voulus, Object cause, boolean glisse) {
         // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
         if (!miseAJour && EventQueue.getCurrentEvent() instanceof MouseEvent) {
@@ -233,11 +225,7 @@ final class PanneauReglages extends JScrollPane {
         if (miseAJour || (voulus + voulus.getOptions()).equals(reglages() + reglages().getOptions())) {
             return;
         }
-        long maintenant = System.nanoTime();
-        boolean suite = cause != null && cause == dernier && (glisse || maintenant - dernierNs < GESTE_NS);
-        dernier = cause;
-        dernierNs = maintenant;
-        controleur.dessiner(voulus, suite);
+        controleur.choisir(controleur.etat.choix.avec(voulus), cause, glisse);
     }
 
     private void montrer() {

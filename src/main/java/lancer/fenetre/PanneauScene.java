@@ -20,6 +20,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.TableColumn;
 import lancer.SceneFautive;
+import lancer.scene.Deplacement;
 import lancer.scene.Origines;
 import lancer.scene.SectionLue;
 
@@ -87,7 +88,7 @@ final class PanneauScene extends JPanel {
             lue = controleur.etat.lecture;
             table.removeEditor();
             colonnes.clear();
-            colonnes.addAll(Arrays.asList(Arrays.asList("centre", "position"), Arrays.asList("rayon"),
+            colonnes.addAll(Arrays.asList(Deplacement.CLES, Arrays.asList("rayon"),
                     Arrays.asList("Kd", "couleur"), Arrays.asList("Ks", "Kr")));
             origines().getCles().filter(cle -> colonnes.stream().noneMatch(groupe -> groupe.contains(cle)))
                     .forEach(cle -> colonnes.add(Arrays.asList(cle)));
@@ -175,7 +176,7 @@ final class PanneauScene extends JPanel {
             String voulue = saisie.getText().trim();
             try {
                 if (!voulue.equals(actuelle == null ? "" : actuelle)) {
-                    controleur.changer(controleur.etat.choix.scene.avec(r, cle, voulue), false);
+                    controleur.choisir(controleur.etat.choix.avec(controleur.etat.choix.scene.avec(r, cle, voulue)), false);
                 }
                 return super.stopCellEditing();
             } catch (SceneFautive e) {

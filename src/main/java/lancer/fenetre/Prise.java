@@ -43,8 +43,6 @@ final class Prise extends MouseAdapter {
     private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
             new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
     private static final Color LAMPE = new Color(0xFFE040);
-    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
-    private static final long GESTE_NS = 1_000_000_000;
     /** Nombre de rayons, par côté de l'image, qui mesurent ce que couvre un objet. */
     private static final int GRILLE = 32;
 
@@ -60,7 +58,7 @@ final class Prise extends MouseAdapter {
     /** Point de l'image au début du geste de la souris, et position de l'objet pris à ce moment. */
     private Point2D depart;
     private Point origine;
-    private long dernierNs;
+    private Object geste;
     private boolean etoiles;
     /** Le dessin qui a lu la scène de l'objet pris. */
     private Tracage lue;
@@ -106,9 +104,9 @@ final class Prise extends MouseAdapter {
     void prendre(int voulu) {
         depart = null;
         survol = -1;
+        geste = new Object();
         if (voulu != rang) {
             rang = voulu;
-            dernierNs = 0;
             siAutre.run();
         }
         panneau.repaint();
@@ -172,7 +170,8 @@ final class Prise extends MouseAdapter {
             String nom = getLue().origines.getNom(vu);
             refus = Deplacement.place(getLue().origines.getSection(vu)) == null
                     ? nom + " ne se prend pas : sa section n'a ni centre, ni position"
-                    : !estTropGrand(contact.objet) ? "" : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
+                    : !estTropGrand(contact.objet) ? ""
+                    : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
             return refus.isEmpty() ? vu : -1;
         } catch (RuntimeException panne) {
             refus = Messages.message(panne);
@@ -241,11 +240,8 @@ final class Prise extends MouseAdapter {
         if (ou.equals(section.valeur(cle))) {
             return;
         }
-        long maintenant = System.nanoTime();
-        boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
-        dernierNs = maintenant;
         try {
-            controleur.changer(getLue().avec(rang, cle, ou), suite);
+            controleur.choisir(controleur.etat.choix.avec(getLue().avec(rang, cle, ou)), geste, depart != null);
         } catch (SceneFautive e) {
             panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
         }
