@@ -20,7 +20,6 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
-import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
@@ -31,6 +30,8 @@ final class Controleur {
 
     /** Durée, en nanosecondes, avant de montrer une partie du brouillon. */
     private static final long PATIENCE_NS = 300_000_000;
+    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
+    private static final long GESTE_NS = 1_000_000_000;
 
     final int fils;
     private final Dessin premier;
@@ -40,6 +41,8 @@ final class Controleur {
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
+    private Object geste;
+    private long gesteNs;
 
     /** Lu par toute la fenêtre, et remplacé ici seulement. */
     Etat etat = Etat.VIDE;
@@ -130,12 +133,16 @@ final class Controleur {
         choisir(etat.choix.avec(voulus), suite);
     }
 
-    /** Dessine cette version de la scène, en mémoire seulement. @param suite vrai si le geste continue */
-    void changer(SceneLue version, boolean suite) {
-        choisir(etat.choix.avec(version), suite);
+    /** @param cause ce qui change : le geste continue si c'était déjà cela @param tenu vrai si un bouton est tenu */
+    void choisir(Choix voulu, Object cause, boolean tenu) {
+        boolean suite = cause != null && cause == geste && (tenu || System.nanoTime() - gesteNs < GESTE_NS);
+        choisir(voulu, suite);
+        geste = cause;
+        gesteNs = System.nanoTime();
     }
 
     void choisir(Choix voulu, boolean suite) {
+        geste = null;
         etat = etat.choisir(voulu, suite);
         if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré
@@ -153,6 +160,7 @@ final class Controleur {
 
     /** Défait le dernier choix ({@code sens} −1), ou le refait (1). */
     void revenir(int sens) {
+        geste = null;
         etat = etat.revenir(sens);
         redessiner(false);
     }

@@ -215,6 +215,10 @@ public final class Fenetre {
         return onglets.getVisible(Inspecteur.class);
     }
 
+    PanneauVitesse vitesse() {
+        return onglets.getVisible(PanneauVitesse.class);
+    }
+
     /** Arrête les dessins, ferme la fenêtre, et laisse finir les écritures en cours. */
     void fermer() {
         if (cadre.isDisplayable()) {

@@ -9,18 +9,15 @@ import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.HierarchyEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Collections;
-import java.util.Enumeration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
-import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
@@ -89,8 +86,9 @@ final class Inspecteur extends JPanel {
     private Noeud recit;
     /** Les mêmes lignes, nombres entiers compris. */
     private List<String> lignes = Collections.emptyList();
-    /** État ouvert ou fermé de chaque nœud, par sujet. */
+    /** État ouvert ou fermé de chaque nœud vu, par sujet ; vrai si les autres sont tous ouverts. */
     private final Map<String, Boolean> ouverts = new HashMap<>();
+    private boolean tout;
 
     Inspecteur(Controleur controleur, PanneauImage panneau) {
         super(new BorderLayout(MARGE, MARGE));
@@ -121,11 +119,7 @@ final class Inspecteur extends JPanel {
             }
         });
         controleur.prevenir(this::calculer);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                paraitreOuNon();
-            }
-        });
+        addHierarchyListener(e -> paraitreOuNon());
     }
 
     boolean aLeClavier() {
@@ -184,16 +178,10 @@ final class Inspecteur extends JPanel {
             isoler(noeud.rebond);
         } else if (noeud.echantillon >= 0) {
             choisir(noeud.echantillon);
-        } else {
-            basculer(chemin, !arbre.isExpanded(chemin));
-        }
-    }
-
-    private void basculer(TreePath chemin, boolean ouvert) {
-        if (ouvert) {
-            arbre.expandPath(chemin);
-        } else {
+        } else if (arbre.isExpanded(chemin)) {
             arbre.collapsePath(chemin);
+        } else {
+            arbre.expandPath(chemin);
         }
     }
 
@@ -249,7 +237,7 @@ final class Inspecteur extends JPanel {
         montree = nouvelle;
         rebond = seul;
         recit = racine.depuis(recit);
-        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, arbre.isExpanded(chemin)));
+        rangs().filter(r -> !noeud(r).enfants.isEmpty()).forEach(r -> ouverts.put(noeud(r).sujet, arbre.isExpanded(r)));
         arbre.setModel(new DefaultTreeModel(branche(recit)));
         ouvrir();
         boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
@@ -275,38 +263,32 @@ final class Inspecteur extends JPanel {
         return (Noeud) ((DefaultMutableTreeNode) branche).getUserObject();
     }
 
-    /** Appelle {@code geste} pour chaque nœud qui a des enfants, un parent avant ses enfants. */
-    private void parcourir(BiConsumer<Noeud, TreePath> geste) {
-        DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
-        List<?> branches = racine == null ? Collections.emptyList()
-                : Collections.list((Enumeration<?>) racine.preorderEnumeration());
-        for (Object branche : branches) {
-            if (!((DefaultMutableTreeNode) branche).isLeaf()) {
-                geste.accept(noeud(branche), new TreePath(((DefaultMutableTreeNode) branche).getPath()));
-            }
-        }
+    private Noeud noeud(int ligne) {
+        return noeud(arbre.getPathForRow(ligne).getLastPathComponent());
+    }
+
+    private IntStream rangs() {
+        return IntStream.range(0, arbre.getRowCount());
     }
 
     /** Ouvre ou ferme chaque nœud selon son état, et sélectionne le rebond choisi. */
     private void ouvrir() {
-        parcourir((noeud, chemin) -> {
-            boolean ouvert = ouverts.getOrDefault(noeud.sujet, !noeud.replie);
-            // Java ouvre tous les parents d'un nœud que l'on ouvre ou que l'on ferme
-            if (chemin.getPathCount() == 1 || arbre.isExpanded(chemin.getParentPath())) {
-                basculer(chemin, ouvert);
+        // ouvrir un nœud ajoute des lignes après la sienne
+        for (int r = 0; r < arbre.getRowCount(); r++) {
+            if (ouverts.getOrDefault(noeud(r).sujet, tout || !noeud(r).replie)) {
+                arbre.expandRow(r);
+            } else {
+                arbre.collapseRow(r);
             }
-        });
+        }
         arbre.clearSelection();
-        IntStream.range(0, rebond == 0 ? 0 : arbre.getRowCount()).mapToObj(arbre::getPathForRow)
-                .filter(chemin -> noeud(chemin.getLastPathComponent()).rebond == rebond)
-                .forEach(arbre::setSelectionPath);
+        rangs().filter(r -> rebond > 0 && noeud(r).rebond == rebond).forEach(arbre::setSelectionRow);
     }
 
     /** Ouvre tous les nœuds ou, s'ils sont ouverts, les remet dans leur état initial. */
     void deplier() {
-        boolean[] tout = {true};
-        parcourir((noeud, chemin) -> tout[0] &= !noeud.replie || !arbre.isExpanded(chemin));
-        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, tout[0] || !noeud.replie));
+        tout = rangs().noneMatch(r -> noeud(r).replie && arbre.isExpanded(r));
+        ouverts.clear();
         ouvrir();
     }
 
@@ -317,13 +299,8 @@ final class Inspecteur extends JPanel {
         public Component getTreeCellRendererComponent(JTree tree, Object branche, boolean choisi, boolean ouvert,
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
-            boolean change = noeud.avant != null || !ouvert && noeud.aChange();
-            // entre le fond et celui de la sélection : lisible dans un thème clair comme dans un sombre
-            Color fond = tree.getBackground();
-            Color choix = getBackgroundSelectionColor();
-            setBackgroundNonSelectionColor(!change || choix == null ? null
-                    : new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
-                            (2 * fond.getBlue() + choix.getBlue()) / 3));
+            setBackgroundNonSelectionColor(noeud.avant == null && (ouvert || !noeud.aChange()) ? null
+                    : Apparence.couleur("Tree.selectionInactiveBackground", "Panel.background"));
             String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
             super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
             Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
@@ -339,9 +316,7 @@ final class Inspecteur extends JPanel {
         BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
         Graphics g = carre.createGraphics();
         g.setColor(new Color(couleur.getCode()));
-        g.fillRect(0, 0, 2 * MARGE, 2 * MARGE);
-        g.setColor(Color.GRAY);
-        g.drawRect(0, 0, 2 * MARGE - 1, 2 * MARGE - 1);
+        g.fillRect(1, 1, 2 * MARGE - 2, 2 * MARGE - 2);
         return new ImageIcon(carre);
     }
 

@@ -48,6 +48,11 @@ final class Menus {
                 "PAGE_UP", "PAGE_DOWN");
         actions.ligne("faire défiler le récit du pixel", pixel, rang -> f.pixel().defiler(rang),
                 "PAGE_UP", "PAGE_DOWN");
+        BooleanSupplier points = () -> f.vitesse() != null && f.vitesse().graphique.isFocusOwner();
+        actions.ligne("dans la figure de F3, le réglage voisin", points,
+                rang -> f.vitesse().graphique.aller(2 * rang - 1), "LEFT", "RIGHT");
+        actions.ligne("dans la figure de F3, l'image du réglage choisi", () -> points.getAsBoolean()
+                && f.vitesse().graphique.getChoisi() != null, () -> f.vitesse().montrerChoisi(), "ENTER");
         JMenuBar barre = new JMenuBar();
         barre.add(fichier());
         barre.add(affichage());

@@ -18,6 +18,8 @@ import java.awt.image.ColorModel;
 import java.awt.image.DataBufferInt;
 import java.awt.image.DirectColorModel;
 import java.awt.image.Raster;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
@@ -51,10 +53,9 @@ final class PanneauImage extends JPanel {
     ImageMemoire apercu;
     /** Dessine les objets à prendre, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    /** L'image réduite ; l'image d'origine ; vrai si l'image d'origine était achevée. */
+    /** L'image réduite, et ce dont elle dépend. */
     private BufferedImage reduite;
-    private ImageMemoire reduiteDe;
-    private boolean reduiteAchevee;
+    private List<Object> reduiteDe;
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -93,8 +94,8 @@ final class PanneauImage extends JPanel {
     private final class Suiveur extends MouseAdapter {
 
         private void placer(MouseEvent e) {
-            AffineTransform ecran = getEchelle();
-            souris = new Point((int) (e.getX() * ecran.getScaleX()), (int) (e.getY() * ecran.getScaleY()));
+            souris = new Point();
+            getEchelle().transform(e.getPoint(), souris);
         }
 
         @Override
@@ -200,13 +201,14 @@ final class PanneauImage extends JPanel {
         Dimension max = getTailleMax(image.largeur, image.hauteur);
         int l = loupe > 0 ? loupe * image.largeur : Math.min(image.largeur, max.width);
         int h = loupe > 0 ? loupe * image.hauteur : Math.min(image.hauteur, max.height);
-        return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
+        return new Rectangle((int) Math.ceil(libre.width / 2.0 - centreX * l - 0.5),
+                (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
-    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
+    /** Le rapport de la taille affichée de l'image à sa taille. */
     double getReduction(ImageMemoire image) {
         Rectangle place = getPlace(image);
-        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
+        return Math.max((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
     /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
@@ -230,9 +232,11 @@ final class PanneauImage extends JPanel {
         if (loupe == 0) {
             centrer(0.5, 0.5);
         } else {
-            Rectangle apres = getPlace(montree);
-            centrer((double) (ici.x - place.x) / place.width - (ici.x - libre.width / 2.0) / apres.width,
-                    (double) (ici.y - place.y) / place.height - (ici.y - libre.height / 2.0) / apres.height);
+            // à une place entière, le pixel sous la souris y reste, même après plusieurs crans
+            double l = loupe * montree.largeur;
+            double h = loupe * montree.hauteur;
+            centrer((libre.width / 2.0 - ici.x + Math.round((ici.x - place.x) * l / place.width)) / l,
+                    (libre.height / 2.0 - ici.y + Math.round((ici.y - place.y) * h / place.height)) / h);
         }
     }
 
@@ -251,8 +255,7 @@ final class PanneauImage extends JPanel {
     private void centrer(double x, double y) {
         centreX = Math.max(0, Math.min(1, x));
         centreY = Math.max(0, Math.min(1, y));
-        repaint();
-        siBouge.run();
+        rafraichir();
     }
 
     /** Peint cette figure par-dessus l'image. Un clic sur un de ses numéros appelle {@code siChoisi}. */
@@ -277,14 +280,19 @@ final class PanneauImage extends JPanel {
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
         prises.accept(g2);
-        g2.dispose();
         if (!ligne.isEmpty()) {
-            FontMetrics m = g.getFontMetrics();
-            g.setColor(new Color(0x80000000, true));
-            g.fillRect(0, 0, getWidth(), m.getHeight());
-            g.setColor(Color.WHITE);
-            g.drawString(ligne, m.getHeight() / 2, m.getAscent());
+            ecrire(g2, ligne);
         }
+        g2.dispose();
+    }
+
+    /** Écrit cette ligne en haut. */
+    void ecrire(Graphics2D g, String texte) {
+        FontMetrics m = g.getFontMetrics();
+        g.setColor(new Color(0x80000000, true));
+        g.fillRect(0, 0, getLibre().width, m.getHeight());
+        g.setColor(Color.WHITE);
+        g.drawString(texte, m.getHeight() / 2, m.getAscent());
     }
 
     private static BufferedImage image(int[] codes, int largeur) {
@@ -317,11 +325,11 @@ final class PanneauImage extends JPanel {
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
         boolean achevee = legendes.containsKey(image);
-        if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
+        List<Object> voulue = Arrays.asList(image, achevee, place.width);
+        if (!achevee || !voulue.equals(reduiteDe)) {
             reduite = image(Reduction.moyenne(image, place.width, place.height,
                     achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);
-            reduiteDe = image;
-            reduiteAchevee = achevee;
+            reduiteDe = voulue;
         }
         return reduite;
     }
@@ -336,9 +344,8 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
-        boolean sous = souris != null && montree != null && getPlace(montree).contains(souris);
-        return montree == null ? null
-                : getPixel(montree, sous ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
+        return montree == null ? null : getPixel(montree, souris != null && getPlace(montree).contains(souris) ? souris
+                : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
@@ -348,13 +355,6 @@ final class PanneauImage extends JPanel {
         }
         Point pixel = getPixel(image, souris);
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
-    }
-
-    /** Dit si le pixel sous cet événement est dans l'image montrée, et dessiné. */
-    boolean estDessine(MouseEvent e) {
-        Point2D p = pointDe(e);
-        return p.getX() >= 0 && p.getX() < montree.largeur && p.getY() >= 0 && p.getY() < montree.hauteur
-                && montree.codes[(int) p.getY() * montree.largeur + (int) p.getX()] != 0;
     }
 
     /** La partie visible de l'image montrée, en pixels de l'écran. */
@@ -371,10 +371,10 @@ final class PanneauImage extends JPanel {
 
     /** Le point de l'image montrée sous cet événement, en pixels de l'image. */
     Point2D pointDe(MouseEvent e) {
-        AffineTransform ecran = getEchelle();
+        Point2D ou = getEchelle().transform(e.getPoint(), new Point2D.Double());
         Rectangle place = getPlace(montree);
-        return new Point2D.Double((e.getX() * ecran.getScaleX() - place.x) * montree.largeur / place.width,
-                (e.getY() * ecran.getScaleY() - place.y) * montree.hauteur / place.height);
+        return new Point2D.Double((ou.getX() - place.x) * montree.largeur / place.width,
+                (ou.getY() - place.y) * montree.hauteur / place.height);
     }
 
     private Point getPixel(ImageMemoire image, Point ou) {

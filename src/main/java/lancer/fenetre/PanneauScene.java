@@ -20,6 +20,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.TableColumn;
 import lancer.SceneFautive;
+import lancer.scene.Deplacement;
 import lancer.scene.Origines;
 import lancer.scene.SectionLue;
 
@@ -38,10 +39,10 @@ final class PanneauScene extends JPanel {
     private final Prise prise;
     private final Valeurs valeurs = new Valeurs();
     private final JTable table = new JTable(valeurs);
+    private final JTextField saisie = new JTextField();
     private final JTextArea refus = Bandeau.etiquette("refus");
-    /** Le dessin qui a lu la scène montrée, et vrai pendant que ce panneau change lui-même la ligne choisie. */
+    /** Le dessin qui a lu la scène montrée. */
     private Tracage lue;
-    private boolean miseAJour;
 
     PanneauScene(Controleur controleur, Prise prise, PanneauImage image) {
         super(new BorderLayout(MARGE, MARGE));
@@ -56,8 +57,9 @@ final class PanneauScene extends JPanel {
         table.getTableHeader().setReorderingAllowed(false);
         table.putClientProperty("terminateEditOnFocusLost", true);
         table.setDefaultEditor(Object.class, new Saisie());
+        table.addPropertyChangeListener("tableCellEditor", e -> dire(" "));
         table.getSelectionModel().addListSelectionListener(e -> {
-            if (!miseAJour && !e.getValueIsAdjusting()) {
+            if (!e.getValueIsAdjusting()) {
                 prise.prendre(table.getSelectedRow());
             }
         });
@@ -72,7 +74,7 @@ final class PanneauScene extends JPanel {
         });
         add(new JScrollPane(table), BorderLayout.CENTER);
         add(refus, BorderLayout.PAGE_END);
-        prise.prevenir(this::choisir);
+        prise.siAutre = this::choisir;
         controleur.prevenir(this::montrer);
         montrer();
     }
@@ -85,9 +87,8 @@ final class PanneauScene extends JPanel {
         if (lue != controleur.etat.lecture) {
             lue = controleur.etat.lecture;
             table.removeEditor();
-            refus.setText(" ");
             colonnes.clear();
-            colonnes.addAll(Arrays.asList(Arrays.asList("centre", "position"), Arrays.asList("rayon"),
+            colonnes.addAll(Arrays.asList(Deplacement.CLES, Arrays.asList("rayon"),
                     Arrays.asList("Kd", "couleur"), Arrays.asList("Ks", "Kr")));
             origines().getCles().filter(cle -> colonnes.stream().noneMatch(groupe -> groupe.contains(cle)))
                     .forEach(cle -> colonnes.add(Arrays.asList(cle)));
@@ -110,14 +111,17 @@ final class PanneauScene extends JPanel {
     }
 
     private void choisir() {
-        int rang = prise.getRang();
-        miseAJour = true;
-        if (rang < 0) {
+        if (!prise.estPris()) {
             table.clearSelection();
-        } else if (rang != table.getSelectedRow()) {
-            table.changeSelection(rang, Math.max(0, table.getSelectedColumn()), false, false);
+        } else if (prise.getRang() != table.getSelectedRow()) {
+            table.changeSelection(prise.getRang(), Math.max(0, table.getSelectedColumn()), false, false);
         }
-        miseAJour = false;
+    }
+
+    private void dire(String phrase) {
+        refus.setText(phrase);
+        saisie.setBorder(BorderFactory.createLineBorder(phrase.equals(" ") ? table.getSelectionBackground()
+                : Apparence.couleur("Component.error.focusedBorderColor", "Table.foreground")));
     }
 
     private final class Valeurs extends AbstractTableModel {
@@ -160,45 +164,25 @@ final class PanneauScene extends JPanel {
     private final class Saisie extends DefaultCellEditor {
 
         Saisie() {
-            super(new JTextField());
-            getComponent().setName("valeur");
-        }
-
-        @Override
-        public Component getTableCellEditorComponent(JTable t, Object valeur, boolean choisie, int r, int c) {
-            dire(" ");
-            return super.getTableCellEditorComponent(t, valeur, choisie, r, c);
-        }
-
-        private void dire(String phrase) {
-            refus.setText(phrase);
-            ((JTextField) getComponent()).setBorder(BorderFactory.createLineBorder(
-                    phrase.equals(" ") ? table.getSelectionBackground()
-                    : Apparence.couleur("Component.error.focusedBorderColor", "Table.foreground")));
+            super(saisie);
+            saisie.setName("valeur");
         }
 
         @Override
         public boolean stopCellEditing() {
             int r = table.getEditingRow();
-            SectionLue section = origines().getSection(r);
-            String cle = valeurs.cle(section, table.getEditingColumn());
-            String voulue = ((JTextField) getComponent()).getText().trim();
+            String cle = valeurs.cle(origines().getSection(r), table.getEditingColumn());
+            String actuelle = origines().getSection(r).valeur(cle);
+            String voulue = saisie.getText().trim();
             try {
-                if (!voulue.equals(section.valeur(cle)) && !(voulue.isEmpty() && section.valeur(cle) == null)) {
-                    controleur.changer(controleur.etat.choix.scene.avec(r, cle, voulue), false);
+                if (!voulue.equals(actuelle == null ? "" : actuelle)) {
+                    controleur.choisir(controleur.etat.choix.avec(controleur.etat.choix.scene.avec(r, cle, voulue)), false);
                 }
+                return super.stopCellEditing();
             } catch (SceneFautive e) {
                 dire(e.getMessage());
                 return false;
             }
-            dire(" ");
-            return super.stopCellEditing();
-        }
-
-        @Override
-        public void cancelCellEditing() {
-            dire(" ");
-            super.cancelCellEditing();
         }
     }
 }

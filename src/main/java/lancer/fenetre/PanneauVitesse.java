@@ -44,7 +44,7 @@ final class PanneauVitesse extends JPanel {
     private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
     /** Texte du point que désignent la souris ou les flèches. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(p -> montrer((Dessine) p), point::setText);
+    final GraphiqueVitesse graphique = new GraphiqueVitesse(this::montrerChoisi, point::setText);
     private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
     private Mesures mesures = new Mesures(null);
     private Future<?> travail;
@@ -202,8 +202,9 @@ final class PanneauVitesse extends JPanel {
         }
     }
 
-    /** Montre l'image de ce point si elle est gardée ; sinon, la dessine. */
-    private void montrer(Dessine voulu) {
+    /** Montre l'image du point choisi si elle est gardée ; sinon, la dessine. */
+    void montrerChoisi() {
+        Dessine voulu = (Dessine) graphique.getChoisi();
         Dessin dessin = voulu.dessin;
         if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
             controleur.dessiner(voulu.reglages, false);

@@ -73,7 +73,6 @@ public final class FaussesCouleurs {
      */
     public Lancer dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
         if (nom.equals("difference")) {
-            image.sens = "écart : %.2f niveaux";
             ImageMemoire attendue = reference;
             if (attendue == null) {
                 attendue = new ImageMemoire(image.largeur, image.hauteur, true);
@@ -82,6 +81,8 @@ public final class FaussesCouleurs {
             ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
             tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
             Comparaison comparaison = new Comparaison(dessinee, attendue, 0, 0);
+            // jusqu'ici, les nombres de l'image sont ceux du brouillon
+            image.sens = "écart : %.2f niveaux";
             comparaison.peindreLesEcarts(image);
             image.echelle = "écart, au plus " + Nombre.arrondir(comparaison.getPire())
                     + " (blanc : 32 niveaux sur 255), avec "

@@ -18,17 +18,17 @@ public final class Origines {
     private final List<Object> choses = new ArrayList<>();
     private final List<Origine> lues = new ArrayList<>();
     final LecteurSections lecteur;
-    /** Les origines, par objet ou lampe ; table construite à la première demande. */
-    private Map<Object, Origine> rangees;
+    /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
+    private Map<Object, Integer> rangs;
 
-    /** Une section : sa ligne dans le fichier et, en UTF-8, son nom puis une ligne par clé. */
+    /** Une section : sa ligne dans le fichier et, en UTF-8, son nom entre crochets puis une ligne par clé. */
     static final class Origine {
         final int ligne;
         private final byte[] octets;
 
         Origine(SectionLue section, int ligne) {
             this.ligne = ligne;
-            octets = section.lignes().getBytes(StandardCharsets.UTF_8);
+            octets = section.ecrire("\n").getBytes(StandardCharsets.UTF_8);
         }
 
         private String[] lignes() {
@@ -37,7 +37,7 @@ public final class Origines {
 
         @Override
         public String toString() {
-            return "[" + lignes()[0] + "] ligne " + ligne;
+            return lignes()[0] + " ligne " + ligne;
         }
     }
 
@@ -73,18 +73,19 @@ public final class Origines {
     }
 
     /** Le rang de cet objet ou de cette lampe dans le fichier ; −1 s'il n'en vient pas. */
-    public int getRang(Object chose) {
-        int rang = choses.size() - 1;
-        while (rang >= 0 && choses.get(rang) != chose) {
-            rang--;
+    public synchronized int getRang(Object chose) {
+        if (rangs == null) {
+            rangs = new IdentityHashMap<>(choses.size());
+            IntStream.range(0, choses.size()).forEach(k -> rangs.putIfAbsent(choses.get(k), k));
         }
-        return rang;
+        return rangs.getOrDefault(chose, -1);
     }
 
     /** La section de ce rang, avec ses changements. */
     public SectionLue getSection(int rang) {
         String[] lignes = lues.get(rang).lignes();
-        SectionLue section = new SectionLue(REFUS, lignes[0], 0, lecteur.cles(LecteurSections.type(lignes[0])));
+        String nom = lignes[0].substring(1, lignes[0].length() - 1);
+        SectionLue section = new SectionLue(REFUS, nom, 0, lecteur.cles(LecteurSections.type(nom)));
         for (int k = 1; k < lignes.length; k++) {
             int egal = lignes[k].indexOf('=');
             section.ajouter(lignes[k].substring(0, egal), lignes[k].substring(egal + 1), 0);
@@ -112,18 +113,11 @@ public final class Origines {
     /** Le rang de la section de ce nom, cherchée d'abord à ce rang-là ; −1 s'il n'y en a pas. */
     int getRangDuNom(String nom, int probable) {
         return IntStream.concat(IntStream.of(Math.min(probable, lues.size() - 1)), IntStream.range(0, lues.size()))
-                .filter(k -> k >= 0 && lues.get(k).lignes()[0].equals(nom)).findFirst().orElse(-1);
+                .filter(k -> k >= 0 && lues.get(k).lignes()[0].equals("[" + nom + "]")).findFirst().orElse(-1);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
-    public synchronized String de(Object chose) {
-        if (rangees == null) {
-            rangees = new IdentityHashMap<>(choses.size());
-            for (int k = 0; k < choses.size(); k++) {
-                rangees.putIfAbsent(choses.get(k), lues.get(k));
-            }
-        }
-        Origine origine = rangees.get(chose);
-        return origine == null ? null : origine.toString();
+    public String de(Object chose) {
+        return getRang(chose) < 0 ? null : lues.get(getRang(chose)).toString();
     }
 }

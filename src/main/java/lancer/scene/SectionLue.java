@@ -227,15 +227,6 @@ public final class SectionLue extends Section {
         return entrees.stream().map(entree -> entree.cle).collect(Collectors.toList());
     }
 
-    /** Le nom, puis une ligne par clé. */
-    String lignes() {
-        StringBuilder lignes = new StringBuilder(nom);
-        for (Entree entree : entrees) {
-            lignes.append('\n').append(entree.cle).append('=').append(entree.valeur);
-        }
-        return lignes.toString();
-    }
-
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
         return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }

@@ -90,7 +90,8 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_1);
         banc.frapper(KeyEvent.VK_ENTER);
         banc.attendreMessage("seuil impossible : « -1 » ; attendu : un nombre positif ou nul");
-        assertEquals("0.5", surFilEvenements(seuil::getText));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
         assertEquals(1000, surFilEvenements(() -> banc.controleur.etat.getReglages().getReflets()), "− était un signe");
     }
 

@@ -105,8 +105,8 @@ class FenetreSceneTest extends EssaiFenetre {
         ouvrirLaTable();
         Point2D bord = place(sphere(0).getCentre(), 0, -1.01);
         cliquerLaCase(0, 0, 1);
-        attendre("son contour est blanc", () -> IntStream.rangeClosed(-3, 3)
-                .anyMatch(k -> (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xFFFFFF) == 0xFFFFFF));
+        attendre("son cercle est blanc", () -> IntStream.rangeClosed(-3, 3)
+                .anyMatch(k -> (peinteIci((int) bord.getX(), (int) bord.getY() + k) & 0xC0C0C0) == 0xC0C0C0));
         viserAvecMaj(place(sphere(1).getCentre(), 0, 0));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         attendre("la deuxième ligne est choisie", () -> table.getSelectedRow() == 1);
@@ -219,9 +219,10 @@ class FenetreSceneTest extends EssaiFenetre {
         ouvrirLaTable();
         cliquerLaCase(0, 2, 1);
         attendre("le clavier est à la table", table::isFocusOwner);
-        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_END);
+        // de FlatLaf ; l'apparence de Java veut Ctrl+Fin
+        banc.frapper(KeyEvent.VK_END);
         attendre("la dernière ligne", () -> table.getSelectedRow() == 100_002
-                && table.getVisibleRect().contains(table.getCellRect(100_002, 0, true).getLocation()));
+                && table.getVisibleRect().contains(table.getCellRect(100_002, 2, true)));
         assertEquals("[Sphere b99999]", surFilEvenements(() -> table.getValueAt(100_002, 0)));
         ecrireDans(100_002, 2, "0.5");
         attendre("elle est changée", () -> sphere(100_001).getRayon() == 0.5);

@@ -6,6 +6,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -33,7 +34,12 @@ class FenetreVitesseTest extends EssaiFenetre {
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
-        ouvrir();
+        ouvrirLePanneau(TAILLE);
+    }
+
+    private void ouvrirLePanneau(String taille) throws Exception {
+        banc = new BancFenetre(taille, scene.toString());
+        banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JTextArea.class);
@@ -152,6 +158,31 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendre("le panneau revient", graphique::isShowing);
         attendreEtat("Un clic");
         assertFalse(dits.stream().anyMatch(dit -> dit.toString().startsWith("dessin de")), "ce qui est dessiné le reste : " + dits);
+    }
+
+    @Test
+    void auDelaDeSoixanteQuatreMegaoctetsLesPremieresImagesSontDessineesDeNouveau() throws Exception {
+        ouvrirLePanneau("--taille=1200x1000");
+        attendreEtat("Un clic");
+        Dessin dernier = banc.main.getDessin();
+        for (int k = 0; k < 5; k++) {
+            frapper(KeyEvent.VK_RIGHT);
+        }
+        frapper(KeyEvent.VK_ENTER);
+        attendre("le dernier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 1000 && !banc.controleur.etat.enCours);
+        assertSame(dernier, banc.main.getDessin(), "son image est gardée");
+        for (int k = 0; k < 5; k++) {
+            frapper(KeyEvent.VK_LEFT);
+        }
+        frapper(KeyEvent.VK_ENTER);
+        attendre("le premier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0 && !banc.controleur.etat.enCours);
+        assertNotSame(dernier, banc.main.getDessin(), "la sienne ne l'est plus");
+    }
+
+    @Test
+    void auDelaDeDeuxMillionsDePixelsLesImagesSontPlusPetitesEtCelaSeDit() throws Exception {
+        ouvrirLePanneau("--taille=2000x1500");
+        attendre("la taille des images", () -> etat.getText().contains(" Images de 1633 × 1225 pixels."));
     }
 
     @Test

@@ -208,10 +208,10 @@ class FenetreVariantesTest extends EssaiFenetre {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();
         glissiere("Brume.fin");
-        assertEquals("couleur, rouge", composant("couleur r", JSlider.class).getAccessibleContext().getAccessibleName());
-        placer(composant("couleur r", JSlider.class), 100);
-        placer(composant("couleur v", JSlider.class), 20);
-        placer(composant("couleur b", JSlider.class), 0);
+        assertEquals("couleur, rouge", composant("Brume.couleur, rouge", JSlider.class).getAccessibleContext().getAccessibleName());
+        placer(composant("Brume.couleur, rouge", JSlider.class), 100);
+        placer(composant("Brume.couleur, vert", JSlider.class), 20);
+        placer(composant("Brume.couleur, bleu", JSlider.class), 0);
         attendre("elle s'écrit", () -> {
             ReglagesDessin reglages = banc.controleur.etat.getReglages();
             return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");

@@ -6,8 +6,6 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.KeyAdapter;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
@@ -71,8 +69,8 @@ public final class GraphiqueVitesse extends JPanel {
         }
     }
 
-    /** @param clic reçoit le réglage choisi @param siAtteint reçoit le texte du réglage sous la souris */
-    public GraphiqueVitesse(Consumer<Reglage> clic, Consumer<String> siAtteint) {
+    /** @param siClique appelé après un clic sur le réglage choisi @param siAtteint reçoit le texte de ce réglage */
+    public GraphiqueVitesse(Runnable siClique, Consumer<String> siAtteint) {
         this.siAtteint = siAtteint;
         setName("vitesse.graphique");
         setFocusable(true);
@@ -88,26 +86,24 @@ public final class GraphiqueVitesse extends JPanel {
                 requestFocusInWindow();
                 if (sous(e) != null) {
                     choisir(sous(e));
-                    clic.accept(choisi);
+                    siClique.run();
                 }
             }
         };
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
-        addKeyListener(new KeyAdapter() {
-            @Override
-            public void keyPressed(KeyEvent e) {
-                int pas = e.getKeyCode() == KeyEvent.VK_RIGHT ? 1 : e.getKeyCode() == KeyEvent.VK_LEFT ? -1 : 0;
-                if (pas != 0 && !echelle.isEmpty()) {
-                    choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
-                    e.consume();
-                } else if (e.getKeyCode() == KeyEvent.VK_ENTER && choisi != null) {
-                    // si aucun point n'est choisi, Entrée sert à l'image
-                    clic.accept(choisi);
-                    e.consume();
-                }
-            }
-        });
+    }
+
+    /** Choisit le point qui est à cette distance dans l'échelle. */
+    public void aller(int pas) {
+        if (!echelle.isEmpty()) {
+            choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
+        }
+    }
+
+    /** Le point choisi, ou {@code null}. */
+    public Reglage getChoisi() {
+        return choisi;
     }
 
     private void choisir(Reglage vise) {
