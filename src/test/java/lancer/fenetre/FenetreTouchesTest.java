@@ -7,6 +7,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -22,6 +23,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
+import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.commande.Etape;
@@ -140,6 +142,26 @@ class FenetreTouchesTest extends EssaiInspecteur {
         attendre("l'image d'avant", () -> banc.panneau.tenue != null);
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
         attendre("puis celle-ci", () -> banc.panneau.tenue == null);
+    }
+
+    @Test
+    void lesTouchesServentAussiSurLeCadreEtUnTexteQueLOnEcritGardeLesSiennes() throws Exception {
+        ouvrir();
+        faire(banc.cadre::requestFocus);
+        attendre("le clavier est au cadre", banc.cadre::isFocusOwner);
+        banc.frapper(KeyEvent.VK_F2);
+        JTextField seuil = composant("seuil", JTextField.class);
+        faire(() -> {
+            seuil.requestFocusInWindow();
+            seuil.selectAll();
+        });
+        attendre("le clavier est au seuil", seuil::isFocusOwner);
+        for (int touche : new int[] {KeyEvent.VK_1, KeyEvent.VK_E, KeyEvent.VK_MINUS, KeyEvent.VK_3, KeyEvent.VK_ENTER}) {
+            banc.frapper(touche);
+        }
+        attendre("le seuil est celui de l'image", () -> banc.controleur.etat.getReglages().getSeuil() == 0.001);
+        assertEquals(5, banc.controleur.etat.getReglages().getReflets());
+        assertNull(BancFenetre.chercher(null, Inspecteur.class), "Entrée n'a pas ouvert l'onglet Pixel");
     }
 
     @Test
