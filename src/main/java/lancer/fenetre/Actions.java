@@ -1,7 +1,7 @@
 package lancer.fenetre;
 
-import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -15,21 +15,21 @@ import java.util.function.IntPredicate;
 import javax.swing.Action;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.JPanel;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 import javax.swing.text.JTextComponent;
 
 /**
  * La table des actions de la fenêtre : nom, touches, effet, condition. Les menus, les touches et le tableau de F1 en
  * viennent. Si plusieurs lignes ont la même touche, la première qui est possible répond.
  */
-@SuppressWarnings("serial")
 final class Actions {
 
     private static final int AVEC = InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK;
@@ -91,16 +91,11 @@ final class Actions {
         aMontrer.forEach(Runnable::run);
     }
 
-    /** Le contenu du cadre : il a les touches que n'a prises ni un menu ni le composant qui a le clavier. */
-    JPanel contenu() {
-        return new JPanel(new BorderLayout()) {
-            @Override
-            protected boolean processKeyBinding(KeyStroke touche, KeyEvent e, int condition, boolean pressee) {
-                return super.processKeyBinding(touche, e, condition, pressee)
-                        || condition == WHEN_ANCESTOR_OF_FOCUSED_COMPONENT && !estEcrite(touche, e.getComponent())
-                        && executer(touche);
-            }
-        };
+    /** Donne à ce cadre les touches que n'ont prises ni un menu ni le composant qui a le clavier. */
+    void lier(JFrame cadre) {
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(e -> cadre.isFocused()
+                && !e.isConsumed() && MenuSelectionManager.defaultManager().getSelectedPath().length == 0
+                && (executer(e, e.getKeyCode()) || executer(e, e.getExtendedKeyCode())));
     }
 
     /** Un texte et un tableau gardent les touches sans Ctrl ni Alt, sauf Échap et F1 à F12. */
@@ -112,7 +107,11 @@ final class Actions {
     }
 
     /** Exécute la première ligne possible qui a cette touche. @return faux s'il n'y en a pas */
-    private boolean executer(KeyStroke touche) {
+    private boolean executer(KeyEvent e, int code) {
+        KeyStroke touche = KeyStroke.getKeyStroke(code, e.getModifiersEx(), e.getID() == KeyEvent.KEY_RELEASED);
+        if (e.getID() == KeyEvent.KEY_TYPED || estEcrite(touche, e.getComponent())) {
+            return false;
+        }
         for (Ligne ligne : lignes) {
             for (int k = 0; k < ligne.touches.length; k++) {
                 if (Touches.de(ligne.touches[k]).contains(touche) && ligne.possible.getAsBoolean()) {

@@ -66,7 +66,7 @@ final class Menus {
         actions.montrer();
         c.prevenir(actions::montrer);
         f.cadre.setJMenuBar(barre);
-        f.cadre.setContentPane(actions.contenu());
+        actions.lier(f.cadre);
     }
 
     private void montrerTouches() {
