@@ -106,7 +106,7 @@ final class PanneauImage extends JPanel {
             placer(e);
             // le premier clic a pu réduire l'image : le second désignerait un autre pixel
             boolean clic = SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
-                    && !e.isShiftDown() && e.getClickCount() == 1;
+                    && !e.isShiftDown() && e.getClickCount() <= 1;
             int numero = clic && dessus != null ? dessus.numeroEn(souris) : 0;
             if (numero > 0) {
                 siNumero.accept(numero);
