@@ -25,7 +25,8 @@ public final class Reduction {
 
     /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
     public static BufferedImage pixels(int[] codes, int largeur, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF, vides ? 0xFF << 24 : 0);
+        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
+                vides ? 0xFF000000 : 0);
         return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
                 codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
     }
