@@ -199,10 +199,10 @@ final class PanneauImage extends JPanel {
                 (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
-    /** Le rapport de la taille affichée de l'image à sa taille. */
+    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
     double getReduction(ImageMemoire image) {
         Rectangle place = getPlace(image);
-        return Math.max((double) place.width / image.largeur, (double) place.height / image.hauteur);
+        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
     /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
