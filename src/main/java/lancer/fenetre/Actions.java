@@ -12,7 +12,6 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
-import javax.swing.Action;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
@@ -128,23 +127,20 @@ final class Actions {
         montrer();
     }
 
-    /** Un menu de ces lignes et d'autres actions ; {@code null} pour un trait. */
-    JMenu menu(String nom, Object... contenu) {
+    /** Un menu de ces lignes ; {@code null} pour un trait. */
+    JMenu menu(String nom, Ligne... siennes) {
         JMenu menu = new JMenu(nom);
         menu.setMnemonic(nom.charAt(0));
-        for (Object quoi : contenu) {
-            if (quoi instanceof Ligne) {
-                ajouter(menu, (Ligne) quoi);
-            } else if (quoi != null) {
-                menu.add((Action) quoi);
-            } else {
-                menu.addSeparator();
-            }
-        }
+        menu.addChangeListener(e -> montrer());
+        Arrays.stream(siennes).forEach(ligne -> ajouter(menu, ligne));
         return menu;
     }
 
     private void ajouter(JMenu menu, Ligne ligne) {
+        if (ligne == null) {
+            menu.addSeparator();
+            return;
+        }
         String nom = ligne.texte.split(" : ")[0];
         if (ligne.choix.length == 0) {
             ajouter(menu, ligne.coche == null ? new JMenuItem(nom) : new JCheckBoxMenuItem(nom), ligne, 0);

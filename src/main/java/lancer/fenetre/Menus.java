@@ -89,7 +89,7 @@ final class Menus {
                         "menu O"),
                 actions.ligne("Enregistrer l'image…", scene, f.enregistrement::enregistrer, "menu S"),
                 actions.ligne("Copier l'image", scene, f.enregistrement::copier, "menu C"),
-                f.panneau.bandeau.copie,
+                actions.ligne("Copier le message", f.panneau.bandeau::isVisible, f.panneau.bandeau::copier),
                 null,
                 actions.ligne("Quitter", toujours, f::fermer, "menu Q"));
     }
@@ -124,7 +124,7 @@ final class Menus {
     }
 
     private JMenu dessin(List<String> variantes) {
-        List<Object> contenu = new ArrayList<>(Arrays.asList(
+        List<Actions.Ligne> contenu = new ArrayList<>(Arrays.asList(
                 actions.ligne("Relire la scène et redessiner : l'enregistrer dans un éditeur le fait aussi",
                         () -> c.etat.demande != null, c::relire, "F5"),
                 actions.ligne("Arrêter le dessin", () -> c.etat.enCours, c::arreter, "ESCAPE"),
@@ -147,7 +147,7 @@ final class Menus {
                 actions.ligne("Refaire", () -> c.etat.peutRevenir(1), () -> c.revenir(1), "menu shift Z"),
                 actions.ligne("Copier ces réglages : et ce qui est déplacé", scene, f.enregistrement::copierReglages,
                         "menu shift C")));
-        return actions.menu("Dessin", contenu.toArray());
+        return actions.menu("Dessin", contenu.toArray(new Actions.Ligne[0]));
     }
 
     private ReglagesDessin reglages() {

@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
@@ -17,6 +16,7 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.nio.ByteBuffer;
@@ -31,7 +31,6 @@ import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
-import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.UIManager;
@@ -156,16 +155,18 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertFalse(article.isEnabled(), "rien à copier");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
-        JTextArea bandeau = chercher("message", JTextArea.class);
-        AbstractButton duBandeau = (AbstractButton) bandeau.getComponentPopupMenu().getComponent(0);
-        for (AbstractButton bouton : new AbstractButton[] {article, duBandeau}) {
-            String copie = surFilEvenements(() -> {
-                bandeau.getToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-                bouton.doClick();
-                return BancFenetre.copie();
-            });
-            assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
-        }
+        String faute = assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage();
+        banc.frapper(KeyEvent.VK_F10);
+        attendre("il y a de quoi copier", article::isEnabled);
+        faire(article::doClick);
+        assertEquals(faute, BancFenetre.copie());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
+        banc.viser(banc.panneau.bandeau, 5, 5);
+        banc.robot.mousePress(InputEvent.BUTTON3_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON3_DOWN_MASK);
+        attendre("le bouton droit le copie", () -> BancFenetre.copie().equals(faute));
+        assertEquals(faute, banc.message());
     }
 
     @Test
