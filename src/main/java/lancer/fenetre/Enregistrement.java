@@ -5,9 +5,6 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -17,13 +14,12 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
+import lancer.image.Reduction;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /** Copie l'image achevée dans le presse-papiers, ou l'enregistre en PNG comme {@code --image}. */
 final class Enregistrement {
-
-    private static final DirectColorModel SANS_ALPHA = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Controleur controleur;
     private final Bandeau bandeau;
@@ -43,9 +39,7 @@ final class Enregistrement {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = new BufferedImage(SANS_ALPHA, Raster.createPackedRaster(
-                    new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur, image.largeur,
-                    SANS_ALPHA.getMasks(), null), false, null);
+            BufferedImage copie = Reduction.pixels(image.codes, image.largeur, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {

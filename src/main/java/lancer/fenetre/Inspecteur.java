@@ -13,7 +13,6 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -84,8 +83,6 @@ final class Inspecteur extends JPanel {
     int rebond;
     private String fichier;
     private Noeud recit;
-    /** Les mêmes lignes, nombres entiers compris. */
-    private List<String> lignes = Collections.emptyList();
     /** État ouvert ou fermé de chaque nœud vu, par sujet ; vrai si les autres sont tous ouverts. */
     private final Map<String, Boolean> ouverts = new HashMap<>();
     private boolean tout;
@@ -123,7 +120,7 @@ final class Inspecteur extends JPanel {
     }
 
     boolean aLeClavier() {
-        return arbre.isFocusOwner();
+        return arbre.isFocusOwner() && montree != null;
     }
 
     /** Va au pixel situé à cette distance. */
@@ -186,6 +183,7 @@ final class Inspecteur extends JPanel {
     }
 
     void copier() {
+        List<String> lignes = new Recit(montree, Double::toString).lignes();
         getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
         panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }
@@ -219,13 +217,11 @@ final class Inspecteur extends JPanel {
         arbre.repaint();
         Controleur.confier(fil, () -> montre.observer(() -> {
             nouvelle.faireOuEchouer(voulu);
-            List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> {
                 if (nouvelle == enCours) {
-                    lignes = entieres;
                     recevoir(nouvelle, racine, figure, garde);
                 }
             });

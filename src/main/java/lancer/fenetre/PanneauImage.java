@@ -14,10 +14,6 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
-import java.awt.image.ColorModel;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -108,15 +104,13 @@ final class PanneauImage extends JPanel {
         @Override
         public void mouseReleased(MouseEvent e) {
             placer(e);
-            int numero = dessus == null ? 0 : dessus.numeroEn(souris);
             // le premier clic a pu réduire l'image : le second désignerait un autre pixel
-            if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT || e.isShiftDown()
-                    || e.getClickCount() > 1) {
-                return;
-            }
+            boolean clic = SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
+                    && !e.isShiftDown() && e.getClickCount() <= 1;
+            int numero = clic && dessus != null ? dessus.numeroEn(souris) : 0;
             if (numero > 0) {
                 siNumero.accept(numero);
-            } else if (montree != null && getPlace(montree).contains(souris)) {
+            } else if (clic && montree != null && getPlace(montree).contains(souris)) {
                 siClique.run();
             }
         }
@@ -205,10 +199,10 @@ final class PanneauImage extends JPanel {
                 (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
-    /** Le rapport de la taille affichée de l'image à sa taille. */
+    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
     double getReduction(ImageMemoire image) {
         Rectangle place = getPlace(image);
-        return Math.max((double) place.width / image.largeur, (double) place.height / image.hauteur);
+        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
     }
 
     /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
@@ -295,13 +289,6 @@ final class PanneauImage extends JPanel {
         g.drawString(texte, m.getHeight() / 2, m.getAscent());
     }
 
-    private static BufferedImage image(int[] codes, int largeur) {
-        // l'image partage le tableau des codes, sans copie
-        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
-        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
-                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
-    }
-
     /** Peint seulement les pixels visibles : AWT ne peut peindre une image entière très agrandie. */
     private void peindre(Graphics2D g, ImageMemoire image) {
         if (image == null) {
@@ -312,7 +299,7 @@ final class PanneauImage extends JPanel {
             g.drawImage(reduire(image, place), place.x, place.y, null);
             return;
         }
-        BufferedImage pixels = image(image.codes, image.largeur);
+        BufferedImage pixels = Reduction.pixels(image.codes, image.largeur, true);
         double l = (double) place.width / image.largeur;
         double h = (double) place.height / image.hauteur;
         Point de = getPixel(image, new Point());
@@ -327,8 +314,8 @@ final class PanneauImage extends JPanel {
         boolean achevee = legendes.containsKey(image);
         List<Object> voulue = Arrays.asList(image, achevee, place.width);
         if (!achevee || !voulue.equals(reduiteDe)) {
-            reduite = image(Reduction.moyenne(image, place.width, place.height,
-                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);
+            reduite = Reduction.pixels(Reduction.moyenne(image, place.width, place.height,
+                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width, true);
             reduiteDe = voulue;
         }
         return reduite;

@@ -39,8 +39,8 @@ final class PanneauReglages extends JScrollPane {
 
     private static final int MARGE = 8;
     /** Largeur d'une glissière là où la place manque. */
-    private static final int LARGEUR = 80;
-    private static final int COLONNES = 9;
+    private static final int LARGEUR = 60;
+    private static final int COLONNES = 6;
     private static final String[] COULEURS = {"rouge", "vert", "bleu"};
 
     private final Controleur controleur;

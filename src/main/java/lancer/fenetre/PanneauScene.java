@@ -176,7 +176,8 @@ final class PanneauScene extends JPanel {
             String voulue = saisie.getText().trim();
             try {
                 if (!voulue.equals(actuelle == null ? "" : actuelle)) {
-                    controleur.choisir(controleur.etat.choix.avec(controleur.etat.choix.scene.avec(r, cle, voulue)), false);
+                    Choix choix = controleur.etat.choix;
+                    controleur.choisir(choix.avec(choix.scene.avec(r, cle, voulue)), false);
                 }
                 return super.stopCellEditing();
             } catch (SceneFautive e) {

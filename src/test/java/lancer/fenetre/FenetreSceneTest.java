@@ -190,6 +190,29 @@ class FenetreSceneTest extends EssaiFenetre {
     }
 
     @Test
+    void deuxTiragesDeLaMemeBouleSeDefontUnParUn() throws Exception {
+        ouvrir();
+        Object[] etapes = new Object[3];
+        etapes[0] = surFilEvenements(() -> sphere(0).getCentre());
+        for (int k = 1; k < 3; k++) {
+            Point2D boule = place(sphere(0).getCentre(), 0, 0);
+            viserAvecMaj(boule);
+            banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+            banc.robot.mouseMove(coin.x + (int) boule.getX() + 10, coin.y + (int) boule.getY());
+            Object avant = etapes[k - 1];
+            attendre("elle est tirée", () -> !sphere(0).getCentre().equals(avant));
+            banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+            banc.robot.keyRelease(KeyEvent.VK_SHIFT);
+            etapes[k] = surFilEvenements(() -> sphere(0).getCentre());
+        }
+        banc.frapperCtrl('z');
+        attendre("le premier tirage", () -> sphere(0).getCentre().equals(etapes[1]));
+        banc.frapperCtrl('z');
+        attendre("la place du fichier", () -> sphere(0).getCentre().equals(etapes[0]));
+    }
+
+    @Test
     void leSolNeSePrendQueDansLaTable() throws Exception {
         ecrire(SOL);
         ouvrir();

@@ -34,6 +34,7 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int DROITE = 18;
     private static final int HAUT = 26;
     private static final int BAS = 42;
+    private static final int SERRE = 150;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
 
@@ -173,12 +174,13 @@ public final class GraphiqueVitesse extends JPanel {
             trait(g, new Line2D.Double(x(t), HAUT, x(t), bas), trame);
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         });
-        graduations(Y_MIN, yMax).forEach(t -> {
+        // sans place, les seules puissances de dix
+        graduations(Y_MIN, yMax).filter(t -> bas > SERRE || Math.log10(t) % 1 == 0).forEach(t -> {
             trait(g, new Line2D.Double(GAUCHE, y(t), droite, y(t)), trame);
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         });
-        ecrire(g, "temps du dessin sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur mesurée (niveaux sur 255) ; en gris, sous l'arrondi", 6, 14, 0);
+        ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "erreur, en niveaux ; en gris, sous l'arrondi", 6, 14, 0);
     }
 
     private void peindrePoints(Graphics2D g) {
