@@ -128,21 +128,19 @@ final class Controleur {
         ouvrir(etat.demande);
     }
 
-    /** Dessine la scène montrée avec ces réglages. @param suite vrai si le geste continue : « avant » ne change pas */
-    void dessiner(ReglagesDessin voulus, boolean suite) {
-        choisir(etat.choix.avec(voulus), suite);
+    void dessiner(ReglagesDessin voulus) {
+        choisir(etat.choix.avec(voulus));
+    }
+
+    void choisir(Choix voulu) {
+        choisir(voulu, null, false);
     }
 
     /** @param cause ce qui change : le geste continue si c'était déjà cela @param tenu vrai si un bouton est tenu */
     void choisir(Choix voulu, Object cause, boolean tenu) {
         boolean suite = cause != null && cause == geste && (tenu || System.nanoTime() - gesteNs < GESTE_NS);
-        choisir(voulu, suite);
         geste = cause;
         gesteNs = System.nanoTime();
-    }
-
-    void choisir(Choix voulu, boolean suite) {
-        geste = null;
         etat = etat.choisir(voulu, suite);
         if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré

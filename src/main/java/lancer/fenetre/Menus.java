@@ -107,7 +107,7 @@ final class Menus {
                 actions.ligne("Loupe, plus loin", toujours, () -> f.panneau.approcher(false), "menu DOWN"),
                 null,
                 actions.ligne("Vue", scene, rang -> c.choisir(
-                        c.etat.choix.avec(rang == 0 ? null : vues[rang]), false))
+                        c.etat.choix.avec(rang == 0 ? null : vues[rang])))
                         .coche(rang -> scene.getAsBoolean()
                                 && vues[rang].equals(c.etat.choix.vue == null ? vues[0] : c.etat.choix.vue), vues),
                 actions.ligne("Rayons d'un pixel : comme un clic", scene, f::inspecter, "ENTER"),
@@ -132,7 +132,7 @@ final class Menus {
                 reflexions("Plus de réflexions : 1, 2, 5, 10", REFLEXIONS::higher, "PLUS"),
                 reflexions("Moins de réflexions", REFLEXIONS::lower, "MINUS"),
                 actions.ligne("Étapes du cours : Lambert, Phong, ombres, reflets", scene,
-                        rang -> c.dessiner(reglages().avec(Etape.values()[rang]), false),
+                        rang -> c.dessiner(reglages().avec(Etape.values()[rang])),
                         "ctrl alt 1", "ctrl alt 2", "ctrl alt 3", "ctrl alt 4")
                         .coche(rang -> scene.getAsBoolean() && reglages().getEtape().ordinal() == rang,
                                 "Lambert", "+ Phong", "+ ombres", "+ reflets")));
@@ -141,7 +141,7 @@ final class Menus {
         contenu.addAll(Arrays.asList(
                 null,
                 actions.ligne("Revenir à la scène et aux réglages du fichier", scene, () -> c.choisir(
-                        c.etat.choix.avec(c.etat.choix.lue).avec(reglages().initiaux()), false)),
+                        c.etat.choix.avec(c.etat.choix.lue).avec(reglages().initiaux()))),
                 actions.ligne("Défaire : un déplacement, un réglage, une vue", () -> c.etat.peutRevenir(-1),
                         () -> c.revenir(-1), "menu Z"),
                 actions.ligne("Refaire", () -> c.etat.peutRevenir(1), () -> c.revenir(1), "menu shift Z"),
@@ -156,12 +156,12 @@ final class Menus {
 
     private void brancher(String nom) {
         Variante variante = reglages().getVariante(nom);
-        c.dessiner(reglages().avec(variante, !reglages().estBranchee(variante)), false);
+        c.dessiner(reglages().avec(variante, !reglages().estBranchee(variante)));
     }
 
     private Actions.Ligne reflexions(String texte, UnaryOperator<Integer> autre, String touche) {
         return actions.ligne(texte, () -> scene.getAsBoolean() && autre.apply(reglages().getReflets()) != null,
-                () -> c.dessiner(reglages().avec(autre.apply(reglages().getReflets()), reglages().getSeuil()), false),
+                () -> c.dessiner(reglages().avec(autre.apply(reglages().getReflets()), reglages().getSeuil())),
                 touche);
     }
 

@@ -177,7 +177,7 @@ final class PanneauScene extends JPanel {
             try {
                 if (!voulue.equals(actuelle == null ? "" : actuelle)) {
                     Choix choix = controleur.etat.choix;
-                    controleur.choisir(choix.avec(choix.scene.avec(r, cle, voulue)), false);
+                    controleur.choisir(choix.avec(choix.scene.avec(r, cle, voulue)));
                 }
                 return super.stopCellEditing();
             } catch (SceneFautive e) {

@@ -207,7 +207,7 @@ final class PanneauVitesse extends JPanel {
         Dessine voulu = (Dessine) graphique.getChoisi();
         Dessin dessin = voulu.dessin;
         if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
-            controleur.dessiner(voulu.reglages, false);
+            controleur.dessiner(voulu.reglages);
         } else {
             controleur.montrer(dessin);
         }

@@ -75,7 +75,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         assertEquals(40, surFilEvenements(reflexions::getValue));
         assertEquals("0.01", surFilEvenements(seuil::getText));
         ReglagesDessin presents = banc.controleur.etat.getReglages();
-        faire(() -> banc.controleur.dessiner(presents.avec(1000, 0.25), false));
+        faire(() -> banc.controleur.dessiner(presents.avec(1000, 0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getValue().equals(1000) && seuil.getText().equals("0.25"));
         banc.cliquer(seuil, 5, 5);
