@@ -42,8 +42,7 @@ final class BarreEtat extends JPanel {
         add(avancement, BorderLayout.PAGE_START);
         add(textes, BorderLayout.CENTER);
         // la largeur minimale est celle du texte d'un pixel : un résumé plus long est coupé
-        Dimension voulue = getPreferredSize();
-        setPreferredSize(voulue);
+        setPreferredSize(getPreferredSize());
         pixel.setText(" ");
     }
 
@@ -63,8 +62,8 @@ final class BarreEtat extends JPanel {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        String vue = image.echelle.isEmpty() ? "" : image.echelle + " ; ";
-        return vue + image.largeur + " × " + image.hauteur + " pixels" + reduite;
+        return (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
+                + " pixels" + reduite;
     }
 
     /** Affiche ce texte et cette couleur. @param couleur {@code null} pour aucune */

@@ -105,11 +105,6 @@ final class Controleur {
                 taille.get().height);
     }
 
-    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
-    ImageMemoire getImageComplete() {
-        return etat.getImageEntiere();
-    }
-
     void commencer(Tracage tracage) {
         etat = etat.demander(tracage.dessin.fichier).commencer(tracage);
         if (tracage.choix != null) {
@@ -327,7 +322,7 @@ final class Controleur {
         boolean autre = etat.lecture != null && !etat.courant.litLaSceneDe(etat.lecture);
         panneau.bandeau.dire(Sujet.SCENE, message + (autre ? "\nl'image qui reste est celle de "
                 + new File(etat.lecture.dessin.fichier).getName() : ""));
-        if (etat.lecture != null && getImageComplete() == null) {
+        if (etat.lecture != null && etat.getImageEntiere() == null) {
             // la faute a interrompu le dessin de la scène d'avant : il est repris
             redessiner(false);
         }

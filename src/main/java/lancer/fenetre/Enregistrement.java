@@ -73,7 +73,7 @@ final class Enregistrement {
 
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = controleur.getImageComplete();
+        ImageMemoire image = controleur.etat.getImageEntiere();
         String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."

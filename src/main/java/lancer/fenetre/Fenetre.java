@@ -274,7 +274,7 @@ public final class Fenetre {
     /** Affiche le coût de l'image montrée, si elle est achevée, et la couleur du pixel sous la souris. */
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
-                : controleur.etat.enCours ? null : controleur.getImageComplete();
+                : controleur.etat.enCours ? null : controleur.etat.getImageEntiere();
         String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image))
                 + ", " + panneau.legendes.get(image);
         if (image != null) {

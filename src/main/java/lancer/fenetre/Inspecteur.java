@@ -317,7 +317,7 @@ final class Inspecteur extends JPanel {
     }
 
     private String comparer(Couleur couleur) {
-        ImageMemoire image = controleur.getImageComplete();
+        ImageMemoire image = controleur.etat.getImageEntiere();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }

@@ -184,7 +184,7 @@ final class PanneauVitesse extends JPanel {
     private void suivre() {
         Dessin montre = controleur.etat.montre;
         boolean libre = isShowing() && montre != null && !controleur.etat.enCours
-                && controleur.getImageComplete() == montre.getImage();
+                && controleur.etat.getImageEntiere() == montre.getImage();
         if (travail != null && !libre) {
             travail.cancel(true);
             travail = null;

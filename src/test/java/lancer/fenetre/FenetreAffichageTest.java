@@ -19,7 +19,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.controleur.getImageComplete();
+            ImageMemoire image = banc.controleur.etat.getImageEntiere();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -104,6 +104,6 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.controleur.getImageComplete());
+        assertSame(image, banc.controleur.etat.getImageEntiere());
     }
 }

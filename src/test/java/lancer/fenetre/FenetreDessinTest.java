@@ -48,7 +48,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
         assertTrue(banc.controleur.etat.enCours);
-        assertNull(banc.controleur.getImageComplete());
+        assertNull(banc.controleur.etat.getImageEntiere());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -101,7 +101,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
         assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin arrêté à "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.controleur.getImageComplete());
+        assertNull(banc.controleur.etat.getImageEntiere());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));

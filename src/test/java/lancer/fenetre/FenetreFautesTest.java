@@ -114,7 +114,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("");
         fin.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(banc.controleur::getImageComplete).codes);
+        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
     }
 
     @Test
@@ -125,7 +125,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("1");
         assertTrue(banc.message().matches("10\\d\\d pixels n'ont pu être calculés, et aucun n'a pu l'être ; le premier : pixel .*boum.*"),
                 banc.message());
-        assertNull(surFilEvenements(banc.controleur::getImageComplete));
+        assertNull(surFilEvenements(() -> banc.controleur.etat.getImageEntiere()));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
         attendre("d'un message plus haut que l'image, le début se lit",
@@ -162,6 +162,6 @@ class FenetreFautesTest extends EssaiInspecteur {
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
         assertFalse(surFilEvenements(() -> banc.controleur.etat.enCours));
-        assertEquals(codes, surFilEvenements(banc.controleur::getImageComplete).codes);
+        assertEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
     }
 }

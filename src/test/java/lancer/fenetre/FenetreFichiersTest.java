@@ -73,10 +73,10 @@ class FenetreFichiersTest extends EssaiFenetre {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage("fichier effacé : la dernière image reste");
-        assertSame(image, banc.controleur.getImageComplete());
+        assertSame(image, banc.controleur.etat.getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.getImageComplete() != null && banc.controleur.getImageComplete() != image);
+        attendre("relue", () -> banc.controleur.etat.getImageEntiere() != null && banc.controleur.etat.getImageEntiere() != image);
     }
 
     @Test

@@ -37,8 +37,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.controleur.getImageComplete().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.controleur.getImageComplete();
+        assertArrayEquals(codes, banc.controleur.etat.getImageEntiere().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.controleur.etat.getImageEntiere();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
         attendre("le dessin recommence", () -> banc.controleur.etat.enCours && banc.panneau.montree != avant);
@@ -64,7 +64,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getImageComplete()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.etat.getImageEntiere()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);

@@ -99,7 +99,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         assertTrue(Integer.parseInt(m.group(2)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
         frapper(KeyEvent.VK_ENTER);
         attendre("l'image sans réflexion", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0
-                && banc.controleur.getImageComplete() != null);
+                && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(0), banc.imageAchevee().codes);
         assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.etat.montre.getLancer().getDureeNs() / 1e9, 0.0006);
         String resume = surFilEvenements(banc.resume::getText);
@@ -116,7 +116,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendre("le point se dit", () -> point.getText().contains(" --reflets "));
         int reflets = Integer.parseInt(dit().replaceFirst(".* --reflets (\\d+) .*", "$1"));
         attendre("son image", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets
-                && !banc.controleur.etat.enCours && banc.controleur.getImageComplete() != null);
+                && !banc.controleur.etat.enCours && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(reflets), banc.imageAchevee().codes);
         assertSame(dernier, banc.main.getDessin(), "l'image existait");
     }
@@ -204,8 +204,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         etat.addCaretListener(e -> dits.add(etat.getText()));
         ImageMemoire avant = banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("l'image est neuve", () -> banc.controleur.getImageComplete() != null
-                && banc.controleur.getImageComplete() != avant);
+        attendre("l'image est neuve", () -> banc.controleur.etat.getImageEntiere() != null
+                && banc.controleur.etat.getImageEntiere() != avant);
         attendreEtat("Un clic");
         assertFalse(dits.contains("dessin de l'échelon 1 sur 5…"), dits.toString());
     }
