@@ -220,15 +220,14 @@ final class Inspecteur extends JPanel {
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
-            EventQueue.invokeLater(() -> {
-                if (nouvelle == enCours) {
-                    recevoir(nouvelle, racine, figure, garde);
-                }
-            });
+            EventQueue.invokeLater(() -> recevoir(nouvelle, racine, figure, garde));
         }), verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {
+        if (nouvelle != enCours) {
+            return;
+        }
         enCours = null;
         montree = nouvelle;
         rebond = seul;

@@ -16,8 +16,6 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
@@ -42,8 +40,6 @@ final class PanneauImage extends JPanel {
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
-    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
-    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
     ImageMemoire tenue;
     /** Une petite image, montrée pendant le calcul du brouillon. */
     ImageMemoire apercu;
@@ -311,7 +307,7 @@ final class PanneauImage extends JPanel {
 
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
-        boolean achevee = legendes.containsKey(image);
+        boolean achevee = !image.legende.isEmpty();
         List<Object> voulue = Arrays.asList(image, achevee, place.width);
         if (!achevee || !voulue.equals(reduiteDe)) {
             reduite = Reduction.pixels(Reduction.moyenne(image, place.width, place.height,

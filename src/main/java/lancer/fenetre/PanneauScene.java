@@ -100,12 +100,14 @@ final class PanneauScene extends JPanel {
         table.repaint();
     }
 
-    /** Donne à cette colonne la largeur de son titre et de ses premières valeurs. */
+    /** Donne à cette colonne la largeur de son titre et de quelques valeurs, prises dans toute la scène. */
     private void elargir(int c) {
         TableColumn colonne = table.getColumnModel().getColumn(c);
         Component titre = table.getTableHeader().getDefaultRenderer().getTableCellRendererComponent(table,
                 valeurs.getColumnName(c), false, false, -1, c);
-        colonne.setPreferredWidth(2 * MARGE + IntStream.range(0, Math.min(REGARDEES, valeurs.getRowCount()))
+        int n = valeurs.getRowCount();
+        colonne.setPreferredWidth(2 * MARGE + IntStream.range(0, Math.min(REGARDEES, n))
+                .map(k -> n - 1 - k * Math.max(1, n / REGARDEES))
                 .map(r -> table.prepareRenderer(table.getCellRenderer(r, c), r, c).getPreferredSize().width)
                 .reduce(titre.getPreferredSize().width, Math::max));
     }

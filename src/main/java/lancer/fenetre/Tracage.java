@@ -86,8 +86,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
         if (dessin.getLue() == null && echec instanceof Error) {
             throw (Error) echec;
-        }
-        if (dessin.getLue() == null && echec != null) {
+        } else if (dessin.getLue() == null && echec != null) {
             throw (RuntimeException) echec;
         }
     }

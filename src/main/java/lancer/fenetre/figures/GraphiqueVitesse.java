@@ -153,7 +153,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
+        Graphics2D g = (Graphics2D) graphics;
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
@@ -163,7 +163,6 @@ public final class GraphiqueVitesse extends JPanel {
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
             peindrePoints(g);
         }
-        g.dispose();
     }
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
