@@ -104,7 +104,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
             ReglagesDessin reglages = banc.controleur.etat.getReglages().avec(3, 0.01);
-            banc.controleur.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
+            banc.controleur.dessiner(reglages.avec(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().codes.clone();
