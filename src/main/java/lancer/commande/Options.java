@@ -17,6 +17,7 @@ public final class Options {
     private static final int COTE_MAX = 16384;
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
+    public static final int REFLETS_MAX = 1000;
 
     /** Options à valeur, chacune avec la valeur attendue. */
     private static final String[][] A_VALEUR = {
@@ -195,7 +196,7 @@ public final class Options {
             largeur = (int) cotes[0];
             hauteur = (int) cotes[1];
         }
-        reflets = entier("--reflets", reflets, 0, 1000);
+        reflets = entier("--reflets", reflets, 0, REFLETS_MAX);
         seuil = positif("--seuil", seuil);
         String nom = valeur("--etape");
         for (Etape celle : Etape.values()) {

@@ -89,12 +89,13 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return autre;
     }
 
-    /** Un dessin, à la même taille, de cette autre version de la scène. */
-    public Dessin avec(SceneLue autreLue) {
-        Dessin autre = avec(largeur, hauteur);
-        autre.lue = autreLue;
-        autre.scene = new Scene(autreLue.objets, autreLue.lampes);
-        return autre;
+    /** Dessine cette version de la scène lue, ainsi réglée. @throws SceneFautive si un réglage est refusé */
+    public void changer(SceneLue version, ReglagesDessin voulus) {
+        if (version != lue) {
+            lue = version;
+            scene = new Scene(version.objets, version.lampes);
+        }
+        regler(voulus);
     }
 
     /** Un dessin achevé de la scène préparée ici : l'image que ce lancer a dessinée avec ces réglages. */
@@ -108,10 +109,10 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return autre;
     }
 
-    /** Remplace l'image par cette vue. @param avant référence de la vue « difference », ou {@code null} */
+    /** Remplace l'image par cette vue. @param avant référence de la vue « difference », si elle a cette taille */
     public void setVue(String vue, ImageMemoire avant) {
         this.vue = vue;
-        reference = avant;
+        reference = avant != null && avant.largeur == largeur && avant.hauteur == hauteur ? avant : null;
     }
 
     /** Nom de la vue en fausses couleurs ; {@code null} pour l'image. */

@@ -8,6 +8,7 @@ import java.util.prefs.Preferences;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.plaf.InputMapUIResource;
 
 /** L'apparence de toutes les fenêtres : FlatLaf, clair ou sombre, ou l'apparence de Java si FlatLaf est absent. */
 final class Apparence {
@@ -27,6 +28,11 @@ final class Apparence {
         System.setProperty("flatlaf.useNativeLibrary", "false");
         UIManager.put("swing.boldMetal", false);
         UIManager.put("MenuItem.acceleratorDelimiter", "+");
+        // les flèches et Ctrl servent à l'image, et non à changer d'onglet ou à déplacer un trait
+        UIManager.put("TabbedPane.ancestorInputMap", new InputMapUIResource());
+        UIManager.put("SplitPane.ancestorInputMap", new InputMapUIResource());
+        // certaines versions de Java n'ont pas en français les textes des dialogues
+        UIManager.getDefaults().addResourceBundle("lancer.fenetre.dialogues");
         poser(estSombre());
     }
 

@@ -2,18 +2,13 @@ package lancer.fenetre;
 
 import java.awt.Cursor;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.AbstractAction;
-import javax.swing.Action;
 import javax.swing.BorderFactory;
-import javax.swing.JPopupMenu;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -33,12 +28,6 @@ final class Bandeau extends JTextArea {
     private static final Border MARGES = BorderFactory.createEmptyBorder(MARGE_V, MARGE_V, MARGE_V, MARGE_V);
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(Sujet.AVIS, ""));
-    final Action copie = new AbstractAction("Copier le message") {
-        @Override
-        public void actionPerformed(ActionEvent e) {
-            getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null);
-        }
-    };
     private final Map<Sujet, String> dits = new EnumMap<>(Sujet.class);
 
     Bandeau() {
@@ -53,14 +42,15 @@ final class Bandeau extends JTextArea {
                 if (SwingUtilities.isLeftMouseButton(e)) {
                     dits.clear();
                     dire(Sujet.AVIS, "");
+                } else {
+                    copier();
                 }
             }
         });
-        copie.putValue(Action.MNEMONIC_KEY, KeyEvent.VK_M);
-        copie.setEnabled(false);
-        JPopupMenu menu = new JPopupMenu();
-        menu.add(copie);
-        setComponentPopupMenu(menu);
+    }
+
+    void copier() {
+        getToolkit().getSystemClipboard().setContents(new StringSelection(getText()), null);
     }
 
     static JTextArea etiquette(String nom) {
@@ -100,7 +90,6 @@ final class Bandeau extends JTextArea {
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());
-            copie.setEnabled(!texte.isEmpty());
             revalidate();
             getParent().repaint();
         }

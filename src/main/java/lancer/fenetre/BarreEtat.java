@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Point;
-import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -43,8 +42,7 @@ final class BarreEtat extends JPanel {
         add(avancement, BorderLayout.PAGE_START);
         add(textes, BorderLayout.CENTER);
         // la largeur minimale est celle du texte d'un pixel : un résumé plus long est coupé
-        Dimension voulue = getPreferredSize();
-        setPreferredSize(voulue);
+        setPreferredSize(getPreferredSize());
         pixel.setText(" ");
     }
 
@@ -64,28 +62,22 @@ final class BarreEtat extends JPanel {
         String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
                 : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        return image.largeur + " × " + image.hauteur + " pixels" + reduite;
+        return (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
+                + " pixels" + reduite;
     }
 
-    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
-    void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
-        pastille.setOpaque(ou != null);
-        pastille.repaint();
-        if (ou == null) {
-            pixel.setText(" ");
-            return;
-        }
-        int k = ou.y * image.largeur + ou.x;
-        int code = image.codes[k];
-        pastille.setBackground(new Color(code));
-        String texte = String.format("pixel %d, %d%s : #%06X = %d %d %d", ou.x, ou.y, brouillon ? " (brouillon)" : "",
-                code & 0xFFFFFF, code >> 16 & 0xFF, code >> 8 & 0xFF, code & 0xFF);
-        float[] lineaire = image.lineaire;
-        if (lineaire != null) {
-            // point décimal, comme dans les fichiers de scène
-            texte += String.format(Locale.ROOT, " " + image.sens, lineaire[3 * k], lineaire[3 * k + 1],
-                    lineaire[3 * k + 2]);
-        }
+    /** Affiche ce texte et cette couleur. @param couleur {@code null} pour aucune */
+    void dire(String texte, Color couleur) {
+        pastille.setOpaque(couleur != null);
+        pastille.setBackground(couleur);
         pixel.setText(texte);
+    }
+
+    /** @param ou le pixel sous la souris @param brouillon vrai si sa couleur n'est pas définitive */
+    void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
+        int k = ou.y * image.largeur + ou.x;
+        Color c = new Color(image.codes[k]);
+        dire(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
+                c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(), image.dire(k)), c);
     }
 }

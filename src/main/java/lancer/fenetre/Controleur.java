@@ -2,9 +2,8 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.util.ArrayDeque;
+import java.io.File;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
@@ -21,7 +20,6 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
-import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
@@ -30,9 +28,10 @@ import lancer.scene.Surveillance;
  */
 final class Controleur {
 
-    /** Durée, en nanosecondes, avant de montrer une partie du brouillon ; plus grande image « avant » gardée. */
+    /** Durée, en nanosecondes, avant de montrer une partie du brouillon. */
     private static final long PATIENCE_NS = 300_000_000;
-    private static final int PIXELS_GARDES = 16_000_000;
+    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
+    private static final long GESTE_NS = 1_000_000_000;
 
     final int fils;
     private final Dessin premier;
@@ -42,30 +41,11 @@ final class Controleur {
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
+    private Object geste;
+    private long gesteNs;
 
-    // ces champs sont lus par toute la fenêtre, et modifiés ici seulement
-    /** Le fichier du titre et de la surveillance : celui de la scène montrée ou, à défaut, de la première. */
-    String fichier;
-    /** Le dernier dessin commencé, et le premier dessin de la scène montrée, ou {@code null}. */
-    Tracage courant;
-    Tracage adopte;
-    /** Les réglages de la scène montrée, même si son dessin n'est pas achevé ; {@code null} avant la première. */
-    ReglagesDessin reglages;
-    /** Vrai pendant un dessin, lecture et préparation comprises, jusqu'à l'appel de {@link #finir}. */
-    boolean enCours;
-    /** Le dessin dont l'image ou le brouillon est montré : celui que l'on inspecte et que l'on enregistre. */
-    Dessin montre;
-    /** La scène montrée, avec les déplacements ; {@code null} avant la première. */
-    Dessin source;
-    /** La vue en fausses couleurs montrée à la place de l'image, ou {@code null}. */
-    String vue;
-    /** L'image achevée avant le dernier geste ; {@code null} s'il n'y en a pas, ou si elle est trop grande. */
-    ImageMemoire avant;
-
-    private final Deque<Dessin> avantDeplacements = new ArrayDeque<>();
-    private ImageMemoire complete;
-    /** Vrai si de nouveaux réglages attendent la fin du brouillon en cours. */
-    private boolean enAttente;
+    /** Lu par toute la fenêtre, et remplacé ici seulement. */
+    Etat etat = Etat.VIDE;
 
     /** @param premier modèle des dessins d'autres scènes @param programme exécute un dessin, dans le fil des dessins */
     Controleur(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
@@ -76,8 +56,8 @@ final class Controleur {
         this.fils = fils;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::suivreFichier), () -> EventQueue.invokeLater(
-                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
+        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire),
+                () -> EventQueue.invokeLater(this::direEfface));
     }
 
     /** Un fil unique, où les tâches attendent leur tour. Il se termine quand il n'a plus de tâche. */
@@ -110,19 +90,24 @@ final class Controleur {
         prevenus.add(siChange);
     }
 
-    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
-    String getCommande() {
-        return Messages.commande("", reglages.getOptions(), fichier, taille.get().width, taille.get().height);
+    void avertir() {
+        prevenus.forEach(Runnable::run);
     }
 
-    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
-    ImageMemoire getImageComplete() {
-        return complete == panneau.montree ? complete : null;
+    private void poser(Etat suivant) {
+        etat = suivant;
+        avertir();
+    }
+
+    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
+    String getCommande() {
+        return Messages.commande("", etat.getReglages().getOptions(), etat.lecture.dessin.fichier, taille.get().width,
+                taille.get().height);
     }
 
     void commencer(Tracage tracage) {
-        courant = tracage;
-        if (tracage.dessin.getLue() != null) {
+        etat = etat.demander(tracage.dessin.fichier).commencer(tracage);
+        if (tracage.choix != null) {
             adopter();
         }
         suivre(tracage);
@@ -130,29 +115,31 @@ final class Controleur {
 
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
-        retenir();
+        etat = etat.demander(scene);
         lancer(premier.pour(scene, taille.get().width, taille.get().height), false);
     }
 
     void relire() {
-        ouvrir(fichier);
+        ouvrir(etat.demande);
     }
 
-    /** Relit la scène montrée, dont le fichier a changé, sauf si une autre scène est en cours de lecture. */
-    private void suivreFichier() {
-        if (!enCours || !courant.aLire || courant.dessin.fichier.equals(fichier)) {
-            relire();
-        }
+    void dessiner(ReglagesDessin voulus) {
+        choisir(etat.choix.avec(voulus));
     }
 
-    /** Dessine la scène montrée avec ces réglages. @param suite vrai si le geste continue : « avant » ne change pas */
-    void dessiner(ReglagesDessin voulus, boolean suite) {
-        reglages = voulus;
-        if (!suite) {
-            retenir();
-        }
-        if (suite && enCours && !courant.dessin.isBrouillonFait()) {
-            enAttente = true;
+    void choisir(Choix voulu) {
+        choisir(voulu, null, false);
+    }
+
+    /** @param cause ce qui change : le geste continue si c'était déjà cela @param tenu vrai si un bouton est tenu */
+    void choisir(Choix voulu, Object cause, boolean tenu) {
+        boolean suite = cause != null && cause == geste && (tenu || System.nanoTime() - gesteNs < GESTE_NS);
+        geste = cause;
+        gesteNs = System.nanoTime();
+        etat = etat.choisir(voulu, suite);
+        if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
+            // le geste continue : le brouillon en cours est d'abord montré
+            avertir();
         } else {
             redessiner(suite);
         }
@@ -160,55 +147,35 @@ final class Controleur {
 
     /** Montre cette image, déjà dessinée. */
     void montrer(Dessin dessine) {
-        reglages = dessine.getReglages();
-        vue = null;
-        retenir();
+        etat = etat.choisir(etat.choix.avec(dessine.getReglages()).avec((String) null), false);
         lancer(dessine, false);
     }
 
-    /** Montre cette vue en fausses couleurs. @param voulue {@code null} pour l'image */
-    void voir(String voulue) {
-        vue = voulue;
+    /** Défait le dernier choix ({@code sens} −1), ou le refait (1). */
+    void revenir(int sens) {
+        geste = null;
+        etat = etat.revenir(sens);
         redessiner(false);
-    }
-
-    /** Remplace un objet ou une lampe de la scène, en mémoire seulement. @param suite vrai si le geste continue */
-    void deplacer(Object ancien, Object nouveau, boolean suite) {
-        if (!suite) {
-            avantDeplacements.push(source);
-        }
-        source = source.avec(new SceneLue(source.getLue(), ancien, nouveau));
-        dessiner(reglages, suite);
-    }
-
-    void defaire() {
-        if (estDeplacee()) {
-            source = avantDeplacements.pop();
-            dessiner(reglages, false);
-        }
-    }
-
-    boolean estDeplacee() {
-        return !avantDeplacements.isEmpty();
     }
 
     void ajuster() {
         Dimension voulue = taille.get();
-        if (adopte != null && (voulue.width != courant.dessin.largeur || voulue.height != courant.dessin.hauteur)) {
+        if (etat.lecture != null && (voulue.width != etat.courant.dessin.largeur
+                || voulue.height != etat.courant.dessin.hauteur)) {
             redessiner(false);
         }
     }
 
     void arreter() {
-        if (enCours) {
-            courant.arreter();
+        if (etat.enCours) {
+            etat.courant.arreter();
             observer();
         }
     }
 
     void terminer() {
-        if (courant != null) {
-            courant.arreter();
+        if (etat.courant != null) {
+            etat.courant.arreter();
         }
         surveillance.terminer();
         dessins.shutdown();
@@ -216,32 +183,23 @@ final class Controleur {
 
     private void redessiner(boolean geste) {
         // une scène en cours de lecture passe avant la scène montrée
-        boolean autre = enCours && courant.aLire && courant != adopte;
-        lancer((autre ? courant.dessin : source).avec(taille.get().width, taille.get().height), geste);
-    }
-
-    /** L'image achevée devient l'image « avant », sauf si elle est trop grande ou si c'est une vue. */
-    private void retenir() {
-        if (complete == null || complete.sens.equals(ImageMemoire.COULEUR)) {
-            avant = complete != null && complete.codes.length <= PIXELS_GARDES ? complete : null;
+        if (etat.lit()) {
+            relire();
+        } else {
+            lancer(etat.lecture.dessin.avec(taille.get().width, taille.get().height), geste);
         }
-    }
-
-    private boolean estDeLaTaille(ImageMemoire image, Dessin dessin) {
-        return image != null && image.largeur == dessin.largeur && image.hauteur == dessin.hauteur;
     }
 
     /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
     private void lancer(Dessin dessin, boolean geste) {
-        enAttente = false;
         if (dessins.isShutdown()) {
             return;
         }
-        if (courant != null) {
-            courant.arreter();
+        if (etat.courant != null) {
+            etat.courant.arreter();
         }
-        dessin.setVue(vue, estDeLaTaille(avant, dessin) ? avant : null);
-        Tracage tracage = new Tracage(programme, dessin, reglages,
+        dessin.setVue(etat.choix == null ? null : etat.choix.vue, etat.avant);
+        Tracage tracage = new Tracage(programme, dessin, etat.choix,
                 panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         if (geste) {
             dessin.setEntracte(() -> {
@@ -254,24 +212,27 @@ final class Controleur {
     }
 
     private void suivre(Tracage tracage) {
-        courant = tracage;
-        enCours = true;
         panneau.dire("");
-        prevenus.forEach(Runnable::run);
+        poser(etat.commencer(tracage));
         observer();
     }
 
     /** Lit l'état du dessin en cours et le montre ; à appeler souvent. */
     void observer() {
+        Tracage courant = etat.courant;
+        Dessin dessin = courant.dessin;
         boolean fini = courant.isDone();
         if (panneau.peinte) {
             courant.vue.countDown();
         }
-        Dessin dessin = courant.dessin;
-        if (courant.aLire && dessin.getLue() != null && !courant.lueDite) {
+        if (courant.aLire && !courant.lueDite && (courant.choix != null
+                || fini && (courant.version != null || courant.getEchec() != null))) {
             courant.lueDite = true;
-            // la scène n'a plus de faute, même si son image n'est pas encore montrée
-            panneau.bandeau.dire(Sujet.SCENE, "");
+            surveillance.suivre(etat.demande, courant.version);
+            if (courant.choix != null) {
+                // la scène n'a plus de faute, même si son image n'est pas encore montrée
+                panneau.bandeau.dire(Sujet.SCENE, "");
+            }
         }
         ImageMemoire image = dessin.getImage();
         if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
@@ -279,9 +240,9 @@ final class Controleur {
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
             panneau.montree = image;
             panneau.repaint();
-            if (montre != dessin) {
-                montre = dessin;
+            if (etat.montre != dessin) {
                 adopter();
+                poser(etat.montrer());
             }
         }
         if (panneau.apercu != dessin.getApercu()) {
@@ -292,50 +253,52 @@ final class Controleur {
             courant.lenteurDite = true;
             panneau.bandeau.dire(Sujet.DESSIN, dessin.getLenteur());
         }
-        if (fini && enCours) {
+        if (fini && etat.enCours) {
             finir();
         }
-        if (enAttente && (fini || dessin.isBrouillonFait())) {
+        // le geste a continué pendant le brouillon
+        if (courant == etat.courant && courant.choix != null && etat.choix != null
+                && courant.choix.lue == etat.choix.lue && courant.choix != etat.choix
+                && (fini || dessin.isBrouillonFait())) {
             redessiner(true);
         }
     }
 
     /** Si ce dessin a lu une scène, elle devient la scène montrée. */
     private void adopter() {
-        if (courant.aLire && courant != adopte) {
-            adopte = courant;
-            reglages = adopte.dessin.getReglages();
-            fichier = adopte.dessin.fichier;
-            surveillance.suivre(fichier, courant.version);
-            panneau.bandeau.dire(Sujet.DESSIN, "");
-            List<String> avis = new ArrayList<>(adopte.dessin.getLue().avertissements);
-            if (estDeplacee()) {
-                avis.add("scène relue : ce qui avait été déplacé a repris la place que dit son fichier");
-                avantDeplacements.clear();
-            }
-            source = adopte.dessin;
-            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+        Tracage courant = etat.courant;
+        if (!courant.aLire || courant == etat.lecture) {
+            return;
         }
-        prevenus.forEach(Runnable::run);
+        List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
+        boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
+                etat.choix.pour(courant.getLu(), true).scene).isEmpty();
+        if (defait) {
+            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
+                    + " Ctrl+Z le déplace de nouveau");
+        }
+        panneau.bandeau.dire(Sujet.DESSIN, "");
+        panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+        etat = etat.adopter(defait);
     }
 
     private void finir() {
-        enCours = false;
+        Tracage courant = etat.courant;
         courant.vue.countDown();
         Throwable echec = courant.getEchec();
         Fautes fautes = courant.dessin.getLancer() == null ? null : courant.dessin.getLancer().getFautes();
         if (courant.isAcheve()) {
-            complete = montre.getImage();
+            Dessin fait = courant.dessin;
             // les sections ignorées, sans le reste de leur avertissement
-            String ignorees = String.join("\n", montre.getLue().avertissements)
+            String ignorees = String.join("\n", fait.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            panneau.legendes.put(complete, montre.getCout() + ", " + (vue == null ? "" : "vue " + vue + ", ")
-                    + montre.getReglages() + ignorees
-                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots()));
-            if (montre.getEcart() != null) {
-                panneau.bandeau.dire(Sujet.AVIS, montre.getEcart());
+            fait.getImage().legende = fait.getCout() + ", " + fait.getReglages() + ignorees
+                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
+            if (fait.getEcart() != null) {
+                panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
             }
         }
+        poser(etat.finir());
         if (echec instanceof SceneFautive && courant.aLire) {
             refuser(Messages.message(echec));
         } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {
@@ -344,29 +307,30 @@ final class Controleur {
         } else if (echec != null || courant.isAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
-        if (fichier == null) {
-            fichier = courant.dessin.fichier;
+        if (etat.montre == null && !etat.enCours) {
             panneau.dire("F5 pour lire la scène et la dessiner");
         }
-        prevenus.forEach(Runnable::run);
     }
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
-        return montre == null ? null : montre.getLancer().getFautes().enMots();
+        return etat.montre == null ? null : etat.montre.getLancer().getFautes().enMots();
     }
 
-    /** Refuse la scène lue. La scène montrée reste ; si c'est son fichier qui est fautif, il reste surveillé. */
+    /** Dit la faute de la scène demandée, et de quelle scène est l'image qui reste. */
     private void refuser(String message) {
-        panneau.bandeau.dire(Sujet.SCENE, message);
-        if (fichier == null || courant.dessin.fichier.equals(fichier)) {
-            fichier = courant.dessin.fichier;
-            surveillance.suivre(fichier, courant.version);
-        }
-        if (adopte != null && getImageComplete() == null) {
+        boolean autre = etat.lecture != null && !etat.courant.litLaSceneDe(etat.lecture);
+        panneau.bandeau.dire(Sujet.SCENE, message + (autre ? "\nl'image qui reste est celle de "
+                + new File(etat.lecture.dessin.fichier).getName() : ""));
+        if (etat.lecture != null && etat.getImageEntiere() == null) {
             // la faute a interrompu le dessin de la scène d'avant : il est repris
-            retenir();
             redessiner(false);
+        }
+    }
+
+    private void direEfface() {
+        if (etat.lecture != null && etat.lecture.dessin.fichier.equals(etat.demande)) {
+            panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste");
         }
     }
 }

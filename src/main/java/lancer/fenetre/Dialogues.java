@@ -4,13 +4,8 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
-import java.io.BufferedReader;
 import java.io.File;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
@@ -19,7 +14,6 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
-import javax.swing.UIManager;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
@@ -38,47 +32,34 @@ final class Dialogues {
     private Dialogues() {
     }
 
-    /** Donne aux dialogues leurs textes : certaines versions de Java ne les ont pas en français. */
-    private static void traduire() {
-        for (String[] texte : lire("dialogues.txt")) {
-            UIManager.getLookAndFeelDefaults().put(texte[0], texte[1]);
-        }
-    }
-
-    /** Les lignes d'un fichier de textes, en deux colonnes que sépare une tabulation. */
-    private static String[][] lire(String fichier) {
-        try (BufferedReader texte = new BufferedReader(new InputStreamReader(
-                Dialogues.class.getResourceAsStream(fichier), StandardCharsets.UTF_8))) {
-            return texte.lines().map(ligne -> ligne.split("\t")).toArray(String[][]::new);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     static Rectangle ecran() {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
 
     /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
-    static JDialog touches(JFrame cadre) {
-        JLabel table = new JLabel("<html><table>" + Arrays.stream(lire("touches.txt"))
-                .map(ligne -> "<tr><td>" + ligne[0] + "<td>" + ligne[1]).collect(Collectors.joining()));
+    static JScrollPane touches(JFrame cadre, Map<String, String> dites) {
+        String lignes = dites.entrySet().stream()
+                .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining());
+        JLabel table = new JLabel("<html><table>" + lignes);
         table.setName("table");
         JDialog touches = new JDialog(cadre, "Touches");
         JScrollPane ascenseur = new JScrollPane(table);
+        Rectangle ecran = ecran();
+        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
+        if (table.getPreferredSize().width > ecran.width - BORDS) {
+            // sur un petit écran, les lignes sont coupées en deux
+            table.setText("<html><table width=" + (ecran.width - BORDS) + ">" + lignes);
+        }
         touches.add(ascenseur);
         touches.setFocusableWindowState(false);
         touches.pack();
-        Rectangle ecran = ecran();
-        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
         touches.setSize(Math.min(touches.getWidth() + barre, ecran.width), Math.min(touches.getHeight(), ecran.height));
         touches.setLocation(ecran.x + ecran.width - touches.getWidth(), ecran.y);
-        return touches;
+        return ascenseur;
     }
 
     /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
     static File choisirScene(Component parent, String actuelle) {
-        traduire();
         JFileChooser choix = new JFileChooser(dossierDesScenes(actuelle));
         File choisi = choisir(parent, choix, "Ouvrir une scène", new FileNameExtensionFilter("Scènes (*.ini)", "ini"));
         File complet = choisi == null ? null : new File(choisi.getPath() + ".ini");
@@ -94,23 +75,21 @@ final class Dialogues {
 
     /** Le fichier PNG où enregistrer l'image, remplacement confirmé ; {@code null} si l'utilisateur renonce. */
     static File choisirImage(Component parent, File proposee) {
-        traduire();
         JFileChooser choix = new JFileChooser(proposee.getParentFile());
         choix.setDialogType(JFileChooser.SAVE_DIALOG);
         choix.setSelectedFile(proposee);
         File choisi = choisir(parent, choix, TITRE_IMAGE, new FileNameExtensionFilter("Images PNG (*.png)", "png"));
         File cible = choisi == null || Texte.minuscules(choisi.getName()).endsWith(".png") ? choisi
                 : new File(choisi.getPath() + ".png");
-        return cible == null || cible.isFile() && !confirmerRemplacement(parent, cible) ? null : cible;
-    }
-
-    private static boolean confirmerRemplacement(Component parent, File fichier) {
+        if (cible == null || !cible.isFile()) {
+            return cible;
+        }
         String[] reponses = {"Remplacer", "Annuler"};
         int reponse = JOptionPane.showOptionDialog(parent,
-                "Le fichier « " + Texte.echappe(fichier.getName()) + " » existe déjà. Le remplacer ?",
+                "Le fichier « " + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?",
                 TITRE_IMAGE, JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
         parent.requestFocus();
-        return reponse == 0;
+        return reponse == 0 ? cible : null;
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {

@@ -2,26 +2,24 @@ package lancer.fenetre;
 
 import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
+import lancer.image.Reduction;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /** Copie l'image achevée dans le presse-papiers, ou l'enregistre en PNG comme {@code --image}. */
 final class Enregistrement {
-
-    private static final DirectColorModel SANS_ALPHA = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
 
     private final Controleur controleur;
     private final Bandeau bandeau;
@@ -41,9 +39,7 @@ final class Enregistrement {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = new BufferedImage(SANS_ALPHA, Raster.createPackedRaster(
-                    new DataBufferInt(image.codes, image.codes.length), image.largeur, image.hauteur, image.largeur,
-                    SANS_ALPHA.getMasks(), null), false, null);
+            BufferedImage copie = Reduction.pixels(image.codes, image.largeur, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {
@@ -64,13 +60,24 @@ final class Enregistrement {
         }
     }
 
+    /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
+    void copierReglages() {
+        String sections = controleur.etat.getReglages().getSectionsChangees().stream()
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
+                + controleur.etat.choix.scene.getChanges(controleur.etat.lecture.getLue());
+        bandeau.getToolkit().getSystemClipboard().setContents(
+                new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
+        bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
+    }
+
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = controleur.getImageComplete();
+        ImageMemoire image = controleur.etat.getImageEntiere();
         String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : controleur.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : controleur.etat.enCours ? "L'image se dessine encore : elle servira une fois achevée."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return faute == null ? image : null;
@@ -81,9 +88,9 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.fichier;
+        String scene = controleur.etat.montre.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(bandeau.getTopLevelAncestor(),
+        File cible = Dialogues.choisirImage(controleur.panneau,
                 echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
             return;

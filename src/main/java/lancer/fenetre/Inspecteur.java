@@ -6,33 +6,26 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.HierarchyEvent;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.KeyListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.util.Collections;
-import java.util.Enumeration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
-import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.ImageIcon;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
@@ -56,8 +49,7 @@ import lancer.texte.Nombre;
 final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
-    private static final Dimension TAILLE = new Dimension(420, 400);
-    private static final int SAUT = 10;
+    private static final int HAUTEUR_VUE = 100;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
@@ -65,19 +57,22 @@ final class Inspecteur extends JPanel {
         @Override
         public void updateUI() {
             super.updateUI();
-            // les flèches déplacent le pixel et les chiffres choisissent un rebond : l'arbre n'a aucune touche
-            SwingUtilities.replaceUIInputMap(this, WHEN_FOCUSED, null);
-            SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-            for (KeyListener frappe : getKeyListeners()) {
-                removeKeyListener(frappe);
-            }
             setRowHeight(getFontMetrics(getFont()).getHeight() + MARGE / 2);
             setCellRenderer(new Rendu());
         }
+
+        /** L'image reçoit les touches de l'arbre : les flèches déplacent le pixel. */
+        @Override
+        protected void processKeyEvent(KeyEvent e) {
+            KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(panneau, e);
+        }
     };
+    private final JScrollPane ascenseur = new JScrollPane(arbre);
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final VueDeCote vue = new VueDeCote(this::isoler);
     private final ExecutorService fil = Controleur.unFil("lancer-inspection");
+    /** Vrai si le panneau n'a pas encore montré de récit depuis qu'il est ouvert. */
+    private boolean neuf = true;
     private Inspection enCours;
     private Inspection montree;
     private Point pixel;
@@ -88,13 +83,11 @@ final class Inspecteur extends JPanel {
     int rebond;
     private String fichier;
     private Noeud recit;
-    /** Les mêmes lignes, nombres entiers compris. */
-    private List<String> lignes = Collections.emptyList();
-    /** État ouvert ou fermé de chaque nœud, par sujet. */
+    /** État ouvert ou fermé de chaque nœud vu, par sujet ; vrai si les autres sont tous ouverts. */
     private final Map<String, Boolean> ouverts = new HashMap<>();
+    private boolean tout;
 
-    /** @param caracteres reçoit les actions des caractères de ce panneau */
-    Inspecteur(Controleur controleur, PanneauImage panneau, Map<Character, Runnable> caracteres) {
+    Inspecteur(Controleur controleur, PanneauImage panneau) {
         super(new BorderLayout(MARGE, MARGE));
         this.controleur = controleur;
         this.panneau = panneau;
@@ -106,9 +99,7 @@ final class Inspecteur extends JPanel {
         arbre.setLargeModel(true);
         arbre.setToggleClickCount(0);
         ToolTipManager.sharedInstance().registerComponent(arbre);
-        JScrollPane ascenseur = new JScrollPane(arbre);
-        ascenseur.setPreferredSize(TAILLE);
-        vue.setPreferredSize(new Dimension(0, TAILLE.height / 4));
+        vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
         // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
         partage.setResizeWeight(0.8);
@@ -124,38 +115,29 @@ final class Inspecteur extends JPanel {
                 }
             }
         });
-        lierTouches(arbre, WHEN_FOCUSED);
-        lierTouches(this, WHEN_IN_FOCUSED_WINDOW);
-        arbre.registerKeyboardAction(e -> copier(), Menus.ctrl(KeyEvent.VK_C), WHEN_FOCUSED);
-        IntStream.range(0, 10).forEach(n -> caracteres.put((char) ('0' + n), () -> isoler(n)));
-        caracteres.put('d', this::deplier);
         controleur.prevenir(this::calculer);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                paraitreOuNon();
-            }
-        });
+        addHierarchyListener(e -> paraitreOuNon());
     }
 
-    private void lierTouches(JComponent ou, int quand) {
-        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
-            {KeyEvent.VK_DOWN, 0, 1}};
-        for (int[] s : sens) {
-            for (int pas : new int[] {1, SAUT}) {
-                ou.registerKeyboardAction(e -> {
-                    if (pixel != null) {
-                        montrer(new Point(pixel.x + pas * s[1], pixel.y + pas * s[2]));
-                    }
-                }, KeyStroke.getKeyStroke(s[0], pas == 1 ? 0 : InputEvent.SHIFT_DOWN_MASK), quand);
-            }
+    boolean aLeClavier() {
+        return arbre.isFocusOwner() && montree != null;
+    }
+
+    /** Va au pixel situé à cette distance. */
+    void aller(int dx, int dy) {
+        if (pixel != null) {
+            montrer(new Point(pixel.x + dx, pixel.y + dy));
         }
-        for (int pas : new int[] {-1, 1}) {
-            ou.registerKeyboardAction(e -> {
-                if (montree != null) {
-                    choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
-                }
-            }, Menus.ctrl(pas < 0 ? KeyEvent.VK_PAGE_UP : KeyEvent.VK_PAGE_DOWN), quand);
+    }
+
+    void echantillonner(int pas) {
+        if (montree != null) {
+            choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
         }
+    }
+
+    void defiler(int rang) {
+        Actions.defiler(ascenseur, rang);
     }
 
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
@@ -168,6 +150,7 @@ final class Inspecteur extends JPanel {
     }
 
     private void paraitreOuNon() {
+        neuf |= !isShowing();
         panneau.suivre(isShowing() ? pixel : null);
         if (!isShowing()) {
             panneau.superposer(null, null);
@@ -181,8 +164,8 @@ final class Inspecteur extends JPanel {
     }
 
     /** Ne montre que ce rebond dans les figures ; les montre tous si c'est déjà lui ou s'il n'existe pas. */
-    private void isoler(int numero) {
-        rebond = numero == rebond || !isShowing() ? 0 : numero;
+    void isoler(int numero) {
+        rebond = numero == rebond ? 0 : numero;
         calculer();
     }
 
@@ -192,27 +175,22 @@ final class Inspecteur extends JPanel {
             isoler(noeud.rebond);
         } else if (noeud.echantillon >= 0) {
             choisir(noeud.echantillon);
-        } else {
-            basculer(chemin, !arbre.isExpanded(chemin));
-        }
-    }
-
-    private void basculer(TreePath chemin, boolean ouvert) {
-        if (ouvert) {
-            arbre.expandPath(chemin);
-        } else {
+        } else if (arbre.isExpanded(chemin)) {
             arbre.collapsePath(chemin);
+        } else {
+            arbre.expandPath(chemin);
         }
     }
 
-    private void copier() {
+    void copier() {
+        List<String> lignes = new Recit(montree, Double::toString).lignes();
         getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
         panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }
 
     /** Explique le pixel de l'image montrée. L'explication d'avant est grisée pendant le calcul. */
     private void calculer() {
-        Dessin montre = controleur.montre;
+        Dessin montre = controleur.etat.montre;
         if (enCours != null) {
             enCours.arreter();
             enCours = null;
@@ -239,25 +217,22 @@ final class Inspecteur extends JPanel {
         arbre.repaint();
         Controleur.confier(fil, () -> montre.observer(() -> {
             nouvelle.faireOuEchouer(voulu);
-            List<String> entieres = new Recit(nouvelle, Double::toString).lignes();
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
-            EventQueue.invokeLater(() -> {
-                if (nouvelle == enCours) {
-                    lignes = entieres;
-                    recevoir(nouvelle, racine, figure, garde);
-                }
-            });
+            EventQueue.invokeLater(() -> recevoir(nouvelle, racine, figure, garde));
         }), verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {
+        if (nouvelle != enCours) {
+            return;
+        }
         enCours = null;
         montree = nouvelle;
         rebond = seul;
         recit = racine.depuis(recit);
-        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, arbre.isExpanded(chemin)));
+        rangs().filter(r -> !noeud(r).enfants.isEmpty()).forEach(r -> ouverts.put(noeud(r).sujet, arbre.isExpanded(r)));
         arbre.setModel(new DefaultTreeModel(branche(recit)));
         ouvrir();
         boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
@@ -267,6 +242,10 @@ final class Inspecteur extends JPanel {
                 + (rebond == 0 ? "" : "\nLes figures ne montrent que le rebond " + rebond + " ; 0 pour tous."));
         vue.montrer(nouvelle, rebond);
         panneau.superposer(figure, this::isoler);
+        if (neuf) {
+            neuf = false;
+            ((Onglets) SwingUtilities.getAncestorOfClass(Onglets.class, this)).ajuster();
+        }
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {
@@ -279,38 +258,32 @@ final class Inspecteur extends JPanel {
         return (Noeud) ((DefaultMutableTreeNode) branche).getUserObject();
     }
 
-    /** Appelle {@code geste} pour chaque nœud qui a des enfants, un parent avant ses enfants. */
-    private void parcourir(BiConsumer<Noeud, TreePath> geste) {
-        DefaultMutableTreeNode racine = (DefaultMutableTreeNode) arbre.getModel().getRoot();
-        List<?> branches = racine == null ? Collections.emptyList()
-                : Collections.list((Enumeration<?>) racine.preorderEnumeration());
-        for (Object branche : branches) {
-            if (!((DefaultMutableTreeNode) branche).isLeaf()) {
-                geste.accept(noeud(branche), new TreePath(((DefaultMutableTreeNode) branche).getPath()));
-            }
-        }
+    private Noeud noeud(int ligne) {
+        return noeud(arbre.getPathForRow(ligne).getLastPathComponent());
+    }
+
+    private IntStream rangs() {
+        return IntStream.range(0, arbre.getRowCount());
     }
 
     /** Ouvre ou ferme chaque nœud selon son état, et sélectionne le rebond choisi. */
     private void ouvrir() {
-        parcourir((noeud, chemin) -> {
-            boolean ouvert = ouverts.getOrDefault(noeud.sujet, !noeud.replie);
-            // Java ouvre tous les parents d'un nœud que l'on ouvre ou que l'on ferme
-            if (chemin.getPathCount() == 1 || arbre.isExpanded(chemin.getParentPath())) {
-                basculer(chemin, ouvert);
+        // ouvrir un nœud ajoute des lignes après la sienne
+        for (int r = 0; r < arbre.getRowCount(); r++) {
+            if (ouverts.getOrDefault(noeud(r).sujet, tout || !noeud(r).replie)) {
+                arbre.expandRow(r);
+            } else {
+                arbre.collapseRow(r);
             }
-        });
+        }
         arbre.clearSelection();
-        IntStream.range(0, rebond == 0 ? 0 : arbre.getRowCount()).mapToObj(arbre::getPathForRow)
-                .filter(chemin -> noeud(chemin.getLastPathComponent()).rebond == rebond)
-                .forEach(arbre::setSelectionPath);
+        rangs().filter(r -> rebond > 0 && noeud(r).rebond == rebond).forEach(arbre::setSelectionRow);
     }
 
     /** Ouvre tous les nœuds ou, s'ils sont ouverts, les remet dans leur état initial. */
-    private void deplier() {
-        boolean[] tout = {true};
-        parcourir((noeud, chemin) -> tout[0] &= !noeud.replie || !arbre.isExpanded(chemin));
-        parcourir((noeud, chemin) -> ouverts.put(noeud.sujet, tout[0] || !noeud.replie));
+    void deplier() {
+        tout = rangs().noneMatch(r -> noeud(r).replie && arbre.isExpanded(r));
+        ouverts.clear();
         ouvrir();
     }
 
@@ -321,13 +294,8 @@ final class Inspecteur extends JPanel {
         public Component getTreeCellRendererComponent(JTree tree, Object branche, boolean choisi, boolean ouvert,
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
-            boolean change = noeud.avant != null || !ouvert && noeud.aChange();
-            // entre le fond et celui de la sélection : lisible dans un thème clair comme dans un sombre
-            Color fond = tree.getBackground();
-            Color choix = getBackgroundSelectionColor();
-            setBackgroundNonSelectionColor(!change || choix == null ? null
-                    : new Color((2 * fond.getRed() + choix.getRed()) / 3, (2 * fond.getGreen() + choix.getGreen()) / 3,
-                            (2 * fond.getBlue() + choix.getBlue()) / 3));
+            setBackgroundNonSelectionColor(noeud.avant == null && (ouvert || !noeud.aChange()) ? null
+                    : Apparence.couleur("Tree.selectionInactiveBackground", "Panel.background"));
             String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
             super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
             Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
@@ -343,14 +311,12 @@ final class Inspecteur extends JPanel {
         BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
         Graphics g = carre.createGraphics();
         g.setColor(new Color(couleur.getCode()));
-        g.fillRect(0, 0, 2 * MARGE, 2 * MARGE);
-        g.setColor(Color.GRAY);
-        g.drawRect(0, 0, 2 * MARGE - 1, 2 * MARGE - 1);
+        g.fillRect(1, 1, 2 * MARGE - 2, 2 * MARGE - 2);
         return new ImageIcon(carre);
     }
 
     private String comparer(Couleur couleur) {
-        ImageMemoire image = controleur.getImageComplete();
+        ImageMemoire image = controleur.etat.getImageEntiere();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }

@@ -12,24 +12,21 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 
 /** Les onglets à droite de l'image. Le contenu d'un onglet est créé quand il est demandé. */
 @SuppressWarnings("serial")
 final class Onglets extends JSplitPane {
 
-    static final int LARGEUR = 430;
+    private static final int LARGEUR = 430;
     private static final int BARRE = 6;
 
     private final JFrame cadre;
     private final Map<String, Supplier<JComponent>> contenus;
-    /** Les onglets, créés à la première demande, et l'apparence qui leur est appliquée. */
+    /** Les onglets, créés à la première demande. */
     private JTabbedPane onglets;
-    private LookAndFeel apparence;
     /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
-    private int largeur = LARGEUR;
+    private int largeur = Math.min(LARGEUR, getLargeurMax());
     private int gagne;
 
     /** @param image composant de gauche, toujours visible @param contenus contenu de chaque onglet, dans l'ordre */
@@ -44,13 +41,7 @@ final class Onglets extends JSplitPane {
     }
 
     private JTabbedPane faire() {
-        JTabbedPane faits = new JTabbedPane() {
-            @Override
-            public void updateUI() {
-                super.updateUI();
-                SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-            }
-        };
+        JTabbedPane faits = new JTabbedPane();
         faits.setName("panneau");
         faits.setFocusable(false);
         JButton fermer = new JButton("×");
@@ -68,13 +59,6 @@ final class Onglets extends JSplitPane {
         return faits;
     }
 
-    /** Ôte les touches de Swing : les flèches et Ctrl servent à l'image, et non à changer d'onglet. */
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        SwingUtilities.replaceUIInputMap(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
-    }
-
     private void remplir() {
         JComponent onglet = (JComponent) onglets.getSelectedComponent();
         if (estOuvert() && onglet.getComponentCount() == 0) {
@@ -87,31 +71,52 @@ final class Onglets extends JSplitPane {
         return getRightComponent() != null;
     }
 
+    /** Le contenu de l'onglet montré, s'il est de cette classe ; {@code null} sinon. */
+    <T extends JComponent> T getVisible(Class<T> classe) {
+        JComponent onglet = estOuvert() ? (JComponent) onglets.getSelectedComponent() : null;
+        return onglet == null || onglet.getComponentCount() == 0 || !classe.isInstance(onglet.getComponent(0))
+                || !onglet.getComponent(0).isShowing() ? null : classe.cast(onglet.getComponent(0));
+    }
+
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
     JComponent montrer(int rang) {
         onglets = onglets == null ? faire() : onglets;
         onglets.setSelectedIndex(rang);
         if (!estOuvert()) {
-            if (apparence != UIManager.getLookAndFeel()) {
-                // l'apparence a changé pendant que le panneau était fermé
-                apparence = UIManager.getLookAndFeel();
-                SwingUtilities.updateComponentTreeUI(onglets);
-            }
-            Rectangle ecran = Dialogues.ecran();
-            boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
-            gagne = !libre ? 0 : Math.max(0, Math.min(largeur + BARRE,
-                    ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
+            // l'apparence a pu changer pendant que le panneau était fermé
+            SwingUtilities.updateComponentTreeUI(onglets);
             setRightComponent(onglets);
             setDividerSize(BARRE);
-            setDividerLocation(getWidth() - largeur - BARRE);
-            cadre.validate();
-            // la largeur gagnée par le cadre est donnée à l'image
-            cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
-            cadre.validate();
-            setDividerLocation(getWidth() - largeur - BARRE);
+            gagne = 0;
+            elargir(largeur + BARRE, largeur);
             remplir();
+            ajuster();
         }
         return (JComponent) ((JComponent) onglets.getSelectedComponent()).getComponent(0);
+    }
+
+    /** La plus grande largeur du panneau quand il s'ouvre : deux cinquièmes de l'écran. */
+    static int getLargeurMax() {
+        return 2 * Dialogues.ecran().width / 5;
+    }
+
+    /** Donne au panneau ouvert la largeur que demande sa plus longue ligne, si elle manque. */
+    void ajuster() {
+        int voulue = Math.min(getLargeurMax(), onglets.getPreferredSize().width);
+        if (voulue > onglets.getWidth()) {
+            elargir(voulue - onglets.getWidth(), voulue);
+        }
+    }
+
+    private void elargir(int manque, int voulue) {
+        Rectangle ecran = Dialogues.ecran();
+        boolean libre = cadre.getExtendedState() == Frame.NORMAL && cadre.isDisplayable() && !cadre.isUndecorated();
+        int plus = !libre ? 0 : Math.max(0, Math.min(manque, ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
+        gagne += plus;
+        cadre.setSize(cadre.getWidth() + plus, cadre.getHeight());
+        cadre.validate();
+        setDividerLocation(getWidth() - voulue - BARRE);
+        validate();
     }
 
     void fermer() {

@@ -7,6 +7,7 @@ import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
@@ -38,12 +39,13 @@ public final class Ouverture {
             Runnable fin) {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
-        if (!ecranPresent()) {
+        String manque = getManque();
+        if (manque != null) {
             if (dessin.fichier != null) {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
                 dessin.lire();
             }
-            throw Echec.machine("pas d'écran pour ouvrir une fenêtre ; attendu : un écran, ou --image FICHIER.png");
+            throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
@@ -59,7 +61,9 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
-                ouverte[0] = new Fenetre(options, dessin, programme, Services.nomsDesVariantes(), dessins, fin);
+                List<String> variantes = Services.nomsDesVariantes();
+                ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
+                new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);
             });
         } catch (InvocationTargetException e) {
@@ -81,16 +85,26 @@ public final class Ouverture {
         return ouverte[0];
     }
 
-    private static boolean ecranPresent() {
+    /** Ce qui manque pour ouvrir une fenêtre, ou {@code null}. */
+    private static String getManque() {
+        // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
+        boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
+                && System.getProperty("java.awt.headless") == null;
         try {
-            boolean present = !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-            // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-            Toolkit.getDefaultToolkit();
-            return present;
-        } catch (HeadlessException | AWTError | LinkageError e) {
-            // DISPLAY sans serveur, ou Java sans bibliothèques graphiques
-            return false;
+            if (!GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
+                // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
+                Toolkit.getDefaultToolkit();
+                return null;
+            }
+        } catch (HeadlessException | AWTError e) {
+            // DISPLAY sans serveur
+            nomme = false;
+        } catch (LinkageError e) {
+            // Java sans bibliothèques graphiques
         }
+        return nomme ? "ce Java ne sait pas ouvrir de fenêtre : " + System.getProperty("java.home")
+                + " ; attendu : un JDK complet, par exemple le paquet default-jdk"
+                : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran";
     }
 }

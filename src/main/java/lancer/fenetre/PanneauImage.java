@@ -14,12 +14,8 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
-import java.awt.image.ColorModel;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
-import java.util.Map;
-import java.util.WeakHashMap;
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
@@ -44,17 +40,14 @@ final class PanneauImage extends JPanel {
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
-    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
-    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
     ImageMemoire tenue;
     /** Une petite image, montrée pendant le calcul du brouillon. */
     ImageMemoire apercu;
     /** Dessine les objets à prendre, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    /** L'image réduite ; l'image d'origine ; vrai si l'image d'origine était achevée. */
+    /** L'image réduite, et ce dont elle dépend. */
     private BufferedImage reduite;
-    private ImageMemoire reduiteDe;
-    private boolean reduiteAchevee;
+    private List<Object> reduiteDe;
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -93,8 +86,8 @@ final class PanneauImage extends JPanel {
     private final class Suiveur extends MouseAdapter {
 
         private void placer(MouseEvent e) {
-            AffineTransform ecran = getEchelle();
-            souris = new Point((int) (e.getX() * ecran.getScaleX()), (int) (e.getY() * ecran.getScaleY()));
+            souris = new Point();
+            getEchelle().transform(e.getPoint(), souris);
         }
 
         @Override
@@ -107,15 +100,13 @@ final class PanneauImage extends JPanel {
         @Override
         public void mouseReleased(MouseEvent e) {
             placer(e);
-            int numero = dessus == null ? 0 : dessus.numeroEn(souris);
             // le premier clic a pu réduire l'image : le second désignerait un autre pixel
-            if (!SwingUtilities.isLeftMouseButton(e) || e.getPoint().distance(appui) > TREMBLEMENT || e.isShiftDown()
-                    || e.getClickCount() > 1) {
-                return;
-            }
+            boolean clic = SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
+                    && !e.isShiftDown() && e.getClickCount() <= 1;
+            int numero = clic && dessus != null ? dessus.numeroEn(souris) : 0;
             if (numero > 0) {
                 siNumero.accept(numero);
-            } else if (montree != null && getPlace(montree).contains(souris)) {
+            } else if (clic && montree != null && getPlace(montree).contains(souris)) {
                 siClique.run();
             }
         }
@@ -153,6 +144,12 @@ final class PanneauImage extends JPanel {
     /** Oublie la position de la souris : elle est sortie, ou la fenêtre s'est déplacée. */
     void perdreSouris() {
         souris = null;
+        siBouge.run();
+    }
+
+    /** Peint de nouveau l'image, et ce qui dépend de la souris. */
+    void rafraichir() {
+        repaint();
         siBouge.run();
     }
 
@@ -194,7 +191,8 @@ final class PanneauImage extends JPanel {
         Dimension max = getTailleMax(image.largeur, image.hauteur);
         int l = loupe > 0 ? loupe * image.largeur : Math.min(image.largeur, max.width);
         int h = loupe > 0 ? loupe * image.hauteur : Math.min(image.hauteur, max.height);
-        return new Rectangle((int) (libre.width / 2.0 - centreX * l), (int) (libre.height / 2.0 - centreY * h), l, h);
+        return new Rectangle((int) Math.ceil(libre.width / 2.0 - centreX * l - 0.5),
+                (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
     }
 
     /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
@@ -224,9 +222,11 @@ final class PanneauImage extends JPanel {
         if (loupe == 0) {
             centrer(0.5, 0.5);
         } else {
-            Rectangle apres = getPlace(montree);
-            centrer((double) (ici.x - place.x) / place.width - (ici.x - libre.width / 2.0) / apres.width,
-                    (double) (ici.y - place.y) / place.height - (ici.y - libre.height / 2.0) / apres.height);
+            // à une place entière, le pixel sous la souris y reste, même après plusieurs crans
+            double l = loupe * montree.largeur;
+            double h = loupe * montree.hauteur;
+            centrer((libre.width / 2.0 - ici.x + Math.round((ici.x - place.x) * l / place.width)) / l,
+                    (libre.height / 2.0 - ici.y + Math.round((ici.y - place.y) * h / place.height)) / h);
         }
     }
 
@@ -245,8 +245,7 @@ final class PanneauImage extends JPanel {
     private void centrer(double x, double y) {
         centreX = Math.max(0, Math.min(1, x));
         centreY = Math.max(0, Math.min(1, y));
-        repaint();
-        siBouge.run();
+        rafraichir();
     }
 
     /** Peint cette figure par-dessus l'image. Un clic sur un de ses numéros appelle {@code siChoisi}. */
@@ -266,26 +265,24 @@ final class PanneauImage extends JPanel {
                 Math.round(t.getTranslateY())));
         peinte |= getVisible() != null;
         peindre(g2, getVisible());
+        g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
         if (dessus != null && montree != null && tenue == null) {
-            g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
         prises.accept(g2);
-        g2.dispose();
         if (!ligne.isEmpty()) {
-            FontMetrics m = g.getFontMetrics();
-            g.setColor(new Color(0x80000000, true));
-            g.fillRect(0, 0, getWidth(), m.getHeight());
-            g.setColor(Color.WHITE);
-            g.drawString(ligne, m.getHeight() / 2, m.getAscent());
+            ecrire(g2, ligne);
         }
+        g2.dispose();
     }
 
-    private static BufferedImage image(int[] codes, int largeur) {
-        // l'image partage le tableau des codes, sans copie
-        DirectColorModel couleurs = (DirectColorModel) ColorModel.getRGBdefault();
-        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
-                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
+    /** Écrit cette ligne en haut. */
+    void ecrire(Graphics2D g, String texte) {
+        FontMetrics m = g.getFontMetrics();
+        g.setColor(new Color(0x80000000, true));
+        g.fillRect(0, 0, getLibre().width, m.getHeight());
+        g.setColor(Color.WHITE);
+        g.drawString(texte, m.getHeight() / 2, m.getAscent());
     }
 
     /** Peint seulement les pixels visibles : AWT ne peut peindre une image entière très agrandie. */
@@ -298,7 +295,7 @@ final class PanneauImage extends JPanel {
             g.drawImage(reduire(image, place), place.x, place.y, null);
             return;
         }
-        BufferedImage pixels = image(image.codes, image.largeur);
+        BufferedImage pixels = Reduction.pixels(image.codes, image.largeur, true);
         double l = (double) place.width / image.largeur;
         double h = (double) place.height / image.hauteur;
         Point de = getPixel(image, new Point());
@@ -310,12 +307,12 @@ final class PanneauImage extends JPanel {
 
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
-        boolean achevee = legendes.containsKey(image);
-        if (!achevee || !reduiteAchevee || image != reduiteDe || reduite.getWidth() != place.width) {
-            reduite = image(Reduction.moyenne(image, place.width, place.height,
-                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width);
-            reduiteDe = image;
-            reduiteAchevee = achevee;
+        boolean achevee = !image.legende.isEmpty();
+        List<Object> voulue = Arrays.asList(image, achevee, place.width);
+        if (!achevee || !voulue.equals(reduiteDe)) {
+            reduite = Reduction.pixels(Reduction.moyenne(image, place.width, place.height,
+                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width, true);
+            reduiteDe = voulue;
         }
         return reduite;
     }
@@ -330,9 +327,8 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
-        boolean sous = souris != null && montree != null && getPlace(montree).contains(souris);
-        return montree == null ? null
-                : getPixel(montree, sous ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
+        return montree == null ? null : getPixel(montree, souris != null && getPlace(montree).contains(souris) ? souris
+                : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
@@ -344,6 +340,11 @@ final class PanneauImage extends JPanel {
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
     }
 
+    /** La partie visible de l'image montrée, en pixels de l'écran. */
+    Rectangle getCadre() {
+        return getPlace(montree).intersection(new Rectangle(getLibre()));
+    }
+
     /** Position à l'écran de ce point de l'image montrée, en pixels de l'écran. */
     Point2D placeDe(double xe, double ye) {
         Rectangle place = getPlace(montree);
@@ -353,10 +354,10 @@ final class PanneauImage extends JPanel {
 
     /** Le point de l'image montrée sous cet événement, en pixels de l'image. */
     Point2D pointDe(MouseEvent e) {
-        AffineTransform ecran = getEchelle();
+        Point2D ou = getEchelle().transform(e.getPoint(), new Point2D.Double());
         Rectangle place = getPlace(montree);
-        return new Point2D.Double((e.getX() * ecran.getScaleX() - place.x) * montree.largeur / place.width,
-                (e.getY() * ecran.getScaleY() - place.y) * montree.hauteur / place.height);
+        return new Point2D.Double((ou.getX() - place.x) * montree.largeur / place.width,
+                (ou.getY() - place.y) * montree.hauteur / place.height);
     }
 
     private Point getPixel(ImageMemoire image, Point ou) {

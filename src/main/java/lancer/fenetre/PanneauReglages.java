@@ -1,12 +1,14 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
-import java.awt.GridLayout;
 import java.awt.Insets;
+import java.awt.event.MouseEvent;
+import java.text.ParseException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -14,57 +16,70 @@ import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.SpinnerNumberModel;
 import lancer.commande.Etape;
+import lancer.commande.Options;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.ReglagesDessin;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.texte.Nombre;
+import lancer.texte.Texte;
 
 /** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres. Un changement redessine l'image. */
 @SuppressWarnings("serial")
 final class PanneauReglages extends JScrollPane {
 
     private static final int MARGE = 8;
-    private static final int CENT = 100;
-
-    /** Temps maximal entre deux changements au clavier d'un même geste. */
-    private static final long GESTE_NS = 1_000_000_000;
+    /** Largeur d'une glissière là où la place manque. */
+    private static final int LARGEUR = 60;
+    private static final int COLONNES = 6;
+    private static final String[] COULEURS = {"rouge", "vert", "bleu"};
 
     private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
     private final List<Runnable> ajustements = new ArrayList<>();
     /** Vrai pendant que le panneau lui-même change ses composants : l'utilisateur n'a rien changé. */
     private boolean miseAJour;
-    private Parametre dernier;
-    private long dernierNs;
 
     /** À créer quand une scène est lue. */
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        choisir("étape du cours", 0, Etape.values(), () -> controleur.reglages.getEtape(),
-                etape -> controleur.dessiner(controleur.reglages.avec(etape), false));
-        choisir("réflexions", 1, MenuDessin.REFLEXIONS, () -> controleur.reglages.getReflets(),
-                n -> controleur.dessiner(controleur.reglages.avec(n, controleur.reglages.getSeuil()), false));
-        int ligne = 2;
-        for (Variante presente : controleur.reglages.getVariantes()) {
+        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avec(etape), null, false));
+        poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
+        JSpinner reflexions = new JSpinner(new SpinnerNumberModel(0, 0, Options.REFLETS_MAX, 1));
+        reflexions.addChangeListener(e -> changer(reglages().avec((Integer) reflexions.getValue(),
+                reglages().getSeuil()), reflexions, false));
+        poser("réflexions", reflexions, null, () -> reflexions.setValue(reglages().getReflets()));
+        JFormattedTextField seuil = new JFormattedTextField(new Seuil());
+        seuil.setColumns(COLONNES);
+        seuil.setFocusLostBehavior(JFormattedTextField.COMMIT_OR_REVERT);
+        seuil.addPropertyChangeListener("value", e -> changer(reglages().avec(reglages().getReflets(),
+                (Double) seuil.getValue()), null, false));
+        poser("seuil", seuil, null, () -> {
+            // un texte que l'on écrit reste, tant que le seuil est le même
+            if (!Double.valueOf(reglages().getSeuil()).equals(seuil.getValue())) {
+                seuil.setValue(reglages().getSeuil());
+            }
+        });
+        for (Variante presente : reglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
-            Supplier<Variante> variante = () -> controleur.reglages.getVariante(presente.getSection());
+            Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(e -> {
-                dernier = null;
-                controleur.dessiner(controleur.reglages.avec(variante.get(), boite.isSelected()), false);
-            });
-            ajustements.add(() -> boite.setSelected(controleur.reglages.estBranchee(variante.get())));
-            poser(boite, 0, ligne++, 3);
+            boite.addActionListener(e -> changer(reglages().avec(variante.get(), boite.isSelected()), null, false));
+            ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
+            poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
-                ajouter(variante, parametre, ligne++);
+                ajouter(variante, parametre);
             }
         }
         // la grille est placée en haut de l'onglet
@@ -76,99 +91,102 @@ final class PanneauReglages extends JScrollPane {
         controleur.prevenir(this::montrer);
     }
 
-    private <T> void choisir(String nom, int ligne, T[] valeurs, Supplier<T> actuelle, Consumer<T> siChoisie) {
-        JComboBox<T> choix = new JComboBox<>(valeurs);
-        choix.setName(nom);
-        choix.addActionListener(e -> {
-            if (!miseAJour && choix.getSelectedItem() != null) {
-                dernier = null;
-                siChoisie.accept(choix.getItemAt(choix.getSelectedIndex()));
+    private ReglagesDessin reglages() {
+        return controleur.etat.getReglages();
+    }
+
+    /** Lecture et écriture du seuil. Un seuil impossible est dit, et laissé à corriger. */
+    private final class Seuil extends JFormattedTextField.AbstractFormatter {
+
+        @Override
+        public Object stringToValue(String texte) throws ParseException {
+            double lu = Nombre.lire(texte.trim());
+            if (lu >= 0 && lu < Double.POSITIVE_INFINITY) {
+                return lu;
             }
-        });
-        ajustements.add(() -> choix.setSelectedItem(actuelle.get()));
-        JLabel etiquette = new JLabel(nom);
-        etiquette.setLabelFor(choix);
-        poser(etiquette, 0, ligne, 1);
-        poser(choix, 1, ligne, 1);
+            controleur.panneau.bandeau.dire(Sujet.AVIS, "seuil impossible : " + Texte.cite(texte)
+                    + " ; attendu : un nombre positif ou nul, par exemple 0.001");
+            throw new ParseException(texte, 0);
+        }
+
+        @Override
+        public String valueToString(Object seuil) {
+            return seuil == null ? "" : Nombre.ecrire((Double) seuil);
+        }
     }
 
-    private void ajouter(Supplier<Variante> variante, Parametre parametre, int ligne) {
-        JLabel nom = new JLabel(parametre.cle);
-        JLabel valeur = new JLabel(" ");
-        JComponent choix = parametre.estUneCouleur() ? couleur(variante, parametre)
-                : parametre.mots.isEmpty() ? glissiere(variante, parametre) : mot(variante, parametre);
-        choix.setName(variante.get().getSection() + "." + parametre.cle);
-        ajustements.add(() -> {
-            String actuelle = valeur(variante, parametre);
-            valeur.setText(!parametre.mots.isEmpty() ? " " : actuelle == null ? "—" : actuelle);
-            choix.setEnabled(controleur.reglages.estBranchee(variante.get()));
-        });
-        nom.setLabelFor(choix);
-        poser(nom, 0, ligne, 1);
-        poser(choix, 1, ligne, 1);
-        poser(valeur, 2, ligne, 1);
-    }
-
-    private void poser(JComponent composant, int x, int y, int colonnes) {
-        grille.add(composant, new GridBagConstraints(x, y, colonnes, 1, x == 1 ? 1 : 0, 0,
-                GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
-                new Insets(0, colonnes == 1 && x == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
-    }
-
-    private String valeur(Supplier<Variante> variante, Parametre parametre) {
-        return controleur.reglages.getValeur(variante.get(), parametre);
-    }
-
-    private JComboBox<String> mot(Supplier<Variante> variante, Parametre parametre) {
-        JComboBox<String> choix = new JComboBox<>(parametre.mots.toArray(new String[0]));
-        choix.addActionListener(e -> regler(variante, parametre, (String) choix.getSelectedItem(), false));
-        ajustements.add(() -> choix.setSelectedItem(valeur(variante, parametre)));
+    private <T> JComboBox<T> choix(T[] valeurs, Consumer<T> siChoisie) {
+        JComboBox<T> choix = new JComboBox<>(valeurs);
+        choix.addActionListener(e -> siChoisie.accept(choix.getItemAt(choix.getSelectedIndex())));
         return choix;
     }
 
-    /** Trois glissières, une par composante, de 0 à 1 comme dans les fichiers de scène. */
-    private JComponent couleur(Supplier<Variante> variante, Parametre parametre) {
-        JPanel trois = new JPanel(new GridLayout(3, 1)) {
-            @Override
-            public void setEnabled(boolean possible) {
-                super.setEnabled(possible);
-                Arrays.stream(getComponents()).forEach(glissiere -> glissiere.setEnabled(possible));
-            }
-        };
-        for (int k = 0; k < 3; k++) {
-            int composante = k;
-            JSlider glissiere = new JSlider(0, CENT, 0);
-            glissiere.setName(parametre.cle + " " + "rvb".charAt(k));
-            glissiere.addChangeListener(e -> {
-                String[] nombres = valeur(variante, parametre).trim().split("[ \t]+");
-                nombres[composante] = Nombre.ecrire(glissiere.getValue() / (double) CENT);
-                regler(variante, parametre, String.join(" ", nombres), glissiere.getValueIsAdjusting());
-            });
-            ajustements.add(() -> {
-                if (!glissiere.getValueIsAdjusting()) {
-                    glissiere.setValue((int) Math.round(CENT * Double.parseDouble(
-                            valeur(variante, parametre).trim().split("[ \t]+")[composante])));
-                }
-            });
-            trois.add(glissiere);
+    /** Ajoute une ligne. @param valeur composant de droite, ou {@code null} */
+    private void poser(String nom, JComponent composant, JLabel valeur, Runnable ajustement) {
+        JLabel etiquette = new JLabel(nom);
+        etiquette.setLabelFor(composant);
+        composant.setName(composant.getName() == null ? nom : composant.getName());
+        ajustements.add(ajustement);
+        poser(etiquette, 0, 1);
+        poser(composant, 1, valeur == null ? GridBagConstraints.REMAINDER : 1);
+        if (valeur != null) {
+            poser(valeur, 0, GridBagConstraints.REMAINDER);
         }
-        return trois;
     }
 
-    private JSlider glissiere(Supplier<Variante> variante, Parametre parametre) {
-        JSlider glissiere = new Glissiere(parametre);
+    private void poser(JComponent composant, int part, int colonnes) {
+        grille.add(composant, new GridBagConstraints(GridBagConstraints.RELATIVE, GridBagConstraints.RELATIVE, colonnes,
+                1, part, 0, GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
+                new Insets(0, colonnes == 1 && part == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
+    }
+
+    private void ajouter(Supplier<Variante> variante, Parametre parametre) {
+        String section = variante.get().getSection() + ".";
+        if (parametre.estUneCouleur()) {
+            Parametre composante = Parametre.nombre(parametre.cle, null, 0, 1, 0.01);
+            for (int k = 0; k < COULEURS.length; k++) {
+                String nom = parametre.cle + ", " + COULEURS[k];
+                glisser(nom, section + nom, variante, parametre, composante, k);
+            }
+        } else if (parametre.mots.isEmpty()) {
+            glisser(parametre.cle, section + parametre.cle, variante, parametre, parametre, 0);
+        } else {
+            JComboBox<String> mots = choix(parametre.mots.toArray(new String[0]),
+                    mot -> regler(variante, parametre, mot, false));
+            mots.setName(section + parametre.cle);
+            poser(parametre.cle, mots, null, () -> {
+                mots.setSelectedItem(reglages().getValeur(variante.get(), parametre));
+                mots.setEnabled(reglages().estBranchee(variante.get()));
+            });
+        }
+    }
+
+    /** Ajoute une glissière pour le nombre de ce rang d'une valeur. */
+    private void glisser(String nom, String nomComplet, Supplier<Variante> variante, Parametre parametre,
+            Parametre echelle, int rang) {
+        Supplier<String[]> nombres = () -> {
+            String valeur = reglages().getValeur(variante.get(), parametre);
+            return valeur == null ? new String[] {"—"} : valeur.trim().split("[ \t]+");
+        };
+        JLabel nombre = new JLabel();
+        JSlider glissiere = new Glissiere(echelle);
+        glissiere.setName(nomComplet);
+        glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
         // sans cet écart, les flèches du clavier n'auraient pas d'effet
         glissiere.setMinorTickSpacing(1);
         glissiere.setSnapToTicks(true);
-        glissiere.addChangeListener(e -> regler(variante, parametre, parametre.getValeur(glissiere.getValue()),
-                glissiere.getValueIsAdjusting()));
-        ajustements.add(() -> {
-            String actuelle = valeur(variante, parametre);
+        glissiere.addChangeListener(e -> {
+            String[] voulus = nombres.get();
+            voulus[rang] = echelle.getValeur(glissiere.getValue());
+            regler(variante, parametre, String.join(" ", voulus), glissiere.getValueIsAdjusting());
+        });
+        poser(nom, glissiere, nombre, () -> {
+            nombre.setText(nombres.get()[rang]);
+            glissiere.setEnabled(reglages().estBranchee(variante.get()));
             if (!glissiere.getValueIsAdjusting()) {
-                glissiere.setValue(actuelle == null ? 0 : parametre.getCran(actuelle));
+                glissiere.setValue(echelle.getCran(nombres.get()[rang]));
             }
         });
-        return glissiere;
     }
 
     /** Une glissière qui donne à un lecteur d'écran la valeur du paramètre, et non le numéro du cran. */
@@ -191,19 +209,23 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
-        ReglagesDessin reglages = controleur.reglages;
-        Section section = reglages.getSection(variante.get());
-        if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
-            long maintenant = System.nanoTime();
-            boolean suite = parametre == dernier && (glisse || maintenant - dernierNs < GESTE_NS);
-            dernier = parametre;
-            dernierNs = maintenant;
-            controleur.dessiner(reglages.avec(variante.get(),
-                    section.avec(parametre.cle, voulue, parametre.autre)), suite);
-        } else if (!miseAJour && !glisse) {
-            // la glissière est lâchée : le geste est fini
-            dernier = null;
+        Section section = reglages().getSection(variante.get());
+        if (!voulue.equals(section.valeur(parametre.cle))) {
+            changer(reglages().avec(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
+                    glisse);
         }
+    }
+
+    /** @param cause ce qui change, ou {@code null} @param glisse vrai pendant un glissement */
+    private void changer(ReglagesDessin voulus, Object cause, boolean glisse) {
+        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
+        if (!miseAJour && EventQueue.getCurrentEvent() instanceof MouseEvent) {
+            controleur.panneau.requestFocusInWindow();
+        }
+        if (miseAJour || (voulus + voulus.getOptions()).equals(reglages() + reglages().getOptions())) {
+            return;
+        }
+        controleur.choisir(controleur.etat.choix.avec(voulus), cause, glisse);
     }
 
     private void montrer() {

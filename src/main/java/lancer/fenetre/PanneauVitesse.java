@@ -44,7 +44,7 @@ final class PanneauVitesse extends JPanel {
     private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
     /** Texte du point que désignent la souris ou les flèches. */
     private final JTextArea point = Bandeau.etiquette("vitesse.point");
-    private final GraphiqueVitesse graphique = new GraphiqueVitesse(p -> montrer((Dessine) p), point::setText);
+    final GraphiqueVitesse graphique = new GraphiqueVitesse(this::montrerChoisi, point::setText);
     private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
     private Mesures mesures = new Mesures(null);
     private Future<?> travail;
@@ -171,8 +171,8 @@ final class PanneauVitesse extends JPanel {
     private List<Object> cle(Dessin montre) {
         ReglagesDessin reglages = montre.getReglages();
         // un fichier relu sans changement garde les mesures
-        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.estDeplacee() ? montre.getScene().getObjets()
-                : montre.fichier + " " + controleur.adopte.version, montre.largeur, montre.hauteur,
+        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? montre.getScene().getObjets()
+                : montre.fichier + " " + controleur.etat.lecture.version, montre.largeur, montre.hauteur,
                 reglages.getEtape()));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
                 reglages.getEssayees().containsKey(variante) ? variante.getSection()
@@ -182,9 +182,9 @@ final class PanneauVitesse extends JPanel {
 
     /** Montre les mesures, et les commence, les continue ou les interrompt. */
     private void suivre() {
-        Dessin montre = controleur.montre;
-        boolean libre = isShowing() && montre != null && !controleur.enCours
-                && controleur.getImageComplete() == montre.getImage();
+        Dessin montre = controleur.etat.montre;
+        boolean libre = isShowing() && montre != null && !controleur.etat.enCours
+                && controleur.etat.getImageEntiere() == montre.getImage();
         if (travail != null && !libre) {
             travail.cancel(true);
             travail = null;
@@ -202,11 +202,12 @@ final class PanneauVitesse extends JPanel {
         }
     }
 
-    /** Montre l'image de ce point si elle est gardée ; sinon, la dessine. */
-    private void montrer(Dessine voulu) {
+    /** Montre l'image du point choisi si elle est gardée ; sinon, la dessine. */
+    void montrerChoisi() {
+        Dessine voulu = (Dessine) graphique.getChoisi();
         Dessin dessin = voulu.dessin;
-        if (dessin == null || dessin.largeur != controleur.montre.largeur) {
-            controleur.dessiner(voulu.reglages, false);
+        if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
+            controleur.dessiner(voulu.reglages);
         } else {
             controleur.montrer(dessin);
         }

@@ -1,22 +1,19 @@
 package lancer.fenetre;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.ActionEvent;
-import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
-import javax.swing.AbstractAction;
-import javax.swing.KeyStroke;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Lampe;
@@ -24,34 +21,44 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Scene;
+import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
+import lancer.fenetre.figures.Figure;
 import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
+import lancer.scene.SectionLue;
 
-/** Déplacement, avec Maj et la souris, d'une sphère ou d'une lampe. Il se fait en mémoire, et l'image le suit. */
-@SuppressWarnings("serial")
+/**
+ * Ce qui est pris, dans l'image par Maj et la souris, ou dans l'onglet Scène. Son déplacement se fait en mémoire, et
+ * l'image le suit.
+ */
 final class Prise extends MouseAdapter {
 
     /** Rapport des distances à l'œil avant et après un cran de la molette. */
     private static final double CRAN = 1.04;
     private static final int RAYON_ETOILE = 9;
-    private static final int BRANCHES = 4;
+    private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
+            new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
     private static final Color LAMPE = new Color(0xFFE040);
-    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
-    private static final long GESTE_NS = 1_000_000_000;
+    /** Nombre de rayons, par côté de l'image, qui mesurent ce que couvre un objet. */
+    private static final int GRILLE = 32;
 
     private final Controleur controleur;
     private final PanneauImage panneau;
-    /** Rang de la sphère ou de la lampe prise, dans sa liste ; −1 si rien n'est pris. */
+    /** Appelé quand autre chose est pris. */
+    Runnable siAutre = () -> { };
+    /** Rang dans le fichier de ce qui est pris, et de ce qui le serait ; −1 s'il n'y en a pas. */
     private int rang = -1;
-    private boolean estLampe;
+    private int survol = -1;
+    /** Raison pour laquelle rien ne peut être pris sous la souris ; vide s'il n'y en a pas. */
+    private String refus = "";
     /** Point de l'image au début du geste de la souris, et position de l'objet pris à ce moment. */
     private Point2D depart;
     private Point origine;
-    private long dernierNs;
+    private Object geste;
     private boolean etoiles;
     /** Le dessin qui a lu la scène de l'objet pris. */
     private Tracage lue;
@@ -63,103 +70,128 @@ final class Prise extends MouseAdapter {
         panneau.addMouseMotionListener(this);
         panneau.addMouseWheelListener(this);
         panneau.prises = this::peindre;
-        int[][] sens = {{KeyEvent.VK_LEFT, -1, 0}, {KeyEvent.VK_RIGHT, 1, 0}, {KeyEvent.VK_UP, 0, -1},
-            {KeyEvent.VK_DOWN, 0, 1}};
-        for (int[] s : sens) {
-            panneau.getInputMap().put(KeyStroke.getKeyStroke(s[0], InputEvent.SHIFT_DOWN_MASK), s);
-            panneau.getActionMap().put(s, new AbstractAction() {
-                /** Si rien n'est pris, la touche garde son autre action. */
-                @Override
-                public boolean isEnabled() {
-                    return estPris();
-                }
-
-                @Override
-                public void actionPerformed(ActionEvent e) {
-                    aller(deplacee(getPosition(), s[1], s[2]));
-                }
-            });
-        }
         controleur.prevenir(() -> {
-            if (lue != controleur.adopte) {
-                lue = controleur.adopte;
+            if (lue != controleur.etat.lecture) {
+                lue = controleur.etat.lecture;
                 lacher();
             }
         });
     }
 
     private SceneLue getLue() {
-        return controleur.source.getLue();
+        return controleur.etat.choix.scene;
+    }
+
+    /** Déplace ce qui est pris d'autant de pixels. */
+    void pousser(int dx, int dy) {
+        aller(deplacee(getPosition(), dx, dy));
+    }
+
+    /** Dit si ce qui est pris a une place, et peut donc être déplacé. */
+    boolean estMobile() {
+        return estPris() && getPosition() != null;
     }
 
     boolean estPris() {
         return rang >= 0;
     }
 
-    void lacher() {
-        rang = -1;
+    int getRang() {
+        return rang;
+    }
+
+    /** Prend ce qui a ce rang dans le fichier, visible ou non ; −1 pour ne rien prendre. */
+    void prendre(int voulu) {
         depart = null;
+        survol = -1;
+        geste = new Object();
+        if (voulu != rang) {
+            rang = voulu;
+            siAutre.run();
+        }
         panneau.repaint();
     }
 
-    private Object getChose() {
-        return estLampe ? getLue().lampes.get(rang) : getLue().objets.get(rang);
+    void lacher() {
+        prendre(-1);
     }
 
     private Point getPosition() {
-        return estLampe ? ((Lampe) getChose()).getPosition() : ((Sphere) getChose()).getCentre();
+        return Deplacement.place(getLue().origines.getSection(rang));
     }
 
     private Camera getCamera() {
-        return controleur.montre.getLancer().getCamera();
+        return controleur.etat.montre.getLancer().getCamera();
+    }
+
+    /** Ce qui est tiré ou, avec Maj, ce qu'un bouton de la souris prendrait ; vide si la souris ne fait rien. */
+    String dire() {
+        return depart != null ? dire(rang) : survol >= 0 ? dire(survol) : refus;
+    }
+
+    private String dire(int k) {
+        SectionLue section = getLue().origines.getSection(k);
+        String cle = Deplacement.cle(section);
+        return getLue().origines.getNom(k) + (cle == null ? "" : " " + cle + "=" + section.valeur(cle));
     }
 
     @Override
     public void mousePressed(MouseEvent e) {
-        if (panneau.montree == null || controleur.montre == null || !SwingUtilities.isLeftMouseButton(e)) {
-            return;
-        }
-        lacher();
-        if (e.isShiftDown() && prendre(panneau.pointDe(e))) {
-            depart = panneau.pointDe(e);
-            origine = getPosition();
-            dernierNs = 0;
-            panneau.repaint();
+        if (controleur.etat.montre != null && SwingUtilities.isLeftMouseButton(e)) {
+            prendre(e.isShiftDown() ? viser(e) : -1);
+            if (estPris()) {
+                depart = panneau.pointDe(e);
+                origine = getPosition();
+            } else if (!refus.isEmpty()) {
+                panneau.bandeau.dire(Sujet.AVIS, refus);
+            }
         }
     }
 
-    /** Prend la lampe ou, à défaut, la sphère visible en ce point de l'image. Un avis explique un refus. */
-    private boolean prendre(Point2D ou) {
-        for (int k = 0; k < getLue().lampes.size(); k++) {
-            Point2D etoile = etoile(getLue().lampes.get(k));
-            if (etoile != null && etoile.distance(panneau.placeDe(ou.getX(), ou.getY())) < RAYON_ETOILE) {
-                estLampe = true;
-                rang = k;
-                return true;
-            }
+    /** Le rang de ce qui peut être pris sous la souris ; −1 si {@code refus} dit pourquoi rien ne peut l'être. */
+    private int viser(MouseEvent e) {
+        Point2D ou = panneau.pointDe(e);
+        refus = "";
+        Point2D souris = panneau.placeDe(ou.getX(), ou.getY());
+        Optional<Lampe> lampe = getLue().lampes.stream().filter(l -> aLEcran(l.getPosition()) != null
+                && aLEcran(l.getPosition()).distance(souris) < RAYON_ETOILE).findFirst();
+        if (lampe.isPresent()) {
+            return getLue().origines.getRang(lampe.get());
         }
-        Scene scene = controleur.montre.getScene().avec(controleur.montre.getScene().getModele());
-        PointContact contact;
         try {
-            contact = scene.getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
-        } catch (RuntimeException e) {
-            panneau.bandeau.dire(Sujet.AVIS, Messages.message(e));
-            return false;
+            Scene montree = controleur.etat.montre.getScene();
+            PointContact contact = montree.avec(montree.getModele())
+                    .getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
+            if (contact == null) {
+                refus = "rien à prendre ici : aucun objet ne s'y voit";
+                return -1;
+            }
+            int vu = controleur.etat.montre.getLue().origines.getRang(contact.objet);
+            String nom = getLue().origines.getNom(vu);
+            refus = Deplacement.place(getLue().origines.getSection(vu)) == null
+                    ? nom + " ne se prend pas : sa section n'a ni centre, ni position"
+                    : !estTropGrand(contact.objet) ? ""
+                    : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
+            return refus.isEmpty() ? vu : -1;
+        } catch (RuntimeException panne) {
+            refus = Messages.message(panne);
+            return -1;
         }
-        Objet3D objet = contact == null ? null : contact.objet;
-        SceneLue montree = controleur.montre.getLue();
-        estLampe = false;
-        rang = objet == null || objet.getClass() != Sphere.class ? -1 : montree.objets.indexOf(objet);
-        if (!estPris()) {
-            panneau.bandeau.dire(Sujet.AVIS, objet == null ? "rien à prendre ici : aucun objet ne s'y voit"
-                    : montree.origines.de(objet) + " ne se prend pas : la souris ne prend que sphères et lampes");
-        }
-        return estPris();
+    }
+
+    /** Dit si cet objet couvre plus de la moitié de l'image, ou si c'est une boule qui contient l'œil. */
+    private boolean estTropGrand(Objet3D objet) {
+        Camera camera = getCamera();
+        long couverts = IntStream.range(0, GRILLE * GRILLE).filter(k -> objet.getIntersectionDistance(camera.getRayon(
+                (k % GRILLE + 0.5) / GRILLE * camera.getLargeur(), (k / GRILLE + 0.5) / GRILLE * camera.getHauteur()))
+                < Double.POSITIVE_INFINITY).count();
+        return 2 * couverts > GRILLE * GRILLE || objet instanceof Sphere
+                && new Vecteur(camera.getOeil(), ((Sphere) objet).getCentre()).norme() <= ((Sphere) objet).getRayon();
     }
 
     @Override
     public void mouseDragged(MouseEvent e) {
-        if (depart != null && estPris()) {
+        if (depart != null) {
             Point2D ici = panneau.pointDe(e);
             aller(deplacee(origine, ici.getX() - depart.getX(), ici.getY() - depart.getY()));
         }
@@ -168,19 +200,28 @@ final class Prise extends MouseAdapter {
     @Override
     public void mouseReleased(MouseEvent e) {
         depart = null;
+        panneau.rafraichir();
     }
 
     @Override
     public void mouseMoved(MouseEvent e) {
-        if (etoiles != e.isShiftDown()) {
-            etoiles = e.isShiftDown();
-            panneau.repaint();
+        boolean montrees = e.isShiftDown() && controleur.etat.montre != null && e.getID() != MouseEvent.MOUSE_EXITED;
+        if (etoiles || montrees) {
+            etoiles = montrees;
+            refus = "";
+            survol = montrees && panneau.getPixelSouris(panneau.montree) != null ? viser(e) : -1;
+            panneau.rafraichir();
         }
     }
 
     @Override
+    public void mouseExited(MouseEvent e) {
+        mouseMoved(e);
+    }
+
+    @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
-        if (e.isShiftDown() && estPris()) {
+        if (e.isShiftDown() && estMobile()) {
             Point oeil = getCamera().getOeil();
             aller(oeil.add(new Vecteur(oeil, getPosition()).mul(Math.pow(CRAN, -e.getPreciseWheelRotation()))));
         }
@@ -193,63 +234,51 @@ final class Prise extends MouseAdapter {
     }
 
     private void aller(Point voulue) {
-        Point ou = Deplacement.arrondir(voulue, Math.abs(getCamera().projeter(voulue).z));
-        Object ancienne = getChose();
-        if (ou.equals(getPosition())) {
+        String ou = Deplacement.ecrire(voulue, Math.abs(getCamera().projeter(voulue).z));
+        SectionLue section = getLue().origines.getSection(rang);
+        String cle = Deplacement.cle(section);
+        if (ou.equals(section.valeur(cle))) {
             return;
         }
-        long maintenant = System.nanoTime();
-        boolean suite = dernierNs != 0 && (depart != null || maintenant - dernierNs < GESTE_NS);
-        dernierNs = maintenant;
-        controleur.deplacer(ancienne, estLampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
-                : Deplacement.en((Sphere) ancienne, ou), suite);
+        try {
+            controleur.choisir(controleur.etat.choix.avec(getLue().avec(rang, cle, ou)), geste, depart != null);
+        } catch (SceneFautive e) {
+            panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
+        }
         panneau.repaint();
     }
 
-    /** Position de cette lampe à l'écran ; {@code null} si elle est derrière l'œil. */
-    private Point2D etoile(Lampe lampe) {
-        Point vue = getCamera().projeter(lampe.getPosition());
-        return vue.z > 0 && !Double.isInfinite(vue.z) ? panneau.placeDe(vue.x, vue.y) : null;
+    /** La place de ce point à l'écran ; {@code null} s'il est derrière l'œil ou n'existe pas. */
+    private Point2D aLEcran(Point p) {
+        Point vu = p == null ? null : getCamera().projeter(p);
+        return vu == null || vu.z <= 0 || Double.isInfinite(vu.z) ? null : panneau.placeDe(vu.x, vu.y);
     }
 
     private void peindre(Graphics2D g) {
-        if (panneau.montree == null || controleur.montre == null || !etoiles && !estPris()) {
+        if (panneau.montree == null || controleur.etat.montre == null || !etoiles && !estPris()) {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        for (Lampe lampe : getLue().lampes) {
-            Point2D etoile = etoile(lampe);
-            if (etoile != null) {
-                tracer(g, etoile(etoile), LAMPE);
-            }
-        }
+        getLue().lampes.stream().map(lampe -> aLEcran(lampe.getPosition())).filter(Objects::nonNull)
+                .forEach(ou -> Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                .createTransformedShape(ETOILE), LAMPE));
+        entourer(g, survol);
         if (estPris()) {
-            Point vue = getCamera().projeter(getPosition());
-            Point2D centre = panneau.placeDe(vue.x, vue.y);
-            double rayon = estLampe ? 2 * RAYON_ETOILE : ((Sphere) getChose()).getRayon() * vue.z
-                    * panneau.getReduction(panneau.montree);
-            tracer(g, new Ellipse2D.Double(centre.getX() - rayon, centre.getY() - rayon, 2 * rayon, 2 * rayon),
-                    Color.WHITE);
+            entourer(g, rang);
+            Point2D ou = aLEcran(getPosition());
+            panneau.ecrire(g, dire(rang) + (ou != null && panneau.getCadre().contains(ou) ? "" : " (hors de l'image)"));
         }
     }
 
-    private static void tracer(Graphics2D g, Shape forme, Color couleur) {
-        g.setStroke(new BasicStroke(4));
-        g.setColor(Color.BLACK);
-        g.draw(forme);
-        g.setStroke(new BasicStroke(2));
-        g.setColor(couleur);
-        g.draw(forme);
-    }
-
-    private static Shape etoile(Point2D centre) {
-        Path2D etoile = new Path2D.Double();
-        for (int k = 0; k < BRANCHES; k++) {
-            double x = Math.cos(Math.PI * k / BRANCHES) * RAYON_ETOILE;
-            double y = Math.sin(Math.PI * k / BRANCHES) * RAYON_ETOILE;
-            etoile.append(new Line2D.Double(centre.getX() - x, centre.getY() - y, centre.getX() + x,
-                    centre.getY() + y), false);
+    /** Entoure ce qui a ce rang. Le cercle d'une boule a son centre et son rayon. */
+    private void entourer(Graphics2D g, int k) {
+        Point place = k < 0 ? null : Deplacement.place(getLue().origines.getSection(k));
+        Point2D ou = aLEcran(place);
+        if (ou != null) {
+            Object chose = getLue().origines.getChose(k);
+            double r = !(chose instanceof Sphere) ? 2 * RAYON_ETOILE : ((Sphere) chose).getRayon()
+                    * getCamera().projeter(place).z * panneau.getReduction(panneau.montree);
+            Figure.peindreLisere(g, new Ellipse2D.Double(ou.getX() - r, ou.getY() - r, 2 * r, 2 * r), Color.WHITE);
         }
-        return etoile;
     }
 }

@@ -11,8 +11,8 @@ import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.scene.FichierScene;
+import lancer.scene.SceneLue;
 
 /** Travail d'un dessin de la fenêtre, dans un autre fil : lire la scène si besoin, la préparer, la dessiner. */
 final class Tracage extends SwingWorker<Void, Void> {
@@ -20,22 +20,30 @@ final class Tracage extends SwingWorker<Void, Void> {
     /** Attente maximale de l'affichage du brouillon. */
     private static final long PATIENCE_MS = 2000;
 
+    /** Temps passé à une étape avant de dire ce qui en reste. */
+    private static final long RESTE_NS = 2_000_000_000;
+
     /** Temps laissé à un geste pour continuer. */
     private static final long GESTE_MS = 150;
 
     final Dessin dessin;
     final boolean aLire;
     private final Consumer<Dessin> programme;
-    private final ReglagesDessin voulus;
+    private final Choix voulu;
     /** La taille de l'image à l'écran. */
     private final Dimension place;
     private final int fils;
     private final long debut = System.nanoTime();
     /** La version du fichier lu, même si sa lecture a échoué. */
     volatile String version;
+    /** Ce que dit ce fichier, sans aucun déplacement, puis ce qui est dessiné ; {@code null} avant sa lecture. */
+    private volatile Choix lu;
+    volatile Choix choix;
     /** Vrai quand la fenêtre a montré que la scène est lue, puis qu'un calcul dure. */
     boolean lueDite;
     boolean lenteurDite;
+    private String etape;
+    private long debutEtapeNs;
     private volatile long fin;
     private volatile Throwable echec;
     private final CountDownLatch lue = new CountDownLatch(1);
@@ -43,16 +51,30 @@ final class Tracage extends SwingWorker<Void, Void> {
     final CountDownLatch vue = new CountDownLatch(1);
 
     /**
-     * @param voulus les réglages, {@code null} pour ceux de la ligne de commande et du fichier
+     * @param voulu ce qui est choisi, {@code null} pour ce que disent la ligne de commande et le fichier
      * @param place la taille de l'image à l'écran, en pixels
      */
-    Tracage(Consumer<Dessin> programme, Dessin dessin, ReglagesDessin voulus, Dimension place, int fils) {
+    Tracage(Consumer<Dessin> programme, Dessin dessin, Choix voulu, Dimension place, int fils) {
         this.place = place;
         this.fils = fils;
         this.programme = programme;
         this.dessin = dessin;
-        this.voulus = voulus;
+        this.voulu = voulu;
         aLire = dessin.getLue() == null;
+        choix = aLire ? null : voulu;
+    }
+
+    Choix getLu() {
+        return lu;
+    }
+
+    /** La scène lue par ce dessin, telle qu'elle est dans son fichier. */
+    SceneLue getLue() {
+        return lu.lue;
+    }
+
+    boolean litLaSceneDe(Tracage autre) {
+        return autre != null && dessin.fichier.equals(autre.dessin.fichier);
     }
 
     /** Attend la fin ou l'échec de la lecture, {@code ms} millisecondes au plus ; lève l'exception de l'échec. */
@@ -64,8 +86,7 @@ final class Tracage extends SwingWorker<Void, Void> {
         }
         if (dessin.getLue() == null && echec instanceof Error) {
             throw (Error) echec;
-        }
-        if (dessin.getLue() == null && echec != null) {
+        } else if (dessin.getLue() == null && echec != null) {
             throw (RuntimeException) echec;
         }
     }
@@ -92,12 +113,14 @@ final class Tracage extends SwingWorker<Void, Void> {
         if (aLire) {
             version = FichierScene.version(dessin.fichier);
             dessin.lire();
+            lu = new Choix(dessin.fichier, dessin.getLue(), dessin.getLue(), dessin.getReglages(), null);
+            choix = voulu == null ? lu : voulu.pour(lu, false);
             lue.countDown();
         }
         // une image de l'échelle est déjà dessinée
         if (!isCancelled() && !dessin.isBrouillonFait()) {
-            if (voulus != null) {
-                dessin.regler(aLire ? voulus.pour(dessin.getReglages()) : voulus);
+            if (voulu != null) {
+                dessin.changer(choix.scene, choix.reglages);
             }
             // si l'image est bien plus grande que sa place, son brouillon est long
             if (dessin.largeur > Constantes.PAS_BROUILLON * place.width) {
@@ -149,16 +172,30 @@ final class Tracage extends SwingWorker<Void, Void> {
         return isAcheve() ? "terminé"
                 : getEchec() instanceof SceneFautive ? aLire ? "scène refusée" : "réglage impossible"
                 : (getEchec() != null ? "échec" : getEtape())
-                + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9);
+                + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9) + getReste();
     }
 
     private String getEtape() {
-        int part = (int) (100 * dessin.getAvancement());
-        if (dessin.getLancer() == null) {
-            return (dessin.getLue() == null ? "lecture" : "préparation")
-                    + (isCancelled() ? " arrêtée" : " " + part + " %");
+        String nom = dessin.getLancer() != null ? dessin.isBrouillonFait() ? "dessin" : "brouillon"
+                : dessin.getLue() == null ? "lecture" : "préparation";
+        if (!nom.equals(etape)) {
+            etape = nom;
+            debutEtapeNs = getDureeNs();
         }
-        return (!dessin.isBrouillonFait() ? "brouillon " : isCancelled() ? "" : "dessin ")
-                + (isCancelled() ? "arrêté à " : "") + part + " %";
+        double part = dessin.getAvancement();
+        if (isCancelled()) {
+            return nom + " arrêté" + (dessin.getLancer() == null ? "e" : " à " + (int) (100 * part) + " %");
+        }
+        return nom + " " + (int) (100 * part) + " %";
+    }
+
+    /** Le temps qui reste à cette étape, d'après ce qui en est fait ; vide tant qu'il ne peut être estimé. */
+    private String getReste() {
+        double part = dessin.getAvancement();
+        long passe = getDureeNs() - debutEtapeNs;
+        double s = passe * (1 - part) / part / 1e9;
+        String reste = s < 60 ? Math.round(s) + " s" : s < 3600 ? Math.round(s / 60) + " min"
+                : Math.round(s / 3600) + " h";
+        return isDone() || part == 0 || passe < RESTE_NS ? "" : ", reste " + reste;
     }
 }

@@ -1,5 +1,6 @@
 package lancer.image;
 
+import java.util.Locale;
 import lancer.Couleur;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
@@ -17,8 +18,17 @@ public final class ImageMemoire implements Toile {
     public final int[] codes;
     public final float[] lineaire;
 
+    /** Les trois nombres, tous égaux, d'un pixel où la vue ne trouve rien. */
+    public static final float CIEL = -1;
+
     /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
     public volatile String sens = COULEUR;
+
+    /** Texte qui décrit une image achevée : son coût, ses réglages ; vide si elle ne l'est pas. */
+    public volatile String legende = "";
+
+    /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
+    public volatile String echelle = "";
 
     /** @param avecLineaire vrai pour garder aussi les couleurs non limitées */
     public ImageMemoire(int largeur, int hauteur, boolean avecLineaire) {
@@ -52,5 +62,12 @@ public final class ImageMemoire implements Toile {
     public void drawPixel(Couleur teinte, Couleur valeur, int xe, int ye) {
         drawPixel(valeur, xe, ye);
         codes[ye * largeur + xe] = teinte.getCode();
+    }
+
+    /** Les nombres de ce pixel, comme {@link #sens} ; vide si l'image n'en garde pas. */
+    public String dire(int k) {
+        return lineaire == null ? "" : lineaire[3 * k] == CIEL && lineaire[3 * k + 1] == CIEL ? "ciel"
+                // point décimal, comme dans les fichiers de scène
+                : String.format(Locale.ROOT, sens, lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
     }
 }

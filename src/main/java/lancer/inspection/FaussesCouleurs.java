@@ -1,6 +1,7 @@
 package lancer.inspection;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import lancer.Camera;
@@ -20,8 +21,9 @@ import lancer.contrat.Vue;
 import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
+import lancer.texte.Nombre;
 
-/** Vues d'une scène en fausses couleurs ({@code --vue}). Le ciel y est noir. */
+/** Vues d'une scène en fausses couleurs ({@code --vue}), chacune avec sa légende. Le ciel y est noir. */
 public final class FaussesCouleurs {
 
     /** Racine du nombre de rayons par pixel de la référence. */
@@ -34,6 +36,12 @@ public final class FaussesCouleurs {
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
 
     private static final Couleur NOIR = new Couleur();
+
+    /** Le gris du contact le plus lointain, pour le distinguer du ciel. */
+    private static final double GRIS_LOINTAIN = 0.1;
+
+    /** Les trois nombres d'un pixel où rien n'est vu. */
+    private static final Couleur CIEL = new Couleur(ImageMemoire.CIEL);
 
     private final Lancer lancer;
     private final Camera camera;
@@ -65,7 +73,6 @@ public final class FaussesCouleurs {
      */
     public Lancer dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
         if (nom.equals("difference")) {
-            image.sens = "écart : %.2f niveaux";
             ImageMemoire attendue = reference;
             if (attendue == null) {
                 attendue = new ImageMemoire(image.largeur, image.hauteur, true);
@@ -73,22 +80,35 @@ public final class FaussesCouleurs {
             }
             ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
             tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
-            new Comparaison(dessinee, attendue, 0, 0).peindreLesEcarts(image);
+            Comparaison comparaison = new Comparaison(dessinee, attendue, 0, 0);
+            // jusqu'ici, les nombres de l'image sont ceux du brouillon
+            image.sens = "écart : %.2f niveaux";
+            comparaison.peindreLesEcarts(image);
+            image.echelle = "écart, au plus " + Nombre.arrondir(comparaison.getPire())
+                    + " (blanc : 32 niveaux sur 255), avec "
+                    + (reference == null ? "une image de " + COTE * COTE + " rayons par pixel"
+                    : "l'image d'avant");
         } else if (nom.equals("rayons")) {
             image.sens = "rayons : %.0f";
+            image.echelle = "noir : 1 rayon, violet : 16, rose : 64, orange : 256, blanc : 4096 ou plus";
             tracer(this::compter, (rayons, i, j) -> image.drawPixel(teinte(rayons.r), rayons, i, j));
         } else if (nom.equals("distance")) {
             image.sens = "d = %.5f";
             dessinerLesDistances(image);
         } else if (nom.equals("normales")) {
             image.sens = "N = %.4f %.4f %.4f";
-            tracer(parPixel(FaussesCouleurs::normale), (N, i, j) -> image.drawPixel(N.equals(NOIR) ? N
-                    : N.add(new Couleur(1)).div(2), N, i, j));
+            image.echelle = "(N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir";
+            tracer(parPixel(FaussesCouleurs::normale), (N, i, j) ->
+                    image.drawPixel(N.add(new Couleur(1)).div(2), N, i, j));
         } else {
             image.sens = "lampes : %.0f";
-            int nombre = Math.max(1, lancer.getScene().getLampes().size());
-            tracer(parPixel(FaussesCouleurs::lampes), (n, i, j) -> image.drawPixel(n.div(nombre), n, i, j));
+            int nombre = lancer.getScene().getLampes().size();
+            image.echelle = "lampes qui éclairent, noir : aucune, blanc : " + nombre + " sur " + nombre
+                    + " ; ciel noir";
+            tracer(parPixel(FaussesCouleurs::lampes), (n, i, j) ->
+                    image.drawPixel(n.div(Math.max(1, nombre)), n, i, j));
         }
+        image.echelle = "vue " + nom + " : " + image.echelle;
         return dernier;
     }
 
@@ -99,7 +119,7 @@ public final class FaussesCouleurs {
         dernier.TracerPixels(toile, profondeur, fils);
     }
 
-    /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou trois zéros. */
+    /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou {@link #CIEL}. */
     private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
         return (pave, voulus, vue, toile) -> {
             Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
@@ -110,7 +130,7 @@ public final class FaussesCouleurs {
                         scene.getCompteurs().primaires++;
                         Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                         PointContact contact = scene.getClosestIntersection(rayon);
-                        toile.drawPixel(contact == null ? NOIR : nombres.apply(scene, contact), i, j);
+                        toile.drawPixel(contact == null ? CIEL : nombres.apply(scene, contact), i, j);
                     } catch (RuntimeException e) {
                         throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
                     }
@@ -137,15 +157,21 @@ public final class FaussesCouleurs {
         return new Couleur(eclairent);
     }
 
-    /** Peint 1 − d/d_max, où d_max est la plus grande distance d'un contact de l'image. */
+    /** Peint les distances en gris, selon leur logarithme : blanc le plus proche contact, sombre le plus lointain. */
     private void dessinerLesDistances(ImageMemoire image) {
         double[] distances = new double[image.largeur * image.hauteur];
         tracer(parPixel((scene, contact) -> new Couleur(contact.distance)),
                 (distance, i, j) -> distances[j * image.largeur + i] = distance.r);
-        double max = Arrays.stream(distances).max().orElse(0);
+        DoubleSummaryStatistics contacts = Arrays.stream(distances).filter(d -> d > 0).summaryStatistics();
+        double min = contacts.getMin();
+        double max = contacts.getMax();
+        image.echelle = contacts.getCount() == 0 ? "aucun contact ; ciel noir"
+                : "d = " + Nombre.arrondir(min) + " en blanc, " + Nombre.arrondir(max) + " en gris sombre ; ciel noir";
+        double etendue = max > min ? Math.log(max) - Math.log(min) : 1;
         for (int k = 0; k < distances.length; k++) {
-            image.drawPixel(new Couleur(distances[k] == 0 ? 0 : 1 - distances[k] / max), new Couleur(distances[k]),
-                    k % image.largeur, k / image.largeur);
+            double part = (Math.log(distances[k]) - Math.log(min)) / etendue;
+            image.drawPixel(distances[k] > 0 ? new Couleur(1 - (1 - GRIS_LOINTAIN) * part) : NOIR,
+                    new Couleur(distances[k]), k % image.largeur, k / image.largeur);
         }
     }
 

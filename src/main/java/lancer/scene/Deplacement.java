@@ -2,16 +2,18 @@ package lancer.scene;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.stream.Collectors;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
-import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Point;
-import lancer.Sphere;
+import lancer.SceneFautive;
 import lancer.texte.Nombre;
 
-/** Déplacement d'une sphère ou d'une lampe dans une scène lue. */
+/** La place d'un objet ou d'une lampe, telle que sa section l'écrit. */
 public final class Deplacement {
+
+    /** Les clés qui donnent une place, par préférence. */
+    public static final List<String> CLES = Arrays.asList("centre", "position");
 
     /** Écart permis entre la position voulue et la position écrite, en pixels. */
     private static final double ECART = 0.1;
@@ -19,38 +21,32 @@ public final class Deplacement {
     private Deplacement() {
     }
 
-    /** Cette position, avec le moins de décimales possible. @param pixels nombre de pixels d'une unité de la scène */
-    public static Point arrondir(Point p, double pixels) {
-        return new Point(arrondir(p.x, pixels), arrondir(p.y, pixels), arrondir(p.z, pixels));
+    /** La place que donne cette section, sous l'une des {@link #CLES} ; {@code null} si elle n'en donne pas. */
+    public static Point place(SectionLue section) {
+        try {
+            String cle = cle(section);
+            return cle == null ? null : section.point(cle);
+        } catch (SceneFautive e) {
+            // une forme a pu donner un autre sens à cette clé
+            return null;
+        }
     }
 
-    private static double arrondir(double x, double pixels) {
+    /** Celle des {@link #CLES} que donne cette section, ou {@code null}. */
+    public static String cle(SectionLue section) {
+        return CLES.stream().filter(cle -> section.valeur(cle) != null).findFirst().orElse(null);
+    }
+
+    /** Cette position, comme dans un fichier, à un dixième de pixel. @param pixels nombre de pixels d'une unité */
+    public static String ecrire(Point p, double pixels) {
+        return ecrire(p.x, pixels) + " " + ecrire(p.y, pixels) + " " + ecrire(p.z, pixels);
+    }
+
+    private static String ecrire(double x, double pixels) {
         BigDecimal exact = new BigDecimal(x);
-        return IntStream.rangeClosed(-(int) Math.log10(1 + Math.abs(x)), 17)
+        double arrondi = IntStream.rangeClosed(-(int) Math.log10(1 + Math.abs(x)), 17)
                 .mapToDouble(decimales -> exact.setScale(decimales, RoundingMode.HALF_EVEN).doubleValue())
-                .filter(arrondi -> Math.abs(arrondi - x) * pixels <= ECART).findFirst().orElse(x);
-    }
-
-    public static Sphere en(Sphere sphere, Point centre) {
-        Sphere autre = new Sphere(centre, sphere.getRayon());
-        autre.setKd(sphere.getKd());
-        autre.setKs(sphere.getKs());
-        autre.setNs(sphere.getNs());
-        return autre;
-    }
-
-    /** Les sections des objets et des lampes déplacés, avec leur nouvelle position, à copier dans le fichier. */
-    public static String sections(SceneLue lue, SceneLue deplacee) {
-        return IntStream.range(0, lue.objets.size()).filter(k -> lue.objets.get(k) != deplacee.objets.get(k))
-                .mapToObj(k -> section(deplacee, deplacee.objets.get(k))).collect(Collectors.joining())
-                + IntStream.range(0, lue.lampes.size()).filter(k -> lue.lampes.get(k) != deplacee.lampes.get(k))
-                .mapToObj(k -> section(deplacee, deplacee.lampes.get(k))).collect(Collectors.joining());
-    }
-
-    private static String section(SceneLue scene, Object chose) {
-        boolean objet = chose instanceof Objet3D;
-        Point p = objet ? ((Sphere) chose).getCentre() : ((Lampe) chose).getPosition();
-        return scene.origines.de(chose).replaceFirst(" ligne \\d+$", "") + (objet ? "\ncentre=" : "\nposition=")
-                + Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z) + "\n\n";
+                .filter(proche -> Math.abs(proche - x) * pixels <= ECART).findFirst().orElse(x);
+        return Nombre.ecrire(arrondi);
     }
 }

@@ -10,6 +10,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.zip.CRC32;
 import lancer.SceneFautive;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
@@ -19,6 +20,9 @@ public final class FichierScene {
 
     /** Nombre de dossiers parents où une scène est aussi cherchée. */
     private static final int DOSSIERS_AU_DESSUS = 4;
+
+    /** La taille du plus grand fichier dont le contenu est lu à chaque observation. */
+    private static final int OCTETS_SOMMES = 1 << 20;
 
     private FichierScene() {
     }
@@ -58,11 +62,19 @@ public final class FichierScene {
         return trouve;
     }
 
-    /** L'heure, la taille et l'identité du fichier ; {@code null} s'il n'existe pas. */
+    /**
+     * L'heure, la taille et l'identité du fichier, et une somme de son contenu s'il est petit : deux enregistrements
+     * peuvent avoir la même heure et la même taille. {@code null} s'il n'existe pas.
+     */
     public static String version(String fichier) {
         try {
-            BasicFileAttributes a = Files.readAttributes(trouver(fichier), BasicFileAttributes.class);
-            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey();
+            Path chemin = trouver(fichier);
+            BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
+            CRC32 somme = new CRC32();
+            if (a.isRegularFile() && a.size() <= OCTETS_SOMMES) {
+                somme.update(Files.readAllBytes(chemin));
+            }
+            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey() + " " + somme.getValue();
         } catch (IOException | SceneFautive e) {
             return null;
         }

@@ -32,40 +32,27 @@ import org.ini4j.spi.IniParser;
 /** Lecture d'un fichier INI. ini4j ne fait que le découper en lignes, sans ses substitutions (CVE-2022-41404). */
 public final class LecteurScene {
 
-    private static final double LUMIERE_MAX = 1e6;
-    private static final double NS_MAX = 1e9;
-
-    /** Nombre maximal de couleurs dans la palette. */
-    private static final int PALETTE_MAX = 256;
-
-    /** Les clés de la matière, permises dans la section de toute forme. */
-    public static final List<String> CLES_MATIERE =
-            Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
-
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
     private final String fichier;
     private final Services services;
-    private final SceneLue lue = new SceneLue();
-    /** Les sections de variantes, par type, et les clés de chaque type d'objets. */
+    private final LecteurSections lecteur;
+    private final SceneLue lue;
+    /** Les sections de variantes, par type. */
     private final Map<String, SectionLue> sectionsVariantes = new HashMap<>();
-    private final Map<String, List<String>> cles = new HashMap<>();
-    /** L'origine de chaque section, par son nom ; le type y a son écriture ordinaire. */
-    private final Map<String, Origine> noms = new HashMap<>();
-    /** Couleurs déjà lues, à partager : une scène d'un million de sphères n'en a que quelques-unes. */
-    private final Map<Couleur, Couleur> palette = new HashMap<>();
+    /** La ligne de chaque section, par son nom ; le type y a son écriture ordinaire. */
+    private final Map<String, Integer> noms = new HashMap<>();
     private Lignes lignes;
     private SectionLue courante;
-    private Origine origine;
-    /** La forme de la section en cours ; {@code null} si la section n'est pas celle d'un objet. */
-    private Forme forme;
-    private boolean lampe;
+    /** Vrai si la section en cours n'est ni celle d'un objet, ni celle d'une lampe. */
+    private boolean variante;
 
     private LecteurScene(String nomFichier) {
         chemin = FichierScene.trouver(nomFichier);
         fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
         services = new Services();
-        cles.put("lampe", Arrays.asList("position", "couleur"));
+        lecteur = new LecteurSections(services.formes);
+        lue = new SceneLue(lecteur);
     }
 
     /**
@@ -126,20 +113,18 @@ public final class LecteurScene {
             String mot = nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
             String type = Texte.minuscules(mot);
             int ligne = lignes.getNumero();
-            lampe = type.equals("lampe");
-            forme = services.formes.get(type);
-            boolean variante = !lampe && forme == null;
-            courante = new SectionLue(fichier, nom, ligne, cles(type));
+            variante = !lecteur.connait(type);
+            courante = new SectionLue(fichier, nom, ligne, lecteur.cles(type));
             boolean presente = !variante || services.variantes.containsKey(type);
             if (!presente && !Services.varianteConnue(type)) {
                 throw courante.fautive(ligne, null, "type de section inconnu", services.types());
             }
-            origine = new Origine(nom, ligne);
+            Forme forme = services.formes.get(type);
             String ordinaire = forme == null ? type : forme.getSection();
-            Origine deja = noms.putIfAbsent(
-                    mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), origine);
+            Integer deja = noms.putIfAbsent(
+                    mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), ligne);
             if (deja != null) {
-                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja.ligne,
+                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
                         "un nom différent pour chaque section");
             }
             SectionLue premiere = variante ? sectionsVariantes.put(type, courante) : null;
@@ -160,14 +145,8 @@ public final class LecteurScene {
 
         @Override
         public void endSection() {
-            if (lampe) {
-                lue.lampes.add(new Lampe(courante.point("position"), courante.couleur("couleur", LUMIERE_MAX)));
-                lue.origines.ajouter(lue.lampes.get(lue.lampes.size() - 1), origine);
-            } else if (forme != null) {
-                Objet3D objet = lireForme();
-                lireMatiere(objet);
-                lue.objets.add(objet);
-                lue.origines.ajouter(objet, origine);
+            if (!variante) {
+                lue.ajouter(lecteur.lire(courante), courante);
             }
         }
 
@@ -182,54 +161,6 @@ public final class LecteurScene {
         @Override
         public void handleComment(String commentaire) {
         }
-    }
-
-    private List<String> cles(String type) {
-        if (forme != null && !cles.containsKey(type)) {
-            List<String> siennes = new ArrayList<>(Arrays.asList(Objects.requireNonNull(forme.getCles(),
-                    forme.getClass().getName() + ".getCles a rendu null")));
-            siennes.addAll(CLES_MATIERE);
-            cles.put(type, siennes);
-        }
-        return cles.get(type);
-    }
-
-    /** Lit l'objet de la section, sans sa matière. Une exception de la forme devient un refus de la section. */
-    private Objet3D lireForme() {
-        try {
-            Objet3D objet = forme.lire(courante);
-            if (objet == null || objet == forme) {
-                throw new IllegalStateException("lire n'a pas rendu un objet neuf");
-            }
-            return objet;
-        } catch (SceneFautive e) {
-            throw e;
-        } catch (RuntimeException e) {
-            String classe = forme.getClass().getName();
-            boolean refus = e.getMessage() != null
-                    && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
-            throw courante.fautive(courante.ligne, null, "section que " + classe + " ne sait pas lire : "
-                    + (refus ? Texte.cite(e.getMessage()) : Pile.cause(e, Pattern.quote(classe) + ".*")),
-                    "des valeurs qui lui conviennent");
-        }
-    }
-
-    /** Lit la matière d'un objet. Une clé absente garde la valeur que l'objet a reçue à sa création. */
-    private void lireMatiere(Objet3D lu) {
-        lu.setKd(commune(courante.couleur("Kd", lu.getKd(), 1)));
-        if (courante.contient("Ks") && courante.contient("Kr")) {
-            throw courante.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
-        }
-        lu.setKs(commune(courante.couleur(courante.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
-        lu.setNs(courante.reel("ns", lu.getNs(), 0, NS_MAX));
-    }
-
-    private Couleur commune(Couleur couleur) {
-        if (palette.size() == PALETTE_MAX) {
-            palette.clear();
-        }
-        Couleur deja = palette.putIfAbsent(couleur, couleur);
-        return deja != null ? deja : couleur;
     }
 
     /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */

@@ -85,7 +85,8 @@ public final class SectionLue extends Section {
         return null;
     }
 
-    private boolean estConnue(String cle) {
+    /** Dit si cette clé est permise dans cette section. */
+    public boolean estConnue(String cle) {
         for (String connue : connues) {
             if (pareilles(connue, cle)) {
                 return true;
@@ -206,15 +207,24 @@ public final class SectionLue extends Section {
     }
 
     @Override
-    public Section avec(String cle, String valeur, String sans) {
-        SectionLue autre = new SectionLue(nom);
+    public SectionLue avec(String cle, String valeur, String sans) {
+        SectionLue autre = new SectionLue(fichier, nom, 0, ouverte ? null : connues);
         for (Entree entree : entrees) {
-            if (!entree.cle.equalsIgnoreCase(cle) && !entree.cle.equalsIgnoreCase(sans)) {
+            if (pareilles(entree.cle, cle)) {
+                autre.ajouter(entree.cle, valeur, 0);
+            } else if (sans == null || !pareilles(entree.cle, sans)) {
                 autre.ajouter(entree.cle, entree.valeur, 0);
             }
         }
-        autre.ajouter(cle, valeur, 0);
+        if (autre.entree(cle) == null) {
+            autre.ajouter(cle, valeur, 0);
+        }
         return autre;
+    }
+
+    /** Les clés que donne cette section, dans son ordre. */
+    List<String> getDonnees() {
+        return entrees.stream().map(entree -> entree.cle).collect(Collectors.toList());
     }
 
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {

@@ -23,7 +23,7 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Main;
 import lancer.Sphere;
-import lancer.scene.LecteurScene;
+import lancer.scene.LecteurSections;
 
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
 public final class Essai {
@@ -154,7 +154,7 @@ public final class Essai {
 
     /** Le message que dit ce texte : {@code {fichier}} y est cette scène, {@code {matière}} la liste des clés d'une matière. */
     public static String message(String texte, Path scene) {
-        return texte.replace("{fichier}", scene.toString()).replace("{matière}", String.join(", ", LecteurScene.CLES_MATIERE))
+        return texte.replace("{fichier}", scene.toString()).replace("{matière}", String.join(", ", LecteurSections.CLES_MATIERE))
                 .replace("\n", System.lineSeparator());
     }
 

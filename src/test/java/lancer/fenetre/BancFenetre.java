@@ -243,20 +243,20 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !controleur.enCours && controleur.getImageComplete() != null);
-        return surFilEvenements(controleur::getImageComplete);
+        attendre("l'image est achevée", () -> !controleur.etat.enCours && controleur.etat.getImageEntiere() != null);
+        return surFilEvenements(() -> controleur.etat.getImageEntiere());
     }
 
     /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
     void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getImageComplete() != null && Arrays.equals(controleur.getImageComplete().codes, codes));
+        attendre(quoi, () -> controleur.etat.getImageEntiere() != null && Arrays.equals(controleur.etat.getImageEntiere().codes, codes));
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
-        attendre(quoi + ", à l'écran", () -> controleur.getImageComplete() != null
-                && trouver(codes, controleur.getImageComplete().largeur) != null);
+        attendre(quoi + ", à l'écran", () -> controleur.etat.getImageEntiere() != null
+                && trouver(codes, controleur.etat.getImageEntiere().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {

@@ -19,7 +19,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.controleur.getImageComplete();
+            ImageMemoire image = banc.controleur.etat.getImageEntiere();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -53,13 +53,13 @@ class FenetreAffichageTest extends EssaiFenetre {
         BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ecran));
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.controleur.reglages.getReflets() == 2);
+        attendre("les touches répondent", () -> banc.controleur.etat.getReglages().getReflets() == 2);
         banc.imageAchevee();
         banc.frapperCtrl('c');
         banc.attendreMessage("image copiée");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.controleur.enCours);
+        attendre("rien ne se dessine plus", () -> !banc.controleur.etat.enCours);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
         // la faute en couvre le bas
@@ -73,7 +73,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_F11);
         attendre("elle dit le fichier et où il en est", () -> banc.panneau.ligne.matches("lancer — boule.ini — dessin \\d+ % — .*"));
         banc.main.lent = false;
-        attendre("elle s'efface", () -> !banc.controleur.enCours && banc.panneau.ligne.isEmpty());
+        attendre("elle s'efface", () -> !banc.controleur.etat.enCours && banc.panneau.ligne.isEmpty());
     }
 
     @Test
@@ -104,6 +104,6 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.controleur.getImageComplete());
+        assertSame(image, banc.controleur.etat.getImageEntiere());
     }
 }

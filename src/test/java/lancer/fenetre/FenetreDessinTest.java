@@ -47,8 +47,8 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
-        assertTrue(banc.controleur.enCours);
-        assertNull(banc.controleur.getImageComplete());
+        assertTrue(banc.controleur.etat.enCours);
+        assertNull(banc.controleur.etat.getImageEntiere());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -86,7 +86,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.controleur.enCours && banc.main.getDessin().getLancer() != null);
+        attendre("le dessin suivant a commencé", () -> banc.controleur.etat.enCours && banc.main.getDessin().getLancer() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -98,10 +98,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
-        assertTrue(surFilEvenements(banc.resume::getText).startsWith("arrêté à "));
+        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
+        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin arrêté à "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.controleur.getImageComplete());
+        assertNull(banc.controleur.etat.getImageEntiere());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
@@ -148,12 +148,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }));
         attendre("le dessin a commencé", () -> banc.main.getDessin().getLancer() != null);
         repondA(50);
-        assertTrue(banc.controleur.enCours, "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.controleur.etat.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.controleur.enCours);
+        attendre("arrêté", () -> !banc.controleur.etat.enCours);
         repondA(50);
         assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
         lecture.countDown();
@@ -243,7 +243,7 @@ class FenetreDessinTest extends EssaiFenetre {
     }
 
     @Test
-    void echapPendantUneLectureLaisseLaSceneMontree() throws Exception {
+    void echapPendantUneLectureLaisseLImageEtF5EstALaSceneDemandee() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
         Path longue = dossier.resolve("longue.ini");
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
@@ -256,14 +256,14 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.frapperCtrl('O');
         choisir(longue);
         attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        attendre("le titre est le sien", () -> banc.cadre.getTitle().equals("lancer — longue.ini"));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> !banc.controleur.enCours);
+        attendre("la lecture est arrêtée", () -> !banc.controleur.etat.enCours);
         inspecter();
         lecture.countDown();
         banc.frapper(KeyEvent.VK_F5);
-        banc.attendreImage("F5 est à la scène montrée", attendue(L, H));
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        scene = longue;
+        banc.attendreImage("F5 est à la scène demandée", attendue(L, H));
     }
 
     /** Un clic sur l'image montrée dit ses rayons, quoi qu'il arrive à la suivante. */
@@ -306,10 +306,10 @@ class FenetreDessinTest extends EssaiFenetre {
         choisir(longue);
         attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> !banc.controleur.enCours);
+        attendre("la préparation est arrêtée", () -> !banc.controleur.etat.enCours);
         inspecter();
         programme.suite.countDown();
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        assertEquals("lancer — longue.ini", banc.cadre.getTitle());
         assertEquals(avant, surFilEvenements(banc.resume::getText));
     }
 
@@ -336,8 +336,8 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Lancer dAvant = surFilEvenements(() -> banc.controleur.courant.dessin.getLancer());
-        double avancement = surFilEvenements(() -> banc.controleur.courant.getAvancement());
+        Lancer dAvant = surFilEvenements(() -> banc.controleur.etat.courant.dessin.getLancer());
+        double avancement = surFilEvenements(() -> banc.controleur.etat.courant.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);
         assertEquals(0, avancement);

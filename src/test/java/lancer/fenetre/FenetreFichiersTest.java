@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
 import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
@@ -17,17 +16,21 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.File;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
 import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
-import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import javax.swing.UIManager;
@@ -53,14 +56,27 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
+    void unEnregistrementDeMemeTailleALaMemeHeureEstVu() throws Exception {
+        String autre = ROUGE.replace("0.9 0.15 0.1", "0.1 0.15 0.9");
+        FileTime heure = FileTime.fromMillis(1_700_000_000_000L);
+        Files.setLastModifiedTime(scene, heure);
+        ouvrir();
+        try (FileChannel fichier = FileChannel.open(scene, StandardOpenOption.WRITE)) {
+            fichier.write(ByteBuffer.wrap(autre.getBytes(StandardCharsets.UTF_8)));
+        }
+        Files.setLastModifiedTime(scene, heure);
+        banc.attendreImage("l'autre couleur", attendue(L, H));
+    }
+
+    @Test
     void unFichierEffaceSeDitEtLImageResteJusquACeQuIlRevienne() throws Exception {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage("fichier effacé : la dernière image reste");
-        assertSame(image, banc.controleur.getImageComplete());
+        assertSame(image, banc.controleur.etat.getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.getImageComplete() != null && banc.controleur.getImageComplete() != image);
+        attendre("relue", () -> banc.controleur.etat.getImageEntiere() != null && banc.controleur.etat.getImageEntiere() != image);
     }
 
     @Test
@@ -114,18 +130,22 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void uneSceneQuiNePeutEtreLueLaisseLeTitreF5EtLaSurveillanceACelleQuiEstMontree() throws Exception {
-        ouvrir();
-        Path fautive = dossier.resolve("fautive.ini");
-        Files.write(fautive, FAUTIVE.getBytes(StandardCharsets.UTF_8));
+    void laSceneDemandeeEnDernierEstSurveilleeMemeFautiveEtSonMessageDitDeQuiEstLImageQuiReste() throws Exception {
+        int[] rouge = ouvrir().codes;
+        scene = dossier.resolve("fautive.ini");
+        ecrire(FAUTIVE);
         banc.frapperCtrl('O');
-        choisir(fautive);
-        banc.attendreMessage(fautive.toString());
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        choisir(scene);
+        banc.attendreMessage(scene.toString());
+        assertTrue(banc.message().endsWith("\nl'image qui reste est celle de boule.ini"), banc.message());
+        assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
+        assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        banc.attendreMessage("");
+        attendre("F5 la relit", () -> !banc.controleur.etat.enCours);
+        banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
-        banc.attendreImage("la scène montrée est toujours surveillée", attendue(L, H));
+        banc.attendreMessage("");
+        banc.attendreImage("enregistrée sans sa faute, elle est dessinée", attendue(L, H));
     }
 
     @Test
@@ -135,16 +155,18 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertFalse(article.isEnabled(), "rien à copier");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
-        JTextArea bandeau = chercher("message", JTextArea.class);
-        AbstractButton duBandeau = (AbstractButton) bandeau.getComponentPopupMenu().getComponent(0);
-        for (AbstractButton bouton : new AbstractButton[] {article, duBandeau}) {
-            String copie = surFilEvenements(() -> {
-                bandeau.getToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-                bouton.doClick();
-                return BancFenetre.copie();
-            });
-            assertEquals(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage(), copie);
-        }
+        String faute = assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage();
+        banc.frapper(KeyEvent.VK_F10);
+        attendre("il y a de quoi copier", article::isEnabled);
+        faire(article::doClick);
+        assertEquals(faute, BancFenetre.copie());
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
+        banc.viser(banc.panneau.bandeau, 5, 5);
+        banc.robot.mousePress(InputEvent.BUTTON3_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON3_DOWN_MASK);
+        attendre("le bouton droit le copie", () -> BancFenetre.copie().equals(faute));
+        assertEquals(faute, banc.message());
     }
 
     @Test
@@ -199,6 +221,18 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals("lancer", banc.cadre.getTitle());
         choisir(scene);
         banc.attendreImage("la scène choisie", attendue(L, H));
+    }
+
+    @Test
+    void uneSceneFautiveOuverteLaPremiereEstRelueDesQuElleEstCorrigee() throws Exception {
+        ecrire(FAUTIVE);
+        banc = new BancFenetre(TAILLE);
+        choisir(scene);
+        banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
+        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
+        ecrire(BLEUE);
+        banc.attendreMessage("");
+        banc.attendreImage("corrigée, elle est dessinée", attendue(L, H));
     }
 
     @Test

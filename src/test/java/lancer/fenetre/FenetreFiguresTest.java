@@ -37,13 +37,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.controleur.getImageComplete().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.controleur.getImageComplete();
+        assertArrayEquals(codes, banc.controleur.etat.getImageEntiere().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.controleur.etat.getImageEntiere();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.etat.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -64,7 +64,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getImageComplete()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.etat.getImageEntiere()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -99,8 +99,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     @Test
     void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        Point coin = ouvrirSurUnEcranDense();
+        ouvrirSurUnEcranDense();
         Robot robot = new Robot();
+        // le panneau s'ouvre d'abord : sur un si petit écran, il déplace l'image
+        robot.keyPress(KeyEvent.VK_F2);
+        robot.keyRelease(KeyEvent.VK_F2);
+        Thread.sleep(2000);
+        Point coin = BancFenetre.trouver(attendue(L, H), L);
         robot.mouseMove(coin.x + 150, coin.y + 110);
         attendre("l'anneau", () -> {
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

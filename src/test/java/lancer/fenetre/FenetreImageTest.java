@@ -44,7 +44,7 @@ class FenetreImageTest extends EssaiFenetre {
         Color milieu = new Color(image.codes[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
-        assertSame(image, banc.controleur.getImageComplete(), "rien n'est redessiné");
+        assertSame(image, banc.controleur.etat.getImageEntiere(), "rien n'est redessiné");
     }
 
     @Test
@@ -172,7 +172,7 @@ class FenetreImageTest extends EssaiFenetre {
         // une fenêtre dit qu'elle a bougé avant d'apprendre où la souris était encore juste avant
         banc.robot.waitForIdle();
         faire(() -> banc.cadre.setLocation(banc.cadre.getX() + 40, banc.cadre.getY() + 10));
-        attendre("ce n'est plus le même pixel", () -> banc.pixel.getText().equals(" "));
+        attendre("ce n'est plus le même pixel", () -> banc.pixel.getText().isEmpty());
     }
 
     @Test
@@ -194,7 +194,7 @@ class FenetreImageTest extends EssaiFenetre {
         });
         attendre("le bas n'a pas encore de couleur", () -> {
             survoler(10, H - 10);
-            return banc.pixel.getText().equals(" ");
+            return banc.pixel.getText().isEmpty();
         });
         bas.countDown();
         attendre("le bas du brouillon se dit", () -> banc.pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));

@@ -32,13 +32,13 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.controleur.montre.getLancer().getCamera().projeter(p);
+        lancer.Point vue = banc.controleur.etat.montre.getLancer().getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.controleur.source.getLue().objets.get(rang);
+        return (Sphere) banc.controleur.etat.choix.scene.objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -99,7 +99,7 @@ class FenetreLeconTest extends EssaiFenetre {
         assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8), "rien ne s'est écrit");
         banc.frapperCtrl('z');
         banc.attendreCodes("Ctrl+Z la remet", avant);
-        assertFalse(surFilEvenements(banc.controleur::estDeplacee));
+        assertFalse(surFilEvenements(() -> banc.controleur.etat.estDeplace()));
     }
 
     @Test
@@ -131,19 +131,60 @@ class FenetreLeconTest extends EssaiFenetre {
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.controleur.source.getLue().lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.controleur.source.getLue().lampes.get(0).getPosition().x < -0.2);
+        tirer(surFilEvenements(() -> place(banc.controleur.etat.choix.scene.lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.etat.choix.scene.lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test
-    void unFichierEnregistreLEmporteSurCeQuiEtaitDeplaceEtLeDit() throws Exception {
+    void ceQuiEstDeplaceResteAPresF5EtUnEnregistrementSaufSiSaPlaceAChangeDansLeFichier() throws Exception {
         ouvrir();
+        String titre = banc.cadre.getTitle();
         tirer(centre(), 30, 0);
-        banc.imageAchevee();
+        int[] deplacee = banc.imageAchevee().codes;
+        double x = sphere(0).getCentre().x;
+        attendre("un point dans le titre", () -> banc.cadre.getTitle().equals(titre + " •"));
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("relue", () -> !banc.controleur.etat.enCours);
+        banc.attendreCodes("F5 garde le déplacement", deplacee);
         ecrire(BLEUE);
-        banc.attendreMessage("scène relue : ce qui avait été déplacé");
+        attendre("une autre couleur, à la place d'avant", () -> sphere(0).getKd().b == 0.9 && sphere(0).getCentre().x == x);
+        ecrire(BLEUE.replace("centre=0 0.2 6", "centre=0.3 0.2 6"));
+        banc.attendreMessage("scène relue : son fichier a changé la place");
         fermerLeMessage();
         banc.attendreImage("celle du fichier", attendue(L, H));
+        attendre("plus de point", () -> banc.cadre.getTitle().equals(titre));
+        banc.frapperCtrl('z');
+        attendre("Ctrl+Z la déplace de nouveau", () -> sphere(0).getCentre().x == x && sphere(0).getKd().b == 0.9);
+        attendre("le point revient", () -> banc.cadre.getTitle().equals(titre + " •"));
+        ecrire(BLEUE.replace("centre=0 0.2 6", "centre=" + x + " " + sphere(0).getCentre().y + " 6"));
+        attendre("mise dans le fichier, elle n'est plus déplacée", () -> !banc.controleur.etat.estDeplace());
+        assertEquals("", banc.message());
+    }
+
+    @Test
+    void deplacementsReglagesEtVuesSeDefontEtSeRefontMemeApresF5() throws Exception {
+        int[] depart = ouvrir().codes;
+        tirer(centre(), 30, 0);
+        int[] deplacee = banc.imageAchevee().codes;
+        banc.frapper(KeyEvent.VK_SUBTRACT);
+        attendre("deux réflexions", () -> banc.resume.getText().contains("2 réflexions"));
+        int[] reglee = banc.imageAchevee().codes;
+        faire(((JMenu) article(1, "Vue")).getItem(1)::doClick);
+        attendre("la vue", () -> banc.resume.getText().contains("vue normales"));
+        int[] vue = banc.imageAchevee().codes;
+        banc.frapper(KeyEvent.VK_F5);
+        attendre("relue", () -> banc.controleur.etat.enCours);
+        banc.attendreCodes("F5 ne change rien", vue);
+        for (int[] avant : new int[][] {reglee, deplacee, depart}) {
+            banc.frapperCtrl('z');
+            banc.attendreCodes("défait", avant);
+        }
+        attendre("rien de plus à défaire", () -> !article("Défaire").isEnabled());
+        for (int[] apres : new int[][] {deplacee, reglee, vue}) {
+            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
+            banc.attendreCodes("refait", apres);
+        }
+        attendre("rien de plus à refaire", () -> !article("Refaire").isEnabled() && article("Défaire").isEnabled());
     }
 
     @Test
@@ -165,7 +206,7 @@ class FenetreLeconTest extends EssaiFenetre {
         // cet avis s'efface au bout de quelques secondes
         banc.attendreMessage("rien à prendre ici");
         glisser(new Point(30, 20), 30, 30);
-        assertFalse(surFilEvenements(banc.controleur::estDeplacee));
+        assertFalse(surFilEvenements(() -> banc.controleur.etat.estDeplace()));
     }
 
     @Test
@@ -178,10 +219,14 @@ class FenetreLeconTest extends EssaiFenetre {
             int rang = k;
             faire(vues.getItem(k + 1)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
-            attendre("elle se dit", () -> banc.resume.getText().contains("vue " + nom));
+            attendre("elle se dit", () -> banc.resume.getText().startsWith("vue " + nom + " : "));
             banc.viser(banc.panneau, banc.panneau.getWidth() / 2 + k % 2, banc.panneau.getHeight() / 2);
             attendre("sa valeur sous la souris", () -> banc.pixel.getText().matches("pixel .* " + dits[rang]));
         }
+        faire(vues.getItem(1)::doClick);
+        attendre("une autre vue", () -> banc.resume.getText().startsWith("vue normales"));
+        banc.viser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 5, (banc.panneau.getHeight() - H) / 2 + 5);
+        attendre("le ciel se dit", () -> banc.pixel.getText().endsWith(" ciel"));
         faire(vues.getItem(0)::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));
     }

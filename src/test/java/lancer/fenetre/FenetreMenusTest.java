@@ -15,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -141,7 +140,7 @@ class FenetreMenusTest extends EssaiFenetre {
 
     @Test
     void unNomDeSceneNEstJamaisDuHtml() {
-        JMenuItem scene = Menus.choix(new JMenu(), new ButtonGroup(), "<html><h1>gros.ini", null, () -> { });
+        JMenuItem scene = Actions.article(new JMenu(), new JMenuItem("<html><h1>gros.ini"), () -> { });
         assertEquals("<html><h1>gros.ini", scene.getText());
         assertNull(scene.getClientProperty(BasicHTML.propertyKey), "ce qui le dessinerait en HTML");
     }

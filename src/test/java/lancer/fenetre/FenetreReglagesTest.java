@@ -1,7 +1,9 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +12,9 @@ import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import javax.swing.JMenu;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import lancer.dessin.ReglagesDessin;
 import org.junit.jupiter.api.Test;
 
 /** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
@@ -29,19 +34,17 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.controleur.enCours);
+        attendre("la relecture s'achève", () -> !banc.controleur.etat.enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
 
     @Test
-    void leMenuDitLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
+    void leMenuChangeLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
         ouvrir("--reflets=1");
-        JMenu reflexions = (JMenu) article("Réflexions");
-        faire(() -> reflexions.getItem(4).doClick());
-        banc.attendreImage("dix réflexions", attendue("--reflets=10"));
-        attendre("le menu le montre", () -> reflexions.getItem(4).isSelected() && !reflexions.getItem(1).isSelected());
-        faire(article("Revenir aux réglages de la scène")::doClick);
+        faire(article("Plus de réflexions")::doClick);
+        banc.attendreImage("deux réflexions", attendue("--reflets=2"));
+        faire(article("Revenir à la scène et aux réglages du fichier")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));
     }
 
@@ -64,10 +67,39 @@ class FenetreReglagesTest extends EssaiFenetre {
     }
 
     @Test
+    void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
+        ouvrir("--reflets=40", "--seuil=0.01");
+        banc.frapper(KeyEvent.VK_F2);
+        JSpinner reflexions = composant("réflexions", JSpinner.class);
+        JTextField seuil = composant("seuil", JTextField.class);
+        assertEquals(40, surFilEvenements(reflexions::getValue));
+        assertEquals("0.01", surFilEvenements(seuil::getText));
+        ReglagesDessin presents = banc.controleur.etat.getReglages();
+        faire(() -> banc.controleur.dessiner(presents.avec(1000, 0.25)));
+        banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
+        attendre("se voit", () -> reflexions.getValue().equals(1000) && seuil.getText().equals("0.25"));
+        banc.cliquer(seuil, 5, 5);
+        attendre("le clavier est au seuil", seuil::isFocusOwner);
+        faire(seuil::selectAll);
+        for (int touche : new int[] {KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_5, KeyEvent.VK_ENTER}) {
+            banc.frapper(touche);
+        }
+        banc.attendreImage("celui qui est tapé", attendue("--reflets=1000", "--seuil=0.5"));
+        faire(seuil::selectAll);
+        banc.frapper(KeyEvent.VK_MINUS);
+        banc.frapper(KeyEvent.VK_1);
+        banc.frapper(KeyEvent.VK_ENTER);
+        banc.attendreMessage("seuil impossible : « -1 » ; attendu : un nombre positif ou nul");
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
+        assertEquals(1000, surFilEvenements(() -> banc.controleur.etat.getReglages().getReflets()), "− était un signe");
+    }
+
+    @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.reglages.getReflets() == 10 && !banc.controleur.enCours);
+        attendre("dix réflexions", () -> banc.controleur.etat.getReglages().getReflets() == 10 && !banc.controleur.etat.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

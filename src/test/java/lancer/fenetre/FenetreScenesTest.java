@@ -44,8 +44,7 @@ class FenetreScenesTest extends EssaiFenetre {
     void lesScenesDuDossierEtUneToucheMeneDeLUneALAutre() throws Exception {
         ouvrir();
         attendre("la liste est là", () -> articles().contains("* boule.ini"));
-        assertEquals(Arrays.asList("abîmée.ini", "* boule.ini", "chat.ini", "",
-                "Scène suivante", "Scène précédente"), articles());
+        assertEquals(Arrays.asList("Scène suivante", "Scène précédente", "", "abîmée.ini", "* boule.ini", "chat.ini"), articles());
         int[] rouge = attendue(L, H);
         banc.frapper(KeyEvent.VK_PAGE_DOWN);
         attendre("le titre est celui de la suivante", () -> banc.cadre.getTitle().equals("lancer — chat.ini"));

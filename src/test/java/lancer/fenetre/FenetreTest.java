@@ -19,12 +19,15 @@ import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
@@ -85,7 +88,7 @@ class FenetreTest extends EssaiFenetre {
         assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
         assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée va au cadre", () -> banc.controleur.reglages.getReflets() == 2);
+        attendre("une touche essayée va au cadre", () -> banc.controleur.etat.getReglages().getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_ESCAPE);
@@ -204,5 +207,35 @@ class FenetreTest extends EssaiFenetre {
             String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
             assertTrue(ligne.matches("lancer : .*--image.*\\R"), ligne);
         }
+    }
+
+    /** Le même Java, sans la bibliothèque qui ouvre des fenêtres sous X11, que certains paquets n'ont pas. */
+    @Test
+    void unJavaSansFenetresDevantUnEcranLeDitAuLieuDeNierLEcran() throws Exception {
+        BancFenetre.exigerEcran();
+        Path vrai = Paths.get(System.getProperty("java.home")).toRealPath();
+        assumeTrue(Files.exists(vrai.resolve("lib/libawt_xawt.so")), "pas un Java de Linux");
+        Path java = Files.createDirectory(dossier.resolve("java"));
+        Files.createDirectories(java.resolve("lib/server"));
+        Files.createDirectories(java.resolve("bin"));
+        Files.copy(vrai.resolve("bin/java"), java.resolve("bin/java"));
+        Path classes = Files.createSymbolicLink(java.resolve("lib/modules"), vrai.resolve("lib/modules"));
+        for (String ou : new String[] {"lib", "lib/server"}) {
+            for (File f : vrai.resolve(ou).toFile().listFiles()) {
+                // Java cherche ses bibliothèques à côté d'elles-mêmes, et non de leurs liens
+                if (f.getName().matches("(?!libawt_xawt).*\\.(so|cfg|dat)")) {
+                    Files.copy(f.toPath(), java.resolve(ou).resolve(f.getName()));
+                }
+            }
+        }
+        Path dit = dossier.resolve("dit.txt");
+        ProcessBuilder programme = BancFenetre.processus(dit, "lancer.Main", scene.toString());
+        programme.command().set(0, java.resolve("bin/java").toString());
+        Process lance = programme.start();
+        assertTrue(lance.waitFor(40, TimeUnit.SECONDS), "une fenêtre s'est ouverte");
+        Files.delete(classes);
+        assertEquals(1, lance.exitValue());
+        String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
+        assertTrue(ligne.matches("lancer : ce Java ne sait pas ouvrir de fenêtre : .*default-jdk.*--image.*\\R"), ligne);
     }
 }

@@ -6,6 +6,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -33,7 +34,12 @@ class FenetreVitesseTest extends EssaiFenetre {
     private GraphiqueVitesse graphique;
 
     private void ouvrirLePanneau() throws Exception {
-        ouvrir();
+        ouvrirLePanneau(TAILLE);
+    }
+
+    private void ouvrirLePanneau(String taille) throws Exception {
+        banc = new BancFenetre(taille, scene.toString());
+        banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JTextArea.class);
@@ -92,10 +98,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         assertTrue(m.matches(), dit);
         assertTrue(Integer.parseInt(m.group(2)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
         frapper(KeyEvent.VK_ENTER);
-        attendre("l'image sans réflexion", () -> banc.controleur.montre.getReglages().getReflets() == 0
-                && banc.controleur.getImageComplete() != null);
+        attendre("l'image sans réflexion", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0
+                && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(0), banc.imageAchevee().codes);
-        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.montre.getLancer().getDureeNs() / 1e9, 0.0006);
+        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.etat.montre.getLancer().getDureeNs() / 1e9, 0.0006);
         String resume = surFilEvenements(banc.resume::getText);
         assertTrue(resume.contains(", 0 réflexion"), resume);
     }
@@ -109,8 +115,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.cliquer(graphique, ou.x, ou.y);
         attendre("le point se dit", () -> point.getText().contains(" --reflets "));
         int reflets = Integer.parseInt(dit().replaceFirst(".* --reflets (\\d+) .*", "$1"));
-        attendre("son image", () -> banc.controleur.montre.getReglages().getReflets() == reflets
-                && !banc.controleur.enCours && banc.controleur.getImageComplete() != null);
+        attendre("son image", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets
+                && !banc.controleur.etat.enCours && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(reflets), banc.imageAchevee().codes);
         assertSame(dernier, banc.main.getDessin(), "l'image existait");
     }
@@ -155,6 +161,31 @@ class FenetreVitesseTest extends EssaiFenetre {
     }
 
     @Test
+    void auDelaDeSoixanteQuatreMegaoctetsLesPremieresImagesSontDessineesDeNouveau() throws Exception {
+        ouvrirLePanneau("--taille=1200x1000");
+        attendreEtat("Un clic");
+        Dessin dernier = banc.main.getDessin();
+        for (int k = 0; k < 5; k++) {
+            frapper(KeyEvent.VK_RIGHT);
+        }
+        frapper(KeyEvent.VK_ENTER);
+        attendre("le dernier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 1000 && !banc.controleur.etat.enCours);
+        assertSame(dernier, banc.main.getDessin(), "son image est gardée");
+        for (int k = 0; k < 5; k++) {
+            frapper(KeyEvent.VK_LEFT);
+        }
+        frapper(KeyEvent.VK_ENTER);
+        attendre("le premier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0 && !banc.controleur.etat.enCours);
+        assertNotSame(dernier, banc.main.getDessin(), "la sienne ne l'est plus");
+    }
+
+    @Test
+    void auDelaDeDeuxMillionsDePixelsLesImagesSontPlusPetitesEtCelaSeDit() throws Exception {
+        ouvrirLePanneau("--taille=2000x1500");
+        attendre("la taille des images", () -> etat.getText().contains(" Images de 1633 × 1225 pixels."));
+    }
+
+    @Test
     void changerLaSceneRecommenceLEchelle() throws Exception {
         ouvrirLePanneau();
         attendreEtat("Un clic");
@@ -173,8 +204,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         etat.addCaretListener(e -> dits.add(etat.getText()));
         ImageMemoire avant = banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("l'image est neuve", () -> banc.controleur.getImageComplete() != null
-                && banc.controleur.getImageComplete() != avant);
+        attendre("l'image est neuve", () -> banc.controleur.etat.getImageEntiere() != null
+                && banc.controleur.etat.getImageEntiere() != avant);
         attendreEtat("Un clic");
         assertFalse(dits.contains("dessin de l'échelon 1 sur 5…"), dits.toString());
     }

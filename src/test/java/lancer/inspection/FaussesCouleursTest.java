@@ -16,8 +16,10 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Scene;
+import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.image.ImageMemoire;
+import lancer.texte.Nombre;
 import org.junit.jupiter.api.Test;
 
 /** Les vues en fausses couleurs sont les formules que dit leur page. */
@@ -35,9 +37,13 @@ class FaussesCouleursTest {
     }
 
     private int[] vue(Scene vue, String nom) {
-        ImageMemoire image = new ImageMemoire(L, H, false);
+        return dessiner(vue, nom).codes;
+    }
+
+    private ImageMemoire dessiner(Scene vue, String nom) {
+        ImageMemoire image = new ImageMemoire(L, H, true);
         new FaussesCouleurs(new Lancer(vue, camera), 5, 2, sien -> { }).dessiner(nom, image, null);
-        return image.codes;
+        return image;
     }
 
     private PointContact contact(int k) {
@@ -60,11 +66,55 @@ class FaussesCouleursTest {
     }
 
     @Test
-    void laDistanceVaDuBlancAuNoirDuPlusLointainContact() {
+    void laDistanceVaDuBlancAuGrisSombreSelonSonLogarithmeEtDonneSesDeuxBouts() {
         double[] distances = new double[L * H];
         Arrays.setAll(distances, k -> contact(k) == null ? 0 : contact(k).distance);
+        double min = Arrays.stream(distances).filter(d -> d > 0).min().getAsDouble();
         double max = Arrays.stream(distances).max().getAsDouble();
-        verifier(k -> new Couleur(distances[k] == 0 ? 0 : 1 - distances[k] / max), vue("distance"));
+        ImageMemoire image = dessiner(scene, "distance");
+        verifier(k -> new Couleur(distances[k] == 0 ? 0 : 1 - 0.9 * Math.log(distances[k] / min) / Math.log(max / min)), image.codes);
+        assertEquals("vue distance : d = " + Nombre.arrondir(min) + " en blanc, " + Nombre.arrondir(max) + " en gris sombre ; ciel noir",
+                image.echelle);
+        int gris = Arrays.stream(image.codes).map(c -> c & 255).filter(c -> c > 0).min().getAsInt();
+        assertEquals(Math.round(255 * 0.1), gris, 1, "le plus lointain contact se distingue du ciel");
+    }
+
+    @Test
+    void uneSeuleDistanceEstBlanche() {
+        Scene boule = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 5e-3)), Collections.<Lampe>emptyList());
+        ImageMemoire image = new ImageMemoire(1, 1, true);
+        new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), 5, 1, sien -> { }).dessiner("distance", image, null);
+        assertEquals(0xFFFFFFFF, image.codes[0]);
+        assertEquals("d = 5.99500", image.dire(0));
+    }
+
+    @Test
+    void leCielSeDitCielEtNonUneValeur() {
+        for (String nom : new String[] {"normales", "distance", "lampes"}) {
+            ImageMemoire image = dessiner(scene, nom);
+            for (int k = 0; k < image.codes.length; k++) {
+                assertEquals(contact(k) == null, image.dire(k).equals("ciel"), nom + ", pixel " + k + " : " + image.dire(k));
+            }
+        }
+        ImageMemoire gauche = new ImageMemoire(1, 1, true);
+        gauche.sens = "N = %.0f %.0f %.0f";
+        gauche.drawPixel(new Couleur(-1, 0, 0), 0, 0);
+        assertEquals("N = -1 0 0", gauche.dire(0), "une normale vers la gauche n'est pas le ciel");
+    }
+
+    @Test
+    void chaqueVueDitEnUneLigneCeQueMontrentSesTeintes() {
+        assertEquals("vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir", dessiner(scene, "normales").echelle);
+        assertEquals("vue lampes : lampes qui éclairent, noir : aucune, blanc : 2 sur 2 ; ciel noir", dessiner(scene, "lampes").echelle);
+        assertEquals("vue rayons : noir : 1 rayon, violet : 16, rose : 64, orange : 256, blanc : 4096 ou plus",
+                dessiner(scene, "rayons").echelle);
+        ImageMemoire meme = new ImageMemoire(L, H, true);
+        new Lancer(scene, camera).TracerPixels(meme, 5, 2);
+        ImageMemoire image = new ImageMemoire(L, H, false);
+        new FaussesCouleurs(new Lancer(scene, camera), 5, 2, sien -> { }).dessiner("difference", image, meme);
+        assertEquals("vue difference : écart, au plus 0 (blanc : 32 niveaux sur 255), avec l'image d'avant", image.echelle);
+        String seule = dessiner(scene, "difference").echelle;
+        assertTrue(seule.matches("vue difference : écart, au plus [1-9][\\d.]+ \\(.*, avec une image de 64 rayons par pixel"), seule);
     }
 
     @Test

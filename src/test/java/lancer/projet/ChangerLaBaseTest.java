@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.File;
 import java.io.IOException;
+import java.lang.reflect.Field;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,12 +20,14 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 import lancer.Main;
 import lancer.essai.Essai;
 import org.ini4j.Config;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,6 +46,32 @@ class ChangerLaBaseTest {
     @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2",
         "Une option | ns=1 | --gamma=2.2", "L'œil | ns=1 | --fils=2"})
     void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
+        List<Path> rien = Collections.emptyList();
+        try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(compiler(partie)), rien);
+                Essai.Isole base = new Essai.Isole(rien)) {
+            assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
+        }
+    }
+
+    @Test
+    void uneBouleDeplaceeGardeLaCleAjouteeALaMatiere() throws Exception {
+        URL[] chemin = {compiler("Une clé de la matière").toUri().toURL(), Essai.origine(Main.class).toUri().toURL(),
+            Essai.origine(Config.class).toUri().toURL()};
+        try (URLClassLoader classes = new URLClassLoader(chemin, ClassLoader.getSystemClassLoader().getParent())) {
+            Object lue = classes.loadClass("lancer.scene.LecteurScene").getMethod("lire", String.class, DoubleConsumer.class)
+                    .invoke(null, scene("Ke=0.3 0 0").toString(), (DoubleConsumer) part -> { });
+            Object changee = lue.getClass().getMethod("avec", int.class, String.class, String.class)
+                    .invoke(lue, 0, "centre", "0 1 6");
+            Object boule = ((List<?>) changee.getClass().getField("objets").get(changee)).get(0);
+            assertEquals("Point(0.0, 1.0, 6.0)", boule.getClass().getMethod("getCentre").invoke(boule).toString());
+            Field emise = boule.getClass().getSuperclass().getDeclaredField("Ke");
+            emise.setAccessible(true);
+            assertEquals("Couleur(0.3, 0.0, 0.0)", emise.get(boule).toString());
+        }
+    }
+
+    /** Les classes de la base, où cette partie de la page est suivie à la lettre. */
+    private Path compiler(String partie) throws IOException {
         Map<String, String> textes = new LinkedHashMap<>();
         Matcher m = CHANGEMENT.matcher(Essai.texte("docs/etendre.md").split("\n### " + partie + "\n")[1].split("\n##")[0]);
         while (m.find()) {
@@ -57,11 +88,7 @@ class ChangerLaBaseTest {
             }
         }
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])), textes.toString());
-        List<Path> rien = Collections.emptyList();
-        try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(classes), rien);
-                Essai.Isole base = new Essai.Isole(rien)) {
-            assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
-        }
+        return classes;
     }
 
     /** Ce texte, où ces lignes sont mises sous celle de cet endroit, ou à sa place. */
@@ -76,9 +103,13 @@ class ChangerLaBaseTest {
 
     private byte[] dessiner(Essai.Isole programme, String cle, String option) throws IOException {
         Path image = dossier.resolve("image.pfm");
-        Essai dit = programme.executer("--lineaire", image.toString(), "--taille=8x6", option, Essai.scene(dossier.resolve("s.ini"),
-                "[Sphere 1]", "centre=0 0 6", "rayon=1", "Kd=0.5 0.5 0.5", cle, "[Lampe 1]", "position=3 3 0", "couleur=1 1 1").toString());
+        Essai dit = programme.executer("--lineaire", image.toString(), "--taille=8x6", option, scene(cle).toString());
         assertEquals("statut 0, sortie «  », erreur «  »", dit.toString());
         return Files.readAllBytes(image);
+    }
+
+    private Path scene(String cle) throws IOException {
+        return Essai.scene(dossier.resolve("s.ini"), "[Sphere 1]", "centre=0 0 6", "rayon=1", "Kd=0.5 0.5 0.5", cle,
+                "[Lampe 1]", "position=3 3 0", "couleur=1 1 1");
     }
 }

@@ -156,7 +156,7 @@ class LectureTest {
 
     @Test
     void lesClesDUneMatiereSontCellesDuCours() {
-        assertEquals(Arrays.asList("Kd", "Ks", "Kr", "ns"), LecteurScene.CLES_MATIERE);
+        assertEquals(Arrays.asList("Kd", "Ks", "Kr", "ns"), LecteurSections.CLES_MATIERE);
     }
 
     @Test

@@ -75,9 +75,9 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
         banc = new BancFenetre("--taille=800x600", scene.toString());
         banc.imageAchevee();
-        ReglagesDessin presents = banc.controleur.reglages;
+        ReglagesDessin presents = banc.controleur.etat.getReglages();
         Section section = presents.getSectionEssayee().avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section), false));
+        faire(() -> banc.controleur.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }

@@ -103,8 +103,8 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            ReglagesDessin reglages = banc.controleur.reglages.avec(3, 0.01);
-            banc.controleur.dessiner(reglages.avec(reglages.getVariante("Brume"), brume), false);
+            ReglagesDessin reglages = banc.controleur.etat.getReglages().avec(3, 0.01);
+            banc.controleur.dessiner(reglages.avec(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().codes.clone();
@@ -141,7 +141,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().codes;
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.controleur.enCours);
+        attendre("fin est réglée", () -> !banc.controleur.etat.enCours);
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         placer(composant("Brume.debut", JSlider.class), 10);
@@ -190,7 +190,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         attendre("le clavier est à la glissière", fin::hasFocus);
         banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
         attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
-        attendre("et l'image avec elle", () -> banc.controleur.reglages.toString().contains("fin=" + cran));
+        attendre("et l'image avec elle", () -> banc.controleur.etat.getReglages().toString().contains("fin=" + cran));
         banc.imageAchevee();
     }
 
@@ -208,11 +208,14 @@ class FenetreVariantesTest extends EssaiFenetre {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();
         glissiere("Brume.fin");
-        placer(composant("couleur r", JSlider.class), 100);
-        placer(composant("couleur v", JSlider.class), 20);
-        placer(composant("couleur b", JSlider.class), 0);
-        attendre("elle s'écrit", () -> banc.controleur.reglages.getSection(banc.controleur.reglages.getVariante("Brume"))
-                .ecrire(" ").endsWith("couleur=1 0.2 0"));
+        assertEquals("couleur, rouge", composant("Brume.couleur, rouge", JSlider.class).getAccessibleContext().getAccessibleName());
+        placer(composant("Brume.couleur, rouge", JSlider.class), 100);
+        placer(composant("Brume.couleur, vert", JSlider.class), 20);
+        placer(composant("Brume.couleur, bleu", JSlider.class), 0);
+        attendre("elle s'écrit", () -> {
+            ReglagesDessin reglages = banc.controleur.etat.getReglages();
+            return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
+        });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
     }
 
@@ -224,12 +227,13 @@ class FenetreVariantesTest extends EssaiFenetre {
         faire(() -> fin.setValueIsAdjusting(true));
         for (int cran : new int[] {25, 20, 15, 10}) {
             placer(fin, cran);
-            attendre("chaque cran se dessine", () -> !banc.controleur.enCours
-                    && banc.controleur.reglages.toString().contains("fin=" + (cran + 1)));
+            attendre("chaque cran se dessine", () -> !banc.controleur.etat.enCours
+                    && banc.controleur.etat.getReglages().toString().contains("fin=" + (cran + 1)));
         }
         faire(() -> fin.setValueIsAdjusting(false));
         banc.imageAchevee();
-        banc.frapper();
+        faire(fin::requestFocusInWindow);
+        attendre("le clavier est à la glissière, à qui Espace ne sert pas", fin::isFocusOwner);
         banc.robot.keyPress(KeyEvent.VK_SPACE);
         attendre("l'image d'avant est celle d'avant le geste", () -> Arrays.equals(avant, banc.panneau.getVisible().codes));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);

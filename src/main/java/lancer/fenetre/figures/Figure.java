@@ -195,7 +195,8 @@ public final class Figure {
         }
     }
 
-    private static void peindreLisere(Graphics2D g, Shape trait, Color couleur) {
+    /** Peint ce trait sur un fond de n'importe quelle couleur. */
+    public static void peindreLisere(Graphics2D g, Shape trait, Color couleur) {
         g.setStroke(LARGE);
         g.setColor(LISERE);
         g.draw(trait);
@@ -217,15 +218,17 @@ public final class Figure {
             if (anneau[3] > 0) {
                 peindreLisere(g, new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon), Color.WHITE);
             }
-            String numero = String.valueOf((int) anneau[2]);
-            float decalage = (float) rayon + 2;
-            Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
-            numeros.put((int) anneau[2], new Rectangle2D.Double(x + decalage, y - decalage + cadre.getY(),
-                    cadre.getWidth(), cadre.getHeight()));
             g.setColor(Color.BLACK);
-            g.drawString(numero, (float) x + decalage + 1, (float) y - decalage + 1);
+            ecrire(g, (int) anneau[2], x + rayon + 3, y - rayon - 1);
             g.setColor(anneau[3] > 0 ? Color.WHITE : Color.LIGHT_GRAY);
-            g.drawString(numero, (float) x + decalage, (float) y - decalage);
+            numeros.put((int) anneau[2], ecrire(g, (int) anneau[2], x + rayon + 2, y - rayon - 2));
         }
+    }
+
+    /** Écrit ce numéro. @return sa place */
+    static Rectangle2D ecrire(Graphics2D g, int numero, double x, double y) {
+        g.drawString("" + numero, (float) x, (float) y);
+        Rectangle2D cadre = g.getFontMetrics().getStringBounds("" + numero, g);
+        return new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight());
     }
 }

@@ -6,8 +6,6 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.KeyAdapter;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
@@ -36,6 +34,7 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int DROITE = 18;
     private static final int HAUT = 26;
     private static final int BAS = 42;
+    private static final int SERRE = 150;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
 
@@ -71,8 +70,8 @@ public final class GraphiqueVitesse extends JPanel {
         }
     }
 
-    /** @param clic reçoit le réglage choisi @param siAtteint reçoit le texte du réglage sous la souris */
-    public GraphiqueVitesse(Consumer<Reglage> clic, Consumer<String> siAtteint) {
+    /** @param siClique appelé après un clic sur le réglage choisi @param siAtteint reçoit le texte de ce réglage */
+    public GraphiqueVitesse(Runnable siClique, Consumer<String> siAtteint) {
         this.siAtteint = siAtteint;
         setName("vitesse.graphique");
         setFocusable(true);
@@ -88,26 +87,24 @@ public final class GraphiqueVitesse extends JPanel {
                 requestFocusInWindow();
                 if (sous(e) != null) {
                     choisir(sous(e));
-                    clic.accept(choisi);
+                    siClique.run();
                 }
             }
         };
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
-        addKeyListener(new KeyAdapter() {
-            @Override
-            public void keyPressed(KeyEvent e) {
-                int pas = e.getKeyCode() == KeyEvent.VK_RIGHT ? 1 : e.getKeyCode() == KeyEvent.VK_LEFT ? -1 : 0;
-                if (pas != 0 && !echelle.isEmpty()) {
-                    choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
-                    e.consume();
-                } else if (e.getKeyCode() == KeyEvent.VK_ENTER && choisi != null) {
-                    // si aucun point n'est choisi, Entrée sert à l'image
-                    clic.accept(choisi);
-                    e.consume();
-                }
-            }
-        });
+    }
+
+    /** Choisit le point qui est à cette distance dans l'échelle. */
+    public void aller(int pas) {
+        if (!echelle.isEmpty()) {
+            choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
+        }
+    }
+
+    /** Le point choisi, ou {@code null}. */
+    public Reglage getChoisi() {
+        return choisi;
     }
 
     private void choisir(Reglage vise) {
@@ -156,7 +153,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
+        Graphics2D g = (Graphics2D) graphics;
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
@@ -166,7 +163,6 @@ public final class GraphiqueVitesse extends JPanel {
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
             peindrePoints(g);
         }
-        g.dispose();
     }
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
@@ -177,12 +173,13 @@ public final class GraphiqueVitesse extends JPanel {
             trait(g, new Line2D.Double(x(t), HAUT, x(t), bas), trame);
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         });
-        graduations(Y_MIN, yMax).forEach(t -> {
+        // sans place, les seules puissances de dix
+        graduations(Y_MIN, yMax).filter(t -> bas > SERRE || Math.log10(t) % 1 == 0).forEach(t -> {
             trait(g, new Line2D.Double(GAUCHE, y(t), droite, y(t)), trame);
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         });
-        ecrire(g, "temps du dessin sur cette machine (secondes)", (GAUCHE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur mesurée (niveaux sur 255) ; en gris, sous l'arrondi", 6, 14, 0);
+        ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "erreur, en niveaux ; en gris, sous l'arrondi", 6, 14, 0);
     }
 
     private void peindrePoints(Graphics2D g) {

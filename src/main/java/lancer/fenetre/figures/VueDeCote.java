@@ -73,11 +73,9 @@ public final class VueDeCote extends JPanel {
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (pixel != null) {
-            Graphics2D g2 = (Graphics2D) g.create();
-            g2.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            ((Graphics2D) g).setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
             cadrer();
-            peindre(g2);
-            g2.dispose();
+            peindre((Graphics2D) g);
         }
     }
 
@@ -141,7 +139,8 @@ public final class VueDeCote extends JPanel {
                 g.draw(ligne(depart, bout));
             }
             if (segment.contact != null) {
-                numeroter(g, segment);
+                g.setColor(UIManager.getColor("Tree.textForeground"));
+                numeros.put(segment.numero, Figure.ecrire(g, segment.numero, h(bout.z) + 4, v(bout.y) - 4));
             }
             depart = bout;
         }
@@ -157,16 +156,6 @@ public final class VueDeCote extends JPanel {
             g.draw(ligne(contact, lampe.lampe.getPosition()));
             g.setStroke(plein);
         }
-    }
-
-    private void numeroter(Graphics2D g, Segment segment) {
-        g.setColor(UIManager.getColor("Tree.textForeground"));
-        String numero = String.valueOf(segment.numero);
-        Rectangle2D cadre = g.getFontMetrics().getStringBounds(numero, g);
-        float x = (float) h(segment.contact.z) + 4;
-        float y = (float) v(segment.contact.y) - 4;
-        numeros.put(segment.numero, new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight()));
-        g.drawString(numero, x, y);
     }
 
     /** Peint le bord visible d'une sphère : d'un grand cercle, Java ne peint juste qu'un petit arc. */
