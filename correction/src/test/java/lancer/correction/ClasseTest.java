@@ -100,17 +100,6 @@ class ClasseTest extends ClasseEssai {
                 Files.readString(dossier.resolve("ajustements-a-remplir.csv")));
     }
 
-    @Test
-    void unRenduIllisibleNAPasZeroMaisRien(@TempDir Path autre) throws IOException {
-        Path rendu = autre.resolve("rendus/Étudiant 9_109_assignsubmission_file");
-        Files.write(Files.createDirectories(rendu).resolve("tp.7z"), new byte[9]);
-        Map<String, String> ligne = noter(autre.resolve("rendus"), autre.resolve("notes")).get("109");
-        assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
-                ligne.get("image identique")));
-        contient(ligne.get("refus"), "tp.7z : à déplier à la main");
-        contient(index(autre.resolve("notes")), "1 rendu", "Étudiant 9</a><td class=\"n\">sans note<td class=\"petit\"><div>tp.7z");
-    }
-
     private static String index(Path dossier) throws IOException {
         return new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
     }
