@@ -165,17 +165,6 @@ class BrumeTest {
     }
 
     @Test
-    void lesSectionsDesVariantesAbsentesSontNommeesUneFois() throws IOException {
-        Path scene = scene("[Blinn]", "facteur=2", "[Brume]", "[Antialias]");
-        Path image = dossier.resolve("image.pfm");
-        Essai essai = Essai.executer("--lineaire", image.toString(), "--taille", "1x1", scene.toString());
-        assertEquals(0, essai.code);
-        assertEquals(2, essai.erreur.split(System.lineSeparator()).length, essai.erreur);
-        assertTrue(essai.erreur.contains("[Blinn]") && essai.erreur.contains("[Antialias]") && !essai.erreur.contains("[Brume]"));
-        assertTrue(image.toFile().exists());
-    }
-
-    @Test
     void ceQuiSeRegleALaSourisEstAccepteParLaSection() {
         EssaiParametres.verifier(new Brume(), "couleur", "debut", "fin", "densite");
     }
