@@ -10,7 +10,6 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
@@ -84,12 +83,6 @@ class CoinsTest {
         Compteurs compteurs = compteurs(Collections.<Sphere>emptyList(), n, seuil);
         assertEquals(rayons * 40 * 30, compteurs.primaires);
         assertEquals(raffines * 40 * 30, compteurs.pixelsRaffines);
-    }
-
-    @Test
-    void unPixelDeBordCouteTousSesRayons() {
-        Compteurs compteurs = compteurs(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), 4, 0.05);
-        assertEquals(4 * 40 * 30 + 12 * compteurs.pixelsRaffines, compteurs.primaires);
     }
 
     @Test

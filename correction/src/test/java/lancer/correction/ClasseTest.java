@@ -224,12 +224,6 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void desPointsAuDelaDeCeuxDUneExtensionSontNommesEtNeSontPasComptes() throws IOException {
-        contient(ajuster("106,brume,9,\n"), "ajustements.csv, ligne 1 : « 9 » ; attendu : de 0 à 1.0 pour « brume »");
-        assertEquals("17.00", classe(dossier).get("106").get("note"));
-    }
-
-    @Test
     void unResultatPerduOuAbimeEstNomme(@TempDir Path copie) throws IOException {
         copier(dossier, copie);
         Path perdu = copie.resolve("resultats/002-102.json");
@@ -304,14 +298,6 @@ class ClasseTest extends ClasseEssai {
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));
         contient(page(dossier, "101"), "Donné par l'enseignant : vu en TP");
-    }
-
-    @Test
-    void unFichierAuxFinsDeLigneDeWindowsLesGarde() throws IOException {
-        Path feuille = dossier.resolve("crlf.csv");
-        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note)\r\nParticipant104,,20.00,-\r\n");
-        renoter("--notes", feuille);
-        assertEquals(-1, Files.readString(dossier.resolve("notes-a-deposer.csv")).replace("\r\n", "").indexOf('\n'));
     }
 
     @Test
