@@ -119,15 +119,13 @@ mesures/target/embree: mesures/src/main/cpp/embree.cpp
 	@g++ -O3 -march=native -pthread -o $@ $< -lembree3 2>/dev/null || echo "Sans Embree : sudo apt-get install g++ libembree-dev"
 
 # Les mêmes scènes dessinées par POV-Ray ; JUGE="--reflets 3 target/geante.ini" pour d'autres.
-JUGE ?= --csv mesures/resultats/juge.csv
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en un quart d'heure. AUTO="1000 20" pour vingt scènes au sort,
-# de graine 1000 et suivantes, dans mesures/target/auto.csv.
+# --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en un quart d'heure.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto $(if $(AUTO),mesures/target,mesures/resultats)/auto.csv $(AUTO)
-	@$(if $(AUTO),,$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner
 
 # Des fautes mises exprès dans l'arithmétique, par PIT : combien les tests rapides en voient.
 PIT := $(patsubst %,%/target/pit-reports,. $(VARIANTES_TOUTES))

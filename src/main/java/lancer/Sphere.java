@@ -47,27 +47,24 @@ public class Sphere extends Objet3D {
      */
     @Override
     public Point getPointDeSurface(Point contact) {
-        double x = contact.x - centre.x;
-        double y = contact.y - centre.y;
-        double z = contact.z - centre.z;
-        double carre = x * x + y * y + z * z;
-        if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
-            double e = Norme.ecart(carre, rayon);
-            return new Point(contact.x - e * x, contact.y - e * y, contact.z - e * z);
-        }
-        Vecteur n = new Vecteur(centre, contact);
-        double norme = n.norme();
-        return norme > 0 && norme <= Double.MAX_VALUE ? centre.add(n.normalized().mul(rayon)) : contact;
+        return getPointDeSurface(contact, Constantes.INFINI);
     }
 
     /** {@inheritDoc} Si t est inférieur à r, P + tV est plus juste, à 2 u t près : c'est lui qui est rendu. */
     @Override
     Point getPointDeSurface(Point contact, double distance) {
-        Point corrige = getPointDeSurface(contact);
-        boolean proche = distance < rayon;
-        // choisir entre deux objets les allouerait tous deux : voir docs/etendre.md
-        return new Point(proche ? contact.x : corrige.x, proche ? contact.y : corrige.y,
-                proche ? contact.z : corrige.z);
+        double x = contact.x - centre.x;
+        double y = contact.y - centre.y;
+        double z = contact.z - centre.z;
+        double carre = x * x + y * y + z * z;
+        if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
+            double e = distance < rayon ? 0 : Norme.ecart(carre, rayon);
+            // choisir entre deux points les allouerait tous deux : voir docs/etendre.md
+            return new Point(contact.x - e * x, contact.y - e * y, contact.z - e * z);
+        }
+        double norme = new Vecteur(centre, contact).norme();
+        return distance >= rayon && norme > 0 && norme <= Double.MAX_VALUE
+                ? centre.add(rayon, new Vecteur(centre, contact).normalized()) : contact;
     }
 
     /** {@inheritDoc} Un arrondi peut placer le contact au centre : la normale y est, par convention, (0, 0, −1). */

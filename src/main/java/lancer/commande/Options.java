@@ -18,39 +18,29 @@ public final class Options {
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    /** Options à valeur : nom, attente si la valeur manque, attente si la valeur est impossible. */
+    /** Options à valeur, chacune avec la valeur attendue. */
     private static final String[][] A_VALEUR = {
-        {"--image", "un fichier .png", "un fichier dont le nom finit par .png"},
-        {"--lineaire", "un fichier .pfm", "un fichier dont le nom finit par .pfm"},
-        {"--taille", "une taille, par exemple 800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                + " chacune, et au plus " + PIXELS_MAX + " pixels"},
+        {"--image", "un fichier dont le nom finit par .png"},
+        {"--lineaire", "un fichier dont le nom finit par .pfm"},
+        {"--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
+                + " pixels"},
         {"--reflets", "un entier de 0 à 1000"},
         {"--etape", "une étape du cours : lambert, phong, ombres ou reflets"},
         {"--vue", "une vue : normales, distance, lampes, rayons ou difference"},
-        {"--seuil", "un nombre positif ou nul", "un nombre positif ou nul, par exemple 0.001"},
-        {"--sans", "une variante, par exemple Brume",
-            "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
+        {"--seuil", "un nombre positif ou nul, par exemple 0.001"},
+        {"--sans", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
         {"--fils", "un entier de 1 à " + FILS_MAX},
         {"--repeter", "un entier de 1 à 100000"},
         {"--pixel", "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426"},
         {"--auto", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1"},
         {"--comparer", "une image PNG ou PFM"},
-        {"--tolerance", "un nombre de niveaux positif ou nul", "un nombre de niveaux positif ou nul, par exemple 1"},
+        {"--tolerance", "un nombre de niveaux positif ou nul, par exemple 1"},
         {"--part", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%"}};
     private static final List<String> SANS_VALEUR =
             Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
-    /** Options incompatibles avec {@code --pixel}, qui n'écrit pas d'image. */
-    private static final String[] SANS_PIXEL = {"--image", "--lineaire", "--auto", "--repeter", "--comparer"};
-
-    /** Options incompatibles avec {@code --comparer}, qui a la taille de la référence et n'écrit qu'un PNG. */
-    private static final String[] SANS_COMPARER = {"--taille", "--lineaire", "--repeter", "--statistiques", "--auto"};
-
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
-
-    /** Options incompatibles avec {@code --vue}, qui n'écrit qu'un PNG. */
-    private static final String[] SANS_VUE = {"--lineaire", "--auto", "--pixel", "--repeter"};
 
     /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
@@ -154,7 +144,7 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (aValeur(nom) != null) {
+            if (attendue(nom) != null) {
                 // dans « --image --fils 2 », le nom du fichier a été oublié
                 if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
                     valeur = arguments[++k];
@@ -172,10 +162,11 @@ public final class Options {
         }
     }
 
-    private static String[] aValeur(String nom) {
+    /** La valeur que cette option attend ; {@code null} si elle n'en a pas. */
+    private static String attendue(String nom) {
         for (String[] option : A_VALEUR) {
             if (option[0].equals(nom)) {
-                return option;
+                return option[1];
             }
         }
         return null;
@@ -250,7 +241,7 @@ public final class Options {
 
     private void accorder() {
         if (pixel) {
-            refuser(SANS_PIXEL, "--pixel ne va pas avec %s");
+            refuser("--pixel ne va pas avec %s", "--image", "--lineaire", "--auto", "--repeter", "--comparer");
             if (pixelX >= largeur || pixelY >= hauteur) {
                 throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
             }
@@ -259,10 +250,10 @@ public final class Options {
             if (scene == null) {
                 throw demande("rien à comparer à " + Texte.cite(comparer), "une scène, ou une image PNG ou PFM");
             }
-            refuser(SANS_COMPARER, "%s ne va pas avec --comparer");
+            refuser("%s ne va pas avec --comparer", "--taille", "--lineaire", "--repeter", "--statistiques", "--auto");
         }
         if (vue != null) {
-            refuser(SANS_VUE, "--vue ne va pas avec %s");
+            refuser("--vue ne va pas avec %s", "--lineaire", "--auto", "--pixel", "--repeter");
             if (image == null) {
                 throw demande("--vue ne sert pas seule", "avec elle, --image FICHIER.png");
             }
@@ -284,7 +275,7 @@ public final class Options {
         }
     }
 
-    private void refuser(String[] autres, String faute) {
+    private void refuser(String faute, String... autres) {
         for (String autre : autres) {
             if (estDonnee(autre)) {
                 throw demande(String.format(faute, autre), "l'une ou l'autre");
@@ -296,7 +287,7 @@ public final class Options {
     private String valeur(String nom) {
         String valeur = donnees.get(nom);
         if (valeur != null && valeur.isEmpty()) {
-            throw demande("option sans sa valeur : " + nom, aValeur(nom)[1]);
+            throw demande("option sans sa valeur : " + nom, attendue(nom));
         }
         return valeur;
     }
@@ -334,8 +325,7 @@ public final class Options {
 
     private void exiger(boolean juste, String nom) {
         if (!juste) {
-            String[] option = aValeur(nom);
-            throw impossible(nom, option[option.length - 1]);
+            throw impossible(nom, attendue(nom));
         }
     }
 

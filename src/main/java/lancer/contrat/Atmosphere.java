@@ -5,7 +5,13 @@ import lancer.Couleur;
 /** Effet de l'air sur la couleur que voit un rayon. Tous les fils appellent le même objet, qui n'a pas d'état. */
 public interface Atmosphere {
 
-    Atmosphere CLAIRE = new Claire();
+    /** L'air transparent, celui de la base (pas de lambda : voir docs/etendre.md). */
+    Atmosphere CLAIRE = new Atmosphere() {
+        @Override
+        public Couleur traverser(Couleur vue, double distance) {
+            return vue;
+        }
+    };
 
     /**
      * @param vue la couleur à l'arrivée du rayon
@@ -17,13 +23,5 @@ public interface Atmosphere {
     /** Part k de l'air dans la couleur, pour l'inspecteur ; NaN si l'air n'en a pas. */
     default double k(double distance) {
         return Double.NaN;
-    }
-
-    /** L'air transparent, celui de la base (pas de lambda : voir docs/etendre.md). */
-    final class Claire implements Atmosphere {
-        @Override
-        public Couleur traverser(Couleur vue, double distance) {
-            return vue;
-        }
     }
 }

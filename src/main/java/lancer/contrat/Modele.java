@@ -3,10 +3,7 @@ package lancer.contrat;
 import lancer.Constantes;
 import lancer.SceneFautive;
 
-/**
- * Façon de dessiner une scène. Des variantes peuvent changer l'air, le reflet des lampes ou l'échantillonnage, chacun
- * une seule fois. S'y ajoutent la recherche, le seuil des reflets et l'{@link Ecoute}.
- */
+/** Façon de dessiner une scène : air, reflet, échantillonnage, que des variantes changent, recherche et seuil. */
 public final class Modele {
 
     private Atmosphere atmosphere = Atmosphere.CLAIRE;

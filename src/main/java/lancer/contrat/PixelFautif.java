@@ -18,7 +18,6 @@ public final class PixelFautif extends RuntimeException {
     public final double xe;
     public final double ye;
 
-    /** @param xe en pixels depuis la gauche */
     public PixelFautif(double xe, double ye, Throwable cause) {
         super("pixel " + (int) xe + ", " + (int) ye, cause);
         PILES.computeIfAbsent(cause.getClass(), classe -> cause.getStackTrace());

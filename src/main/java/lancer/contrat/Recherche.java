@@ -7,10 +7,7 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 
-/**
- * Recherche des contacts d'une scène. Elle répond à la place des deux boucles de {@link lancer.Scene}, plus vite, et
- * donne la même image au bit près.
- */
+/** La recherche d'un contact : même image que les deux boucles de {@link lancer.Scene}, au bit près, et plus vite. */
 public interface Recherche {
 
     /**

@@ -6,10 +6,7 @@ import lancer.SceneFautive;
 import lancer.Vecteur;
 import lancer.texte.Texte;
 
-/**
- * Une section d'un fichier de scène : des clés et leurs valeurs, lues avec leur type et leurs limites. Une valeur
- * refusée ou une clé inconnue lève une {@link SceneFautive} d'une ligne.
- */
+/** Une section de scène, lue par clé. Une valeur refusée ou une clé inconnue lève une {@link SceneFautive}. */
 public abstract class Section {
 
     /** Plus grande coordonnée d'un point ou d'une direction, et plus grande longueur, en unités de la scène. */

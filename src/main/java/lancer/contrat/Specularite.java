@@ -5,8 +5,18 @@ import lancer.Vecteur;
 /** Le reflet d'une lampe (cours, « Éclairement spéculaire »). Tous les fils appellent le même objet, sans état. */
 public interface Specularite {
 
-    /** Le reflet de la base : max(0, R·L)^ns. */
-    Specularite PHONG = new Phong();
+    /** Le reflet de la base : max(0, R·L)^ns (Phong, 1975). */
+    Specularite PHONG = new Specularite() {
+        @Override
+        public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
+            return Specularite.puissance(R.dot(L), ns);
+        }
+
+        @Override
+        public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
+            return R.dot(L);
+        }
+    };
 
     /** Exposant au-delà duquel la puissance par carrés successifs perd trop de chiffres. */
     int EXPOSANT_ENTIER_MAX = 1024;
@@ -55,19 +65,5 @@ public interface Specularite {
 
     default String nomDeLaBase() {
         return "R·L";
-    }
-
-    /** Reflet de Phong, 1975. */
-    final class Phong implements Specularite {
-
-        @Override
-        public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-            return puissance(R.dot(L), ns);
-        }
-
-        @Override
-        public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
-            return R.dot(L);
-        }
     }
 }

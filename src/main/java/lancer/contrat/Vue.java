@@ -13,11 +13,6 @@ public interface Vue {
         return new Compteurs();
     }
 
-    /** Le nombre de rayons de toutes sortes que ce fil a lancés ; 0 s'ils ne sont pas comptés. */
-    default long rayons() {
-        return compteurs().rayons();
-    }
-
     /** Note pour l'inspecteur un terme du pixel : {@code poids} fois cette couleur, l'objet même que la vue a rendu. */
     default void compter(Couleur couleur, double poids, Couleur terme) {
     }

@@ -1,7 +1,6 @@
 package lancer.dessin;
 
 import java.io.PrintStream;
-import java.text.NumberFormat;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
@@ -219,11 +218,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         return lenteur;
     }
 
-    /**
-     * Prépare une scène pour une image de cette taille, comme le font la fenêtre et la ligne de commande.
-     *
-     * @param simple vrai pour les boucles du cours
-     */
+    /** Le lancer d'une scène préparée pour une image de cette taille. @param simple vrai pour les boucles du cours */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
         Preparation.choisir(scene, camera, simple, part -> { });
@@ -297,9 +292,8 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
     /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine insécable manque à beaucoup de polices
-        String rayons = NumberFormat.getIntegerInstance(Locale.FRANCE).format(lancer.getCompteurs().rayons())
-                .replace('\u202F', '\u00A0');
-        return rayons + String.format(Locale.FRANCE, " rayons en %.2f s", lancer.getDureeNs() / 1e9);
+        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", lancer.getCompteurs().rayons(),
+                lancer.getDureeNs() / 1e9).replace('\u202F', '\u00A0');
     }
 
     /**

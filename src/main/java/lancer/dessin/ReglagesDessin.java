@@ -20,10 +20,7 @@ import lancer.contrat.Variante;
 import lancer.scene.Services;
 import lancer.texte.Texte;
 
-/**
- * Réglages d'une scène lue : les réflexions, le seuil, et chaque variante présente, branchée ou non, avec sa section.
- * Le fichier de la scène reste inchangé. Immuable.
- */
+/** Réglages d'une scène lue : étape, réflexions, seuil, et chaque variante, branchée ou non. Immuable. */
 public final class ReglagesDessin {
 
     private final Etape etape;
@@ -172,12 +169,7 @@ public final class ReglagesDessin {
         return new ReglagesDessin(etape, reflets, seuil, lues, autres, debranchees, initiaux());
     }
 
-    /**
-     * Réglages identiques pour une scène qui vient d'être relue. Une section changée dans la fenêtre est gardée si
-     * celle du fichier est la même qu'avant.
-     *
-     * @param luesApres réglages de la scène relue
-     */
+    /** Les réglages d'une scène relue : une section changée est gardée si celle du fichier est la même qu'avant. */
     public ReglagesDessin pour(ReglagesDessin luesApres) {
         Map<String, Section> gardees = new HashMap<>(changees);
         for (Variante apres : luesApres.lues.keySet()) {

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lancer.Camera;
@@ -33,10 +32,7 @@ import lancer.inspection.Recit;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/**
- * Les travaux sans fenêtre : écrire une image dans des fichiers, expliquer un pixel, comparer deux images. Les fichiers
- * de sortie sont vérifiés avant le dessin.
- */
+/** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre implements Runnable {
 
     private static final double NS_PAR_S = 1e9;
@@ -75,21 +71,15 @@ public final class SansFenetre implements Runnable {
 
     @Override
     public void run() {
-        statut = faire();
-    }
-
-    private int faire() {
         if (options.comparer != null) {
-            return comparer();
-        }
-        if (options.pixel) {
+            comparer();
+        } else if (options.pixel) {
             dessinerUnPixel();
         } else if (options.vue != null) {
             dessinerUneVue();
         } else {
             versFichiers();
         }
-        return 0;
     }
 
     private void versFichiers() {
@@ -111,11 +101,7 @@ public final class SansFenetre implements Runnable {
         dessin.avertir();
     }
 
-    /**
-     * Les fichiers demandés, chacun avec son format.
-     *
-     * @throws Echec si un fichier ne peut être écrit, ou s'il écraserait un fichier lu ou l'autre fichier écrit
-     */
+    /** Les fichiers demandés. @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre */
     private Map<Ecriture, Ecriture.Format> fichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
         boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
@@ -174,19 +160,15 @@ public final class SansFenetre implements Runnable {
         Mesure mesure = auto.getMesure();
         if (options.statistiques) {
             Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
-                    + texte("auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%nauto.rayons.essais: %d%n"
-                    + "auto.essais.ms: %.3f", mesure.erreur, mesure.incertitude, auto.getRayonsDesEssais(),
-                    1e3 * essais), sortie);
+                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%n"
+                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, mesure.incertitude,
+                    auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         Messages.avertir(Arrays.asList("auto, choisi : " + auto.getChoisi(),
-                texte("auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
+                String.format(Locale.ROOT,
+                        "auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
                         mesure.incertitude, auto.getLancer().getDureeNs() / NS_PAR_S, essais, auto.getVerdict())),
                 erreur);
-    }
-
-    /** Met en forme avec un point décimal, quelle que soit la langue de la machine. */
-    private static String texte(String format, Object... valeurs) {
-        return String.format(Locale.ROOT, format, valeurs);
     }
 
     private void dessinerUneVue() {
@@ -214,8 +196,8 @@ public final class SansFenetre implements Runnable {
         Messages.avertir(dessin.getLue().avertissements, erreur);
     }
 
-    /** Compare deux images, et écrit celle des différences si elle est demandée. @return le statut de sortie */
-    private int comparer() {
+    /** Compare deux images, et écrit celle des différences si elle est demandée. */
+    private void comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
@@ -232,6 +214,6 @@ public final class SansFenetre implements Runnable {
                     fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);
-        return comparaison.sontPareilles() ? 0 : 1;
+        statut = comparaison.sontPareilles() ? 0 : 1;
     }
 }

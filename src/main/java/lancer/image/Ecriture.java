@@ -37,9 +37,7 @@ public final class Ecriture {
         this.nom = nom;
         try {
             cible = suivre(Paths.get(nom).toAbsolutePath());
-        } catch (InvalidPathException e) {
-            throw impossible("nom de fichier impossible" + ErreurSysteme.horsLangue(nom));
-        } catch (IOException e) {
+        } catch (IOException | InvalidPathException e) {
             throw impossible(raison(e) + ErreurSysteme.horsLangue(nom));
         }
         if (Files.isDirectory(cible)) {
@@ -141,7 +139,7 @@ public final class Ecriture {
         return Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW);
     }
 
-    private String raison(IOException e) {
+    private String raison(Exception e) {
         return !(e instanceof NoSuchFileException) ? ErreurSysteme.raison(e)
                 : cible != null && Files.isDirectory(cible.getParent()) ? "création refusée dans ce dossier"
                 : "le dossier n'existe pas";

@@ -44,10 +44,8 @@ public final class LectureImage {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
             return Texte.minuscules(nom).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
         } catch (IOException | InvalidPathException e) {
-            throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + (e instanceof IOException
-                    ? ErreurSysteme.raison((IOException) e) : "nom de fichier impossible"
-                    + ErreurSysteme.horsLangue(nom))
-                    + " ; attendu : un PNG ou un PFM");
+            throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + ErreurSysteme.raison(e)
+                    + ErreurSysteme.horsLangue(nom) + " ; attendu : un PNG ou un PFM");
         }
     }
 

@@ -1,6 +1,7 @@
 package lancer.image;
 
 import java.util.stream.IntStream;
+import lancer.Couleur;
 
 /** Réduction d'une image : chaque pixel réduit est la moyenne de la surface qu'il couvre. */
 public final class Reduction {
@@ -8,11 +9,7 @@ public final class Reduction {
     private Reduction() {
     }
 
-    /**
-     * Les codes de l'image réduite, 0 pour un pixel non dessiné.
-     *
-     * @param pas 1 pour la moyenne exacte ; n pour ne lire qu'une ligne et une colonne sur n
-     */
+    /** Les codes, 0 sans dessin. @param pas 1 pour la moyenne exacte ; n pour lire une ligne et une colonne sur n */
     public static int[] moyenne(ImageMemoire image, int largeur, int hauteur, int pas) {
         int[] codes = new int[largeur * hauteur];
         IntStream.range(0, hauteur).parallel().forEach(y -> reduireLigne(image, largeur, hauteur, y, pas, codes));
@@ -41,12 +38,7 @@ public final class Reduction {
                     total += poids;
                 }
             }
-            codes[y * largeur + x] = total == 0 ? 0 : 0xFF000000 | arrondi(r / total) << 16
-                    | arrondi(v / total) << 8 | arrondi(b / total);
+            codes[y * largeur + x] = total == 0 ? 0 : new Couleur(r, v, b).div(255 * total).getCode();
         }
-    }
-
-    private static int arrondi(double composante) {
-        return (int) (composante + 0.5);
     }
 }

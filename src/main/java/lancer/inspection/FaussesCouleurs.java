@@ -153,9 +153,9 @@ public final class FaussesCouleurs {
     private int compter(Pave pave, Pave voulus, Vue vue, Toile toile) {
         long[] rayons = new long[(pave.i1 - pave.i0) * (pave.j1 - pave.j0)];
         Vue comptee = (xe, ye) -> {
-            long avant = vue.rayons();
+            long avant = vue.compteurs().rayons();
             Couleur couleur = vue.couleur(xe, ye);
-            rayons[((int) ye - pave.j0) * (pave.i1 - pave.i0) + (int) xe - pave.i0] += vue.rayons() - avant;
+            rayons[((int) ye - pave.j0) * (pave.i1 - pave.i0) + (int) xe - pave.i0] += vue.compteurs().rayons() - avant;
             return couleur;
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();

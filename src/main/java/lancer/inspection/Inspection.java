@@ -68,18 +68,14 @@ public final class Inspection implements Vue, Toile {
 
     /** Explique l'échantillon le plus proche du centre. @throws CancellationException après {@link #arreter()} */
     public void faire() {
-        faire(AU_CENTRE);
-    }
-
-    private void faire(int rang) {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
-        equipe.faire(() -> expliquer(rang));
+        equipe.faire(() -> expliquer(AU_CENTRE));
     }
 
     /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les segments qui la précèdent. */
     public void faireOuEchouer(int rang) {
         try {
-            faire(rang);
+            equipe.faire(() -> expliquer(rang));
         } catch (PixelFautif e) {
             faute = e;
             chercherLesObstacles();

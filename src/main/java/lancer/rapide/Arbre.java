@@ -1,11 +1,8 @@
 package lancer.rapide;
 
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantLock;
 import lancer.Constantes;
 import lancer.contrat.Recherche;
-import lancer.fils.Fil;
 import lancer.precision.Intersection;
 
 /**
@@ -39,7 +36,6 @@ final class Arbre implements Intersections, Occultations {
     private static final int PAS_BOUCLES = 8;
 
     private final Spheres spheres;
-    private final ReentrantLock construction = new ReentrantLock();
     private volatile Noeuds noeuds;
     /** Le temps de la construction, en nanosecondes ; 0 avant elle. */
     volatile long constructionNs;
@@ -48,32 +44,19 @@ final class Arbre implements Intersections, Occultations {
         this.spheres = spheres;
     }
 
-    /**
-     * Les nœuds. Le premier fil qui les demande les construit ; les autres attendent.
-     *
-     * @throws CancellationException si ce fil est interrompu
-     */
+    /** Les nœuds, que construit le premier fil qui les demande. @throws CancellationException s'il est interrompu */
     Noeuds noeuds() {
-        if (noeuds != null) {
-            return noeuds;
+        if (noeuds == null) {
+            construire();
         }
-        try {
-            while (!construction.tryLock(1, TimeUnit.SECONDS)) {
-                Fil.avancer();
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new CancellationException("attente interrompue");
-        }
-        try {
-            if (noeuds == null) {
-                long debut = System.nanoTime();
-                noeuds = new Noeuds(spheres);
-                constructionNs = System.nanoTime() - debut;
-            }
-            return noeuds;
-        } finally {
-            construction.unlock();
+        return noeuds;
+    }
+
+    private synchronized void construire() {
+        if (noeuds == null) {
+            long debut = System.nanoTime();
+            noeuds = new Noeuds(spheres);
+            constructionNs = System.nanoTime() - debut;
         }
     }
 

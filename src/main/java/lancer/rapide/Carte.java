@@ -79,11 +79,7 @@ final class Carte implements Intersections, Occultations {
         if (libres < 0 || travail < 0) {
             return false;
         }
-        int total = 0;
-        for (int c = 0; c < debut.length; c++) {
-            total += debut[c];
-            debut[c] = total;
-        }
+        int total = Tri.cumuler(debut);
         entrees = new int[total];
         pres = new float[total];
         // de la plus lointaine à la plus proche, car chaque case se remplit par la fin

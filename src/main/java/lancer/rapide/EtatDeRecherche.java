@@ -29,10 +29,7 @@ final class EtatDeRecherche {
     double distance;
     int trouvee;
 
-    /**
-     * Pile d'une descente dans un arbre : nœuds à visiter, distances où le rayon y entre, hauteur de la pile. Une
-     * {@link Grille} y note les sphères dont le doute est tranché.
-     */
+    /** Pile d'un arbre : nœuds à visiter, distances d'entrée, hauteur ; une {@link Grille} y note les doutes levés. */
     final int[] pile = new int[Noeuds.PROFONDEUR_MAX];
     final double[] entrees = new double[Noeuds.PROFONDEUR_MAX];
     int haut;

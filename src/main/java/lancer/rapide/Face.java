@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import java.util.Arrays;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.precision.Intersection;
@@ -20,7 +19,7 @@ final class Face {
     /** Plus grande ouverture d'une fenêtre, en u et v : 63 degrés de part et d'autre de l'axe. */
     static final double OUVERTURE = 2;
 
-    /** Part de la distance au centre : si la surface est plus proche, la sphère est notée dans toutes les cases. */
+    /** Part de la distance au centre : si la surface est plus proche, la sphère touche toutes les cases. */
     private static final double CONTRE_LA_SURFACE = 1e-9;
 
     /** Distances entre lesquelles les carrés ne débordent pas. */
@@ -36,7 +35,6 @@ final class Face {
     private final double v0;
     private final double u1;
     private final double v1;
-    private final double du;
     private final double dv;
     private final double parDu;
     private final double parDv;
@@ -62,9 +60,8 @@ final class Face {
         this.v1 = v1;
         this.colonnes = colonnes;
         this.lignes = lignes;
-        du = (u1 - u0) / colonnes;
         dv = (v1 - v0) / lignes;
-        parDu = 1 / du;
+        parDu = 1 / ((u1 - u0) / colonnes);
         parDv = 1 / dv;
         de = new int[lignes];
         a = new int[lignes];
@@ -93,11 +90,7 @@ final class Face {
         return casePlane((e[0] * x + e[1] * y + e[2] * z) * parW, (e[3] * x + e[4] * y + e[5] * z) * parW);
     }
 
-    /**
-     * La case de l'image que traverse ce rayon.
-     *
-     * @return -1 s'il ne part pas de l'écran en s'éloignant de l'œil, ou s'il est hors de l'image
-     */
+    /** La case que traverse ce rayon ; -1 s'il est hors de l'image, ou ne va pas de l'écran à l'opposé de l'œil. */
     int caseDeLOeil(double px, double py, double pz, double vx, double vy, double vz) {
         // écart permis entre la direction du rayon et celle de l'œil, en z = 1 : le quart de la marge
         double ecart = MARGE / 4 * focale * vz;
@@ -114,17 +107,12 @@ final class Face {
                 ? Math.min((int) j, lignes - 1) * colonnes + Math.min((int) i, colonnes - 1) : -1;
     }
 
-    /**
-     * Cherche les cases que touche cette sphère, et celles qu'elle couvre entièrement.
-     *
-     * @param dx centre de la sphère moins point de vue
-     * @return faux si elle n'en touche aucune
-     */
+    /** Cherche les cases que touche, ou couvre, une sphère vue en (dx, dy, dz). @return faux s'il n'y en a pas */
     boolean silhouette(double dx, double dy, double dz, double rayon) {
         double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double r = rayon / loin;
         if (!(loin > LOIN_MIN && loin < LOIN_MAX && r < 1 - CONTRE_LA_SURFACE)) {
-            return partout();
+            return rectangle(0, lignes - 1, 0, colonnes - 1);
         }
         // les longueurs sont divisées par loin : la direction du centre est de longueur 1
         double x = dx / loin;
@@ -139,7 +127,7 @@ final class Face {
                 || cy - v1 * cz > rm * Math.sqrt(1 + v1 * v1) || v0 * cz - cy > rm * Math.sqrt(1 + v0 * v0)) {
             return false;
         }
-        return cz > r + RASANTE ? ellipse(cx, cy, cz, r) : partout();
+        return cz > r + RASANTE ? ellipse(cx, cy, cz, r) : rectangle(0, lignes - 1, 0, colonnes - 1);
     }
 
     /**
@@ -164,13 +152,7 @@ final class Face {
         ligne0 = rang((vMin - MARGE - v0) * parDv, lignes);
         ligne1 = rang((vMax + MARGE - v0) * parDv, lignes);
         if (colonne1 - colonne0 <= 1 && ligne1 - ligne0 <= 1) {
-            for (int j = ligne0; j <= ligne1; j++) {
-                de[j] = colonne0;
-                a[j] = colonne1;
-                couvertDe[j] = 0;
-                couvertA[j] = -1;
-            }
-            return true;
+            return rectangle(ligne0, ligne1, colonne0, colonne1);
         }
         // pour chaque ligne, g0 et d0 sont les bords en haut, g1 et d1 les bords en bas
         double kq = (1 - r * r) * q;
@@ -218,18 +200,20 @@ final class Face {
         return true;
     }
 
-    /** Note une sphère trop grosse ou trop proche dans toutes les cases, sans en couvrir aucune. */
-    private boolean partout() {
-        ligne0 = 0;
-        ligne1 = lignes - 1;
-        Arrays.fill(de, 0);
-        Arrays.fill(a, colonnes - 1);
-        Arrays.fill(couvertDe, 0);
-        Arrays.fill(couvertA, -1);
+    /** Touche ces lignes et ces colonnes, sans en couvrir aucune case. */
+    private boolean rectangle(int premiere, int derniere, int gauche, int droite) {
+        ligne0 = premiere;
+        ligne1 = derniere;
+        for (int j = premiere; j <= derniere; j++) {
+            de[j] = gauche;
+            a[j] = droite;
+            couvertA[j] = -1;
+        }
         return true;
     }
 
-    private static int rang(double x, int n) {
+    /** La partie entière de x, ramenée dans [0, n − 1]. */
+    static int rang(double x, int n) {
         return x <= 0 ? 0 : x >= n ? n - 1 : (int) x;
     }
 }

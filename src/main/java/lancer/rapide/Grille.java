@@ -118,11 +118,7 @@ final class Grille implements Intersections {
                 return false;
             }
         }
-        int total = 0;
-        for (int c = 0; c < debut.length; c++) {
-            total += debut[c];
-            debut[c] = total;
-        }
+        int total = Tri.cumuler(debut);
         if (total > PLACES_PAR_SPHERE * (long) lesquelles.length) {
             return false;
         }
@@ -135,11 +131,7 @@ final class Grille implements Intersections {
         return true;
     }
 
-    /**
-     * Compte une sphère dans chaque case qu'elle touche, ou l'y place si {@link #entrees} existe.
-     *
-     * @return le nombre de cases que touche la boîte englobante de la sphère
-     */
+    /** Compte une sphère dans les cases qu'elle touche, ou l'y place. @return le nombre de cases de sa boîte */
     private long noter(int k) {
         double[] g = spheres.geometrie;
         int s = Spheres.PAS * k;
@@ -147,12 +139,12 @@ final class Grille implements Intersections {
         double y = g[s + 1];
         double z = g[s + 2];
         double r = g[s + 3] + marge;
-        int ia = rang((x - r - x0) * parCote, nx);
-        int ib = rang((x + r - x0) * parCote, nx);
-        int ja = rang((y - r - y0) * parCote, ny);
-        int jb = rang((y + r - y0) * parCote, ny);
-        int ka = rang((z - r - z0) * parCote, nz);
-        int kb = rang((z + r - z0) * parCote, nz);
+        int ia = Face.rang((x - r - x0) * parCote, nx);
+        int ib = Face.rang((x + r - x0) * parCote, nx);
+        int ja = Face.rang((y - r - y0) * parCote, ny);
+        int jb = Face.rang((y + r - y0) * parCote, ny);
+        int ka = Face.rang((z - r - z0) * parCote, nz);
+        int kb = Face.rang((z + r - z0) * parCote, nz);
         for (int kk = ka; kk <= kb; kk++) {
             double ez = ecart(z, z0 + kk * cote, cote);
             for (int jj = ja; jj <= jb; jj++) {
@@ -175,10 +167,6 @@ final class Grille implements Intersections {
 
     private static double ecart(double x, double bas, double cote) {
         return Math.max(0, Math.max(bas - x, x - bas - cote));
-    }
-
-    private static int rang(double x, int n) {
-        return x <= 0 ? 0 : x >= n ? n - 1 : (int) x;
     }
 
     @Override
@@ -234,9 +222,9 @@ final class Grille implements Intersections {
             return TERMINEE;
         }
         // case d'entrée, et distances où le rayon en sort par chaque axe
-        int i = rang((px + entree * vx - x0) * parCote, nx);
-        int j = rang((py + entree * vy - y0) * parCote, ny);
-        int k3 = rang((pz + entree * vz - z0) * parCote, nz);
+        int i = Face.rang((px + entree * vx - x0) * parCote, nx);
+        int j = Face.rang((py + entree * vy - y0) * parCote, ny);
+        int k3 = Face.rang((pz + entree * vz - z0) * parCote, nz);
         double tx = (x0 + (ix < 0 ? i : i + 1) * cote - px) * ix;
         double ty = (y0 + (iy < 0 ? j : j + 1) * cote - py) * iy;
         double tz = (z0 + (iz < 0 ? k3 : k3 + 1) * cote - pz) * iz;

@@ -1,6 +1,6 @@
 package lancer.rapide;
 
-/** Tri par base (Hollerith, 1887), en trois passages. L'interruption est lue une fois par million de clés. */
+/** Tri par base (Hollerith, 1887), en trois passages. */
 final class Tri {
 
     private static final int BITS = 11;
@@ -17,9 +17,7 @@ final class Tri {
             for (long cle : de) {
                 places[1 + chiffre(cle, base)]++;
             }
-            for (int c = 0; c < 1 << BITS; c++) {
-                places[c + 1] += places[c];
-            }
+            cumuler(places);
             for (long cle : de) {
                 vers[places[chiffre(cle, base)]++] = cle;
             }
@@ -28,6 +26,14 @@ final class Tri {
             vers = libre;
         }
         return de;
+    }
+
+    /** Remplace chaque nombre par la somme des nombres jusqu'à lui. @return leur somme à tous */
+    static int cumuler(int[] nombres) {
+        for (int c = 1; c < nombres.length; c++) {
+            nombres[c] += nombres[c - 1];
+        }
+        return nombres[nombres.length - 1];
     }
 
     private static int chiffre(long cle, int base) {

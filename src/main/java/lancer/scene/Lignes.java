@@ -3,11 +3,9 @@ package lancer.scene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.Reader;
-import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.CharsetDecoder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
@@ -25,7 +23,6 @@ final class Lignes extends Reader {
     private final InputStream entree;
     private final long aLire;
     private final DoubleConsumer suivi;
-    private final CharsetDecoder utf8 = StandardCharsets.UTF_8.newDecoder();
     /** Tampon ; nombre d'octets lus ; début de la ligne en cours ; sa longueur, sans puis avec sa fin. */
     private byte[] octets = new byte[1 << 14];
     private int lus;
@@ -33,7 +30,9 @@ final class Lignes extends Reader {
     private int longueur;
     private int occupes;
     private boolean controles;
-    private CharBuffer ligne = CharBuffer.allocate(0);
+    /** La ligne en cours ; le nombre de ses caractères qui sont rendus, LF compris. */
+    private String ligne = "";
+    private int rendus = 1;
     private int numero;
     private long total;
 
@@ -50,7 +49,7 @@ final class Lignes extends Reader {
 
     /** La ligne en cours, comme dans le fichier. Un octet qui n'est pas de l'UTF-8 est remplacé. */
     String getTexte() {
-        return ligne.duplicate().rewind().toString().replace("\n", "");
+        return ligne;
     }
 
     /** Autre codage probable : une marque, ou un octet nul sur deux (UTF-16) ou trois sur quatre (UTF-32). */
@@ -67,53 +66,44 @@ final class Lignes extends Reader {
 
     @Override
     public int read(char[] cible, int position, int nombre) throws IOException {
-        if (!ligne.hasRemaining() && !avancer()) {
+        if (rendus > ligne.length() && !avancer()) {
             return -1;
         }
-        int n = Math.min(nombre, ligne.remaining());
-        ligne.get(cible, position, n);
+        int n = Math.min(nombre, ligne.length() - rendus);
+        ligne.getChars(rendus, rendus + n, cible, position);
+        if (n < nombre) {
+            cible[position + n++] = '\n';
+        }
+        rendus += n;
         return n;
     }
 
-    /** Passe à la ligne suivante, la décode, et la termine par LF. */
+    /** Passe à la ligne suivante, et la décode. */
     private boolean avancer() throws IOException {
         numero++;
         if (!couper()) {
             return false;
         }
-        if (ligne.capacity() <= longueur) {
-            ligne = CharBuffer.allocate(longueur + 1);
-        }
-        ligne.clear();
-        boolean fausse = utf8.reset().decode(ByteBuffer.wrap(octets, debut, longueur), ligne, true).isError();
-        ligne.put('\n').flip();
-        if (fausse) {
-            ligne = CharBuffer.wrap(new String(octets, debut, longueur, StandardCharsets.UTF_8));
-        }
-        if (numero == 1 && ligne.get(0) == '\uFEFF') {
-            ligne.get();
-            ligne = ligne.slice();
-        }
+        ligne = new String(octets, debut, longueur, StandardCharsets.UTF_8);
+        // un octet qui n'est pas de l'UTF-8 devient U+FFFD, que le fichier peut aussi contenir
+        boolean fausse = ligne.indexOf('\uFFFD') >= 0 && !Arrays.equals(ligne.getBytes(StandardCharsets.UTF_8),
+                Arrays.copyOfRange(octets, debut, debut + longueur));
+        ligne = numero == 1 && ligne.startsWith("\uFEFF") ? ligne.substring(1) : ligne;
         if (fausse || controles && autreCodage() != null) {
             throw new CharacterCodingException();
         }
         if (controles) {
             StringBuilder s = new StringBuilder();
-            for (char c : getTexte().toCharArray()) {
+            for (char c : ligne.toCharArray()) {
                 s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
             }
-            ligne = CharBuffer.wrap(s.append('\n').toString().toCharArray());
+            ligne = s.toString();
         }
-        if (ligne.length() > LIGNE_MAX + 1) {
+        if (ligne.length() > LIGNE_MAX) {
             throw new LigneTropLongue();
         }
-        int mot = 0;
-        while (ligne.get(mot) == ' ' || ligne.get(mot) == '\t') {
-            mot++;
-        }
-        if (ligne.get(mot) == ';' || ligne.get(mot) == '#') {
-            ligne.position(ligne.limit() - 1);
-        }
+        String mots = ligne.trim();
+        rendus = mots.startsWith(";") || mots.startsWith("#") ? ligne.length() : 0;
         return true;
     }
 

@@ -1,5 +1,7 @@
 package lancer.scene;
 
+import java.util.AbstractMap.SimpleEntry;
+import java.util.Map;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.UnaryOperator;
@@ -16,22 +18,10 @@ public final class Surveillance extends TimerTask {
     private final UnaryOperator<String> version;
     private final Runnable siChange;
     private final Runnable siEfface;
-    /** Remplacé en entier, sans verrou : changer de fichier n'attend pas un disque qui ne répond pas. */
-    private volatile Suivi suivi = new Suivi(null, null);
+    /** Le fichier et sa dernière version annoncée, remplacés sans verrou : un disque peut ne pas répondre. */
+    private volatile Map.Entry<String, String> suivi = new SimpleEntry<>(null, null);
     private int absences;
     private String vue;
-
-    /** Un fichier, et sa dernière version annoncée. */
-    private static final class Suivi {
-
-        final String fichier;
-        String connue;
-
-        Suivi(String fichier, String connue) {
-            this.fichier = fichier;
-            this.connue = connue;
-        }
-    }
 
     /** @param siChange appelé à chaque changement, dans ce fil @param siEfface appelé si le fichier disparaît */
     public Surveillance(Runnable siChange, Runnable siEfface) {
@@ -51,20 +41,20 @@ public final class Surveillance extends TimerTask {
 
     /** @param version celle de {@link FichierScene} avant la lecture : un changement pendant la lecture est vu */
     public void suivre(String aSuivre, String version) {
-        suivi = new Suivi(aSuivre, version);
+        suivi = new SimpleEntry<>(aSuivre, version);
     }
 
     /** Annonce une version nouvelle que deux observations de suite ont trouvée, ou la disparition du fichier. */
     @Override
     public void run() {
-        Suivi sien = suivi;
-        String nouvelle = sien.fichier == null ? null : version.apply(sien.fichier);
-        absences = sien.fichier == null || nouvelle != null ? 0 : absences + 1;
-        boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(sien.connue);
+        Map.Entry<String, String> sien = suivi;
+        String nouvelle = sien.getKey() == null ? null : version.apply(sien.getKey());
+        absences = sien.getKey() == null || nouvelle != null ? 0 : absences + 1;
+        boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(sien.getValue());
         vue = nouvelle;
         // un disque lent peut répondre pour un fichier qui n'est plus suivi
         if (sien == suivi && (change || absences == ABSENCES)) {
-            sien.connue = nouvelle;
+            sien.setValue(nouvelle);
             (change ? siChange : siEfface).run();
         }
     }

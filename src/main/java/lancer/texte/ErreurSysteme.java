@@ -1,9 +1,9 @@
 package lancer.texte;
 
 import java.io.File;
-import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 
 /** Erreurs du système et de Java à propos d'un fichier, dites en français. */
 public final class ErreurSysteme {
@@ -31,8 +31,9 @@ public final class ErreurSysteme {
     }
 
     /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, son nom en Java. */
-    public static String raison(IOException e) {
-        String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
+    public static String raison(Exception e) {
+        String dit = e instanceof InvalidPathException ? "nom de fichier impossible"
+                : e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
         String texte = dit == null ? e.getClass().getSimpleName() : dit;
         for (String[] connue : CONNUES) {
             if (texte.startsWith(connue[0])) {

@@ -10,9 +10,6 @@ import java.util.Locale;
  */
 public final class Nombre {
 
-    /** Un nombre plus petit s'écrit avec un exposant. */
-    private static final double PETIT = 1e-5;
-
     private Nombre() {
     }
 
@@ -43,9 +40,9 @@ public final class Nombre {
         }
     }
 
-    /** L'écriture ordinaire d'un nombre, sans « .0 » ni zéro inutile : 0, 0.05, 1e100. */
+    /** L'écriture d'un nombre, sans « .0 » ni zéro inutile, avec un exposant hors de [1e-5, 1e7[ : 0, 0.05, 1e100. */
     public static String ecrire(double x) {
-        boolean ordinaire = x == 0 || Math.abs(x) >= PETIT && Math.abs(x) < 1e7;
+        boolean ordinaire = x == 0 || Math.abs(x) >= 1e-5 && Math.abs(x) < 1e7;
         return ordinaire ? new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString()
                 : Double.toString(x).replace(".0E", "e").replace('E', 'e');
     }

@@ -5,9 +5,6 @@ import java.util.Locale;
 /** Prépare un texte d'un fichier ou de la ligne de commande pour un message d'une ligne. */
 public final class Texte {
 
-    /** Longueur au-delà de laquelle une citation est coupée, en caractères. */
-    private static final int CITATION_MAX = 60;
-
     /** Catégories Unicode des caractères qui agissent sur le terminal, sont invisibles ou ressemblent à un blanc. */
     private static final int INVISIBLES = 1 << Character.CONTROL | 1 << Character.FORMAT | 1 << Character.SURROGATE
             | 1 << Character.SPACE_SEPARATOR | 1 << Character.LINE_SEPARATOR | 1 << Character.PARAGRAPH_SEPARATOR;
@@ -19,14 +16,14 @@ public final class Texte {
         return mot.toLowerCase(Locale.ROOT);
     }
 
-    /** Le texte entre guillemets, caractères de contrôle échappés, coupé à 60 caractères. */
+    /** {@link #abrege}, entre guillemets. */
     public static String cite(String texte) {
         return "« " + abrege(texte) + " »";
     }
 
     /** Le texte, caractères de contrôle échappés, coupé à 60 caractères. */
     public static String abrege(String texte) {
-        return echapper(texte, CITATION_MAX);
+        return echapper(texte, 60);
     }
 
     /** Le texte, caractères de contrôle échappés. */

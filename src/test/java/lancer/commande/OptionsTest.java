@@ -30,6 +30,9 @@ class OptionsTest {
             "| --auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm";
     private static final String SANS_SCENE = "| aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini";
 
+    private static final String PNG = " | un fichier dont le nom finit par .png";
+    private static final String TAILLE = " | LARGEURxHAUTEUR, par exemple 800x600, de 1 à 16384 chacune, et au plus 100000000 pixels";
+
     /** Les arguments, séparés par un blanc ; {@code ''} en est un, vide. */
     private static String[] arguments(String ligne) {
         String[] mots = ligne.split(" ");
@@ -115,9 +118,9 @@ class OptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "--image | un fichier .png", "--image= | un fichier .png", "--image '' | un fichier .png", "--image --fils 2 | un fichier .png",
-        "--lineaire | un fichier .pfm", "--taille | une taille, par exemple 800x600", "--taille= | une taille, par exemple 800x600",
-        "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul", "--fils | un entier de 1 à 1024",
+        "--image" + PNG, "--image=" + PNG, "--image ''" + PNG, "--image --fils 2" + PNG, "--taille" + TAILLE, "--taille=" + TAILLE,
+        "--lineaire | un fichier dont le nom finit par .pfm",
+        "--reflets | un entier de 0 à 1000", "--seuil | un nombre positif ou nul, par exemple 0.001", "--fils | un entier de 1 à 1024",
         "--etape | une étape du cours : lambert, phong, ombres ou reflets",
         "--pixel | X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
         "--repeter --statistiques | un entier de 1 à 100000",
@@ -140,11 +143,10 @@ class OptionsTest {
     /** Une option, des valeurs impossibles, et ce qui est attendu. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
-        "--image | a a.jpg a.pfm a.png/ png /dev/stdout /dev/fd/1 | un fichier dont le nom finit par .png",
+        "--image | a a.jpg a.pfm a.png/ png /dev/stdout /dev/fd/1" + PNG,
         "--lineaire | a.png /dev/stdout a.pfm.gz | un fichier dont le nom finit par .pfm",
         "--taille | 0x1 1x0 16385x1 1x16385 10001x10000 16384x16384 800 800x x600 800X600 800*600 800x600x1 -1x5 +1x5 1.5x2 1e2x3 800,600 "
-                + "99999999999999999999x1 axb 800×600 0x10x0 "
-                + "| LARGEURxHAUTEUR, par exemple 800x600, de 1 à 16384 chacune, et au plus 100000000 pixels",
+                + "99999999999999999999x1 axb 800×600 0x10x0" + TAILLE,
         "--reflets | -1 1001 5.0 cinq 4294967296 18446744073709551616 +5 | un entier de 0 à 1000",
         "--fils | 0 1025 -2 ٣ | un entier de 1 à 1024",
         "--repeter | 0 100001 1e3 | un entier de 1 à 100000",

@@ -11,10 +11,7 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
 
-/**
- * Anticrénelage (cours, « Anticrénelage ») : la couleur d'un pixel est la moyenne de n × n sous-pixels. Une méthode
- * adaptative choisit les pixels qui en demandent moins.
- */
+/** L'anticrénelage du cours : la moyenne de n × n sous-pixels, ou de moins si une méthode adaptative s'en passe. */
 public final class Antialias implements Variante {
 
     private static final int N = 3;

@@ -24,10 +24,7 @@ final class Cases {
     private final int largeur;
     private final int hauteur;
 
-    /**
-     * Vrai si la case d'un pixel, ou de l'un de ses huit voisins, dépasse le seuil : un détail déborde souvent de sa
-     * case. Les indices de ligne et de colonne sont décalés de un.
-     */
+    /** Vrai si la case d'un pixel, ou d'un voisin, dépasse le seuil ; les indices sont décalés de un. */
     private final boolean[][] suspects;
 
     /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme des sous-pixels déjà peints. */
@@ -35,9 +32,7 @@ final class Cases {
     private int j;
     private int finX;
     private int finY;
-    private double r;
-    private double v;
-    private double b;
+    private Couleur somme;
 
     Cases(int n, double seuil, Petites petites, Pave pave, Vue vue) {
         this.n = n;
@@ -59,7 +54,6 @@ final class Cases {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
                 raffines += peindre(0, 0, finX, finY) ? 1 : 0;
-                Couleur somme = new Couleur(r, v, b);
                 vue.diviser(somme, n * n);
                 toile.drawPixel(somme.div(n * n), pave.i0 + x, pave.j0 + y);
             }
@@ -73,9 +67,7 @@ final class Cases {
         j = y;
         finX = i + 1 < largeur ? n : n - 1;
         finY = j + 1 < hauteur ? n : n - 1;
-        r = 0;
-        v = 0;
-        b = 0;
+        somme = new Couleur();
     }
 
     private void chercherLesSuspects(Pave voulus) {
@@ -151,9 +143,7 @@ final class Cases {
             Couleur couleur = voir(x, y);
             Couleur terme = couleur.mul(poids);
             vue.compter(couleur, poids, terme);
-            r += terme.r;
-            v += terme.v;
-            b += terme.b;
+            somme = somme.add(terme);
         }
     }
 }

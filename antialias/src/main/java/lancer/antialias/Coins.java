@@ -15,10 +15,7 @@ final class Coins implements Echantillonnage {
     private final int n;
     private final double seuil;
 
-    /**
-     * @param n nombre de sous-pixels sur un côté
-     * @param seuil contraste ; 0 pour tous les sous-pixels de chaque pixel
-     */
+    /** @param n nombre de sous-pixels sur un côté @param seuil contraste ; 0 pour tous les sous-pixels */
     Coins(int n, double seuil) {
         this.n = n;
         this.seuil = seuil;

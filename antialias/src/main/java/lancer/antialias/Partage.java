@@ -22,10 +22,7 @@ final class Partage implements Echantillonnage {
     /** Les petites sphères ; {@code null} avant {@link #pour}. */
     private final Petites petites;
 
-    /**
-     * @param n nombre de sous-pixels sur un côté
-     * @param seuil contraste, pour une case d'un pixel de côté ; 0 pour tous les sous-pixels de chaque pixel
-     */
+    /** @param seuil contraste, pour une case d'un pixel de côté ; 0 pour tous les sous-pixels de chaque pixel */
     Partage(int n, double seuil) {
         this(n, seuil, null);
     }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /** Une valeur mesurée et son intervalle de confiance à 95 %. Immuable. */
 public final class Intervalle {
 
-    /** Quantiles à 97,5 % de la loi de Student, pour 1, 2, 3, puis 4 degrés de liberté. */
-    private static final double[] STUDENT = {12.706, 4.303, 3.182, 2.776};
+    /** Nombre de rapports au-dessous duquel deux d'entre eux n'encadrent pas assez souvent la médiane. */
+    private static final int ASSEZ = 6;
 
     /** Quantile de la loi normale. */
     private static final double NORMALE = 1.96;
@@ -31,13 +31,13 @@ public final class Intervalle {
 
     /**
      * Intervalle de la médiane de ces rapports, entre deux rangs que donne la loi binomiale : une valeur aberrante ne compte que pour une.
-     * Pour moins de six rapports, intervalle de leur moyenne géométrique, par la loi de Student.
+     * Il est infini pour moins de six rapports.
      */
     public static Intervalle desRapports(double... rapports) {
         double[] tries = Arrays.stream(rapports).sorted().toArray();
         int n = tries.length;
-        if (n - 1 <= STUDENT.length) {
-            return deLaMoyenne(Arrays.stream(rapports).map(Math::log).toArray());
+        if (n < ASSEZ) {
+            return new Intervalle(mediane(tries), 0, Double.POSITIVE_INFINITY);
         }
         // nombre de rapports à laisser de chaque côté, pour que la médiane soit rarement au-delà
         int laisses = 0;
@@ -47,16 +47,6 @@ public final class Intervalle {
             laisses++;
         }
         return new Intervalle(mediane(tries), tries[laisses], tries[n - 1 - laisses]);
-    }
-
-    /** Intervalle de la moyenne géométrique ; infini pour une seule valeur. */
-    private static Intervalle deLaMoyenne(double... logarithmes) {
-        double moyenne = Arrays.stream(logarithmes).average().orElse(Double.NaN);
-        int libertes = logarithmes.length - 1;
-        double carres = Arrays.stream(logarithmes).map(x -> (x - moyenne) * (x - moyenne)).sum();
-        double demi = libertes < 1 ? Double.POSITIVE_INFINITY
-                : STUDENT[libertes - 1] * Math.sqrt(carres / libertes / logarithmes.length);
-        return new Intervalle(Math.exp(moyenne), Math.exp(moyenne - demi), Math.exp(moyenne + demi));
     }
 
     /** Intervalle de la racine de la moyenne de ces carrés, indépendants. */
@@ -75,6 +65,11 @@ public final class Intervalle {
     public static double mediane(double... valeurs) {
         double[] tries = Arrays.stream(valeurs).sorted().toArray();
         return tries.length == 0 ? Double.NaN : Math.sqrt(tries[(tries.length - 1) / 2] * tries[tries.length / 2]);
+    }
+
+    /** Cet intervalle, ou sa valeur seule si une borne n'est pas connue ou ne se place pas sur un axe logarithmique. */
+    public Intervalle montrable() {
+        return min > 0 && max < Double.POSITIVE_INFINITY ? this : exact(valeur);
     }
 
     public Intervalle fois(double facteur) {

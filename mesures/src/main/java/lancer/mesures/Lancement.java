@@ -6,6 +6,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -20,6 +21,9 @@ public final class Lancement {
      */
     private static final String MESURE = "t=(/usr/bin/time -f %M -o \"$0\"); \"${t[@]}\" true 2>/dev/null || t=(); : >\"$0\"; "
             + "TIMEFORMAT='%R %U %S'; { time \"${t[@]}\" \"$@\" 2>&3; } 3>&2 2>>\"$0\"";
+
+    /** La commande java de cette machine virtuelle. */
+    public static final String JAVA = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
 
     /** Statut de sortie, 126 ou 127 si la commande ne peut être lancée ; texte de ses deux sorties. */
     public final int statut;

@@ -8,17 +8,15 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Options;
+import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
@@ -27,51 +25,54 @@ import lancer.texte.Texte;
 
 /**
  * Compare ce programme à un programme indépendant, POV-Ray : les deux dessinent les mêmes scènes, et les images sont comparées pixel par
- * pixel. Les fichiers lus et dessinés par POV-Ray restent dans {@code target/juge}. Lancé par {@code make juge}, avec les options de
- * {@code USAGE}.
+ * pixel. Les fichiers lus et dessinés par POV-Ray restent dans {@code target/juge}. Lancé par {@code make juge}. Sans argument, il juge
+ * les scènes livrées et note leur accord.
  *
  * <p>Statut de sortie : 0 si les images sont d'accord ; 1 en cas de désaccord, ou si POV-Ray n'a pu dessiner ; 2 si la demande est fausse.
  */
 public final class Juge {
 
-    private static final String USAGE = "[--reflets N] [--taille LxH] [--povray COMMANDE] [--csv FICHIER] [SCENE.ini]...";
-
+    private static final Path CSV = Paths.get("mesures", "resultats", "juge.csv");
     private static final Path DOSSIER = Paths.get("target", "juge");
 
     private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
 
-    private final List<String> scenes = new ArrayList<>();
-    private final Map<String, String> valeurs = new HashMap<>();
     private final Options dessin;
     private final PrintStream sortie;
+    private final Circonstances circonstances = new Circonstances();
     private final List<String> csv = new ArrayList<>();
     private boolean accord = true;
 
     private Juge(PrintStream sortie, String... args) {
         this.sortie = sortie;
-        for (int k = 0; k < args.length; k++) {
-            if (!args[k].startsWith("--")) {
-                scenes.add(args[k]);
-            } else if (!USAGE.contains("[" + args[k] + " ") || k + 1 == args.length || valeurs.put(args[k], args[++k]) != null) {
-                throw new IllegalArgumentException("option inconnue, sans valeur ou donnée deux fois ; usage : " + USAGE);
+        for (String option : args) {
+            if (option.startsWith("-") && !option.matches("--(reflets|taille)(=.*)?")) {
+                throw new IllegalArgumentException("usage : [--reflets N] [--taille LxH] [SCENE.ini]");
             }
         }
-        dessin = Options.lire(Stream.of("--reflets", "--taille").filter(valeurs::containsKey).map(o -> o + "=" + valeurs.get(o))
-                .toArray(String[]::new));
-        if (scenes.isEmpty() && valeurs.containsKey("--reflets")) {
-            throw new IllegalArgumentException("--reflets va avec une scène ; usage : " + USAGE);
-        }
+        dessin = Options.lire(args);
     }
 
-    /** @param args voir {@code USAGE} */
+    /** @param args le nombre de reflets, la taille et la scène, comme pour le programme ; rien pour les scènes livrées */
     public static void main(String[] args) {
-        System.exit(executer(args, System.out, System.err));
+        System.exit(executer(PovRay.COMMANDE, args.length == 0 ? CSV : null, System.out, System.err, args));
     }
 
-    /** Exécute {@link #main} sans arrêter Java. @return le statut de sortie */
-    static int executer(String[] args, PrintStream sortie, PrintStream erreurs) {
+    /**
+     * Exécute {@link #main} sans arrêter Java.
+     *
+     * @param povray la commande de POV-Ray
+     * @param fichier où noter l'accord, ou {@code null}
+     * @return le statut de sortie
+     */
+    static int executer(String povray, Path fichier, PrintStream sortie, PrintStream erreurs, String... args) {
         try {
-            return new Juge(sortie, args).juger();
+            Juge juge = new Juge(sortie, args);
+            juge.juger(new PovRay(povray, Files.createDirectories(DOSSIER)));
+            if (fichier != null) {
+                Files.write(fichier, juge.csv);
+            }
+            return juge.accord ? 0 : 1;
         } catch (IllegalArgumentException | Echec | SceneFautive e) {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
@@ -83,29 +84,21 @@ public final class Juge {
         }
     }
 
-    private int juger() throws IOException {
-        PovRay juge = new PovRay(valeurs.getOrDefault("--povray", PovRay.COMMANDE), Files.createDirectories(DOSSIER));
+    private void juger(PovRay juge) throws IOException {
         sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
                 + " ; écarts en niveaux");
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
-        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord");
-        for (String fichier : scenes) {
-            juger(Paths.get(fichier), dessin.reflets, juge);
+        csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord,commit,date");
+        if (dessin.scene != null) {
+            juger(Paths.get(dessin.scene), dessin.reflets, juge);
+            return;
         }
-        if (scenes.isEmpty()) {
-            for (Path livree : Scenes.livrees()) {
-                juger(livree, dessin.reflets, juge);
-            }
-            // miroirs avec le nombre de reflets que son commentaire conseille, puis une foule dont quelques pixels sont sur un bord
-            juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
-            juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
+        for (Path livree : Scenes.livrees()) {
+            juger(livree, dessin.reflets, juge);
         }
-        if (valeurs.containsKey("--csv")) {
-            Path fichier = Paths.get(valeurs.get("--csv"));
-            Files.createDirectories(fichier.toAbsolutePath().getParent());
-            Files.write(fichier, csv);
-        }
-        return accord ? 0 : 1;
+        // miroirs avec le nombre de reflets que son commentaire conseille, puis une foule dont quelques pixels sont sur un bord
+        juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
+        juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
     }
 
     private void juger(Path fichier, int reflets, PovRay juge) throws IOException {
@@ -114,7 +107,7 @@ public final class Juge {
         try {
             SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());
-            Accord a = new Accord(nous, jugee.image(jugee.dessiner()));
+            Accord a = new Accord(nous, jugee.image());
             accord &= a.estLa();
             String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
                     + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);
@@ -122,7 +115,7 @@ public final class Juge {
             sortie.printf(LIGNE, nom, spheres, reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
                     ecart(a.moyen), verdict);
             csv.add(FichierCsv.ligne(nom, dessin.largeur, dessin.hauteur, spheres, reflets, jugee.dessins, a.auDela8,
-                    a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non"));
+                    a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non", circonstances.commit, circonstances.date));
         } catch (Echec e) {
             // POV-Ray ne sait pas faire le même calcul
             sortie.println(String.format("%-12s %8s", nom, "") + " non jugée : " + e.getMessage());

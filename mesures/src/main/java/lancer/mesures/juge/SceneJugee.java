@@ -45,17 +45,13 @@ public final class SceneJugee {
         }
     }
 
-    /**
-     * L'image linéaire de POV-Ray, faite des composantes justes de chaque dessin.
-     *
-     * @param rouge résultat de {@link #dessiner} avec ces options
-     */
-    public ImageLineaire image(Raster rouge, String... options) throws IOException {
+    /** L'image linéaire de POV-Ray, faite des composantes justes de chaque dessin. */
+    public ImageLineaire image(String... options) throws IOException {
         int largeur = camera.getLargeur();
         ImageLineaire image = new ImageLineaire(largeur, camera.getHauteur());
-        Raster[] rasters = {rouge, rouge, rouge};
-        for (int c = 1; c < dessins; c++) {
-            rasters[c] = dessiner(c, options);
+        Raster[] rasters = new Raster[3];
+        for (int c = 0; c < 3; c++) {
+            rasters[c] = c < dessins ? dessiner(c, options) : rasters[0];
         }
         for (int k = 0; k < image.getComposantes().length; k++) {
             image.getComposantes()[k] = rasters[k % 3].getSample(k / 3 % largeur, k / 3 / largeur, k % 3) / NIVEAUX_16;
@@ -63,13 +59,9 @@ public final class SceneJugee {
         return image;
     }
 
-    /**
-     * Le premier dessin ; s'il y en a trois, celui dont la composante rouge est juste.
-     *
-     * @param options de la commande {@code povray} ; aucune pour un rayon par pixel
-     */
-    public Raster dessiner(String... options) throws IOException {
-        return dessiner(0, options);
+    /** Fait le premier dessin seulement. @param options de la commande {@code povray} ; aucune pour un rayon par pixel */
+    public void dessiner(String... options) throws IOException {
+        dessiner(0, options);
     }
 
     private Raster dessiner(int c, String... options) throws IOException {

@@ -1,5 +1,5 @@
 /**
- * Scènes à mesurer, par leur nom : livrées, engendrées ou aléatoires.
+ * Scènes à mesurer, par leur nom : livrées ou engendrées.
  *
  * <p>Ce paquet crée les scènes, sans rien mesurer.
  */

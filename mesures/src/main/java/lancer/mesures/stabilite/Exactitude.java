@@ -6,18 +6,18 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 
 /** Exactitude d'une méthode sur un nombre d'essais : une ligne de stabilite.csv. */
 public final class Exactitude {
 
-    private static final String COLONNES = "figure,methode,x,y,essais,faux,erreur_relative,erreur_unites";
+    private static final String COLONNES = "figure,methode,x,essais,faux,erreur_relative,erreur_unites,commit,date";
 
     /** Nom de la courbe : voir {@link Mesures}. */
     final String figure;
     final String formule;
     final double x;
-    final double y;
 
     /** Nombre de rayons jugés. */
     public final int essais;
@@ -29,11 +29,10 @@ public final class Exactitude {
     final double erreurRelative;
     public final double erreurEnUnites;
 
-    Exactitude(String figure, String formule, double x, double y, int essais, int faux, double erreurRelative, double erreurEnUnites) {
+    Exactitude(String figure, String formule, double x, int essais, int faux, double erreurRelative, double erreurEnUnites) {
         this.figure = figure;
         this.formule = formule;
         this.x = x;
-        this.y = y;
         this.essais = essais;
         this.faux = faux;
         this.erreurRelative = erreurRelative;
@@ -48,8 +47,9 @@ public final class Exactitude {
     static void ecrire(Path fichier, List<Exactitude> exactitudes) throws IOException {
         List<String> lignes = new ArrayList<>();
         lignes.add(COLONNES);
-        exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.y, r.essais, r.faux, r.erreurRelative,
-                r.erreurEnUnites)));
+        Circonstances c = new Circonstances();
+        exactitudes.forEach(r -> lignes.add(FichierCsv.ligne(r.figure, r.formule, r.x, r.essais, r.faux, r.erreurRelative,
+                r.erreurEnUnites, c.commit, c.date)));
         Files.write(fichier, lignes);
     }
 
@@ -58,8 +58,8 @@ public final class Exactitude {
         List<Exactitude> exactitudes = new ArrayList<>();
         for (Map<String, String> champs : FichierCsv.lire(fichier)) {
             String[] c = champs.values().toArray(new String[0]);
-            exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Double.parseDouble(c[3]), Integer.parseInt(c[4]),
-                    Integer.parseInt(c[5]), Double.parseDouble(c[6]), Double.parseDouble(c[7])));
+            exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Integer.parseInt(c[3]), Integer.parseInt(c[4]),
+                    Double.parseDouble(c[5]), Double.parseDouble(c[6])));
         }
         return exactitudes;
     }

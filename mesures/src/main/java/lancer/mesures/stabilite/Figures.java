@@ -29,7 +29,7 @@ public final class Figures {
     Figures(Bilan bilan) {
         this.bilan = bilan;
         note = "Pire de " + Style.nombre(bilan.max(Mesures.SOL, r -> r.essais)) + " rayons tirés au sort par abscisse, jugés sans arrondi "
-                + "(60 chiffres) ; ceux qu'un arrondi de leur direction fait changer d'avis sont laissés. Un trait s'arrête là où plus "
+                + "(140 chiffres) ; ceux qu'un arrondi de leur direction fait changer d'avis sont laissés. Un trait s'arrête là où plus "
                 + "d'un rayon sur dix est mal classé. u = 2⁻⁵³, κ u t = u (1 + r/h) t : l'effet d'un arrondi de la direction. make mesures";
     }
 
@@ -39,7 +39,6 @@ public final class Figures {
         figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
         figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
         figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
-        figures.petites().ecrire(dossier.resolve("stabilite-petites.png"));
         figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
     }
 
@@ -82,28 +81,7 @@ public final class Figures {
         return new Planche("Près d'une surface", note).volet(sol).volet(pose);
     }
 
-    /** D : des sphères plus petites qu'un pixel. */
-    private Planche petites() {
-        Volet volet = new Volet("", "rayon des boules, en pixels", "erreur, en niveaux");
-        Object[][] series = {{"un_rayon", "un rayon", Style.NOIR, FormeDePoint.ROND},
-            {"coins", "coins, 4 × 4", Style.ORANGE, FormeDePoint.TRIANGLE},
-            {PetitesBoules.SANS, "partage, si rien ne lui dit où sont les boules", Style.CIEL, FormeDePoint.POINTE},
-            {"partage", "partage, 4 (0,1)", Style.VERT, FormeDePoint.LOSANGE},
-            {"grille", "grille 4 × 4, partout", Style.BLEU, FormeDePoint.CARRE}};
-        for (Object[] s : series) {
-            List<Exactitude> siennes = bilan.de(PetitesBoules.FIGURE, (String) s[0]);
-            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], false,
-                    siennes.stream().map(r -> Marque.en(r.x, r.y)).collect(Collectors.toList())))
-                    .serie(new Serie("l'erreur attendue, en forme close", Style.GRIS, FormeDePoint.AUCUNE, true,
-                    siennes.stream().filter(r -> r.erreurRelative > 0).map(r -> Marque.en(r.x, r.erreurRelative))
-                    .collect(Collectors.toList())));
-        }
-        return new Planche("Des boules plus petites qu'un pixel", "Des boules noires sur le ciel, au hasard auprès des pixels. La forme "
-                + "close : la racine de la somme, sur toutes les paires de points et du pixel, de l'aire commune à deux disques centrés "
-                + "là ; pour coins, tant qu'un disque ne peut couvrir deux sous-pixels. make mesures").volet(volet);
-    }
-
-    /** E : de reflet en reflet. */
+    /** D : de reflet en reflet. */
     private Planche reflets() {
         Volet volet = new Volet("", "reflets, de boule en boule", "erreur du contact, en rayons ; à 1, la boule est perdue")
                 .lineaire().repere(1, "");

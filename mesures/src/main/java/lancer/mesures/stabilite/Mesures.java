@@ -10,7 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Juge chaque méthode sur des rayons au hasard. Rien n'est chronométré : le fichier est le même sur toute machine. */
+/** Juge chaque méthode sur des rayons au hasard. Rien n'est chronométré : les nombres sont les mêmes sur toute machine. */
 public final class Mesures {
 
     public static final String CSV = "stabilite.csv";
@@ -61,7 +61,6 @@ public final class Mesures {
         for (Regime regime : Regime.values()) {
             tous.addAll(regime.juger());
         }
-        tous.addAll(PetitesBoules.mesurer(pas > 1));
         tous.addAll(Reflets.mesurer(pas > 1 ? 15 : 41));
         return tous;
     }
@@ -105,7 +104,7 @@ public final class Mesures {
                     unites = Math.max(unites, c.erreurEnUnites(methode));
                 }
             }
-            exactitudes.add(new Exactitude(figure, methode.cle(), x, 0, cas.size(), faux, relative, unites));
+            exactitudes.add(new Exactitude(figure, methode.cle(), x, cas.size(), faux, relative, unites));
         }
         return exactitudes;
     }

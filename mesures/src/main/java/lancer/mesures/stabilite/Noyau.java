@@ -1,5 +1,7 @@
 package lancer.mesures.stabilite;
 
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import lancer.Constantes;
 
@@ -9,7 +11,7 @@ import lancer.Constantes;
  */
 public final class Noyau {
 
-    /** Nombre de distances que calcule {@link #faire}. */
+    /** Nombre de distances que calcule un passage. */
     public static final int DISTANCES = 5_120_000;
 
     /** Nombre de rayons d'un tour ; leurs nombres tiennent dans le premier niveau de cache. */
@@ -17,6 +19,10 @@ public final class Noyau {
 
     /** Nombre de distances dont la plus petite est gardée. */
     static final int ENSEMBLE = 8;
+
+    /** Nombre de passages qui ne sont pas mesurés, puis de ceux qui le sont. */
+    private static final int ECHAUFFEMENT = 10;
+    private static final int PASSAGES = 20;
 
     private static final int VERIFIES = 128;
 
@@ -29,7 +35,7 @@ public final class Noyau {
     /** Somme des distances gardées. Sans elle, la machine virtuelle pourrait supprimer le calcul. */
     private double somme;
 
-    public Noyau(Formule formule, Regime regime) {
+    Noyau(Formule formule, Regime regime) {
         this.formule = formule;
         verifier(formule, Regime.ORDINAIRE);
         List<Cas> tires = regime.tirer(RAYONS + RAYONS / 2);
@@ -46,7 +52,23 @@ public final class Noyau {
         }
     }
 
-    public void faire() {
+    /** Écrit la durée d'un passage et son temps de processeur, en nanosecondes. @param args le régime des rayons, puis la méthode */
+    public static void main(String[] args) {
+        Noyau noyau = new Noyau(Formule.valueOf(args[1]), Regime.valueOf(args[0]));
+        for (int k = 0; k < ECHAUFFEMENT; k++) {
+            noyau.faire();
+        }
+        OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        long processeur = systeme.getProcessCpuTime();
+        long debut = System.nanoTime();
+        for (int k = 0; k < PASSAGES; k++) {
+            noyau.faire();
+        }
+        long duree = System.nanoTime() - debut;
+        System.out.println(duree / PASSAGES + " " + (systeme.getProcessCpuTime() - processeur) / PASSAGES);
+    }
+
+    private void faire() {
         for (int k = 0; k < DISTANCES / RAYONS; k++) {
             somme += tour();
         }

@@ -62,7 +62,7 @@ final class Reflets {
             for (int k = 0; k < MAX; k++) {
                 double[] triees = Arrays.stream(parReflet[k]).sorted().toArray();
                 int perdues = (int) Arrays.stream(triees).filter(e -> e >= 1).count();
-                exactitudes.add(new Exactitude(FIGURE, nom, k + 1, 0, chaines, perdues, triees[chaines / 2], 0));
+                exactitudes.add(new Exactitude(FIGURE, nom, k + 1, chaines, perdues, triees[chaines / 2], 0));
             }
         });
         return exactitudes;

@@ -15,8 +15,8 @@ public final class Marque {
     boolean pleine = true;
 
     public Marque(Intervalle x, Intervalle y) {
-        this.x = x;
-        this.y = y;
+        this.x = x.montrable();
+        this.y = y.montrable();
     }
 
     public static Marque en(double x, double y) {

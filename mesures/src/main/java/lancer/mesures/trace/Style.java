@@ -3,14 +3,11 @@ package lancer.mesures.trace;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.Stroke;
-import java.awt.geom.Rectangle2D;
 import java.math.RoundingMode;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.Locale;
-import org.jfree.chart.block.RectangleConstraint;
 import org.jfree.chart.title.TextTitle;
 import org.jfree.chart.ui.HorizontalAlignment;
 import org.jfree.chart.ui.RectangleEdge;
@@ -52,7 +49,6 @@ public final class Style {
     static final Font CONSTAT = new Font(Font.SANS_SERIF, Font.BOLD, 25);
     static final Font TEXTE = new Font(Font.SANS_SERIF, Font.PLAIN, 24);
     static final Font ETIQUETTE = new Font(Font.SANS_SERIF, Font.PLAIN, 22);
-    static final Font ETIQUETTE_DEFAUT = new Font(Font.SANS_SERIF, Font.BOLD, 22);
     static final Font NOTE = new Font(Font.SANS_SERIF, Font.PLAIN, 18);
 
     static final Stroke TRAIT = trait(3f);
@@ -66,24 +62,14 @@ public final class Style {
     private Style() {
     }
 
-    /**
-     * Écrit un texte, coupé entre ses mots pour tenir dans cette largeur, le haut en {@code y}.
-     *
-     * @param vraiment faux pour calculer seulement la hauteur
-     * @return sa hauteur
-     */
-    static double texte(Graphics2D g, String texte, Font police, Color couleur, double x, double y, double largeur, boolean vraiment) {
-        // un guillemet ou une ponctuation haute reste avec son mot, et un nombre avec le mot suivant
+    /** Un texte aligné à gauche et coupé entre ses mots, sans séparer une ponctuation ou un nombre du mot voisin. */
+    static TextTitle titre(String texte, Font police, Color couleur) {
         String insecable = texte.replaceAll("« ", "«\u00A0").replaceAll(" ([»:;%?!×])", "\u00A0$1")
                 .replaceAll("; (?=[0-9])", ";\u00A0").replaceAll("([0-9×]) (?=[0-9×a-z])", "$1\u00A0");
         TextTitle titre = new TextTitle(insecable, police, couleur, RectangleEdge.TOP, HorizontalAlignment.LEFT,
                 VerticalAlignment.TOP, RectangleInsets.ZERO_INSETS);
         titre.setTextAlignment(HorizontalAlignment.LEFT);
-        double hauteur = texte.isEmpty() ? 0 : titre.arrange(g, RectangleConstraint.NONE.toFixedWidth(largeur)).getHeight();
-        if (vraiment && hauteur > 0) {
-            titre.draw(g, new Rectangle2D.Double(x, y, largeur, hauteur));
-        }
-        return hauteur;
+        return titre;
     }
 
     static BasicStroke trait(float epaisseur) {

@@ -1,16 +1,14 @@
 package lancer.mesures.trace;
 
 import java.awt.Color;
-import java.awt.Graphics2D;
 import java.awt.Paint;
 import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.AxisLocation;
 import org.jfree.chart.axis.AxisSpace;
 import org.jfree.chart.axis.NumberAxis;
@@ -30,8 +28,6 @@ import org.jfree.data.xy.XYIntervalSeriesCollection;
 /** Séries entre deux axes logarithmiques : une partie d'une {@link Planche}. */
 public final class Volet {
 
-    private static final double RETRAIT = 8;
-
     /** Demi-distance d'un point à son nom. */
     private static final double DEMI_COTE = 7;
 
@@ -41,7 +37,6 @@ public final class Volet {
     private final String constat;
     private final String nomX;
     private final String nomY;
-    private final List<Serie> fonds = new ArrayList<>();
     private final List<Serie> series = new ArrayList<>();
     private final Map<Double, String> niveaux = new LinkedHashMap<>();
     private boolean versZero;
@@ -80,8 +75,8 @@ public final class Volet {
         Range x = null;
         Range y = null;
         for (Volet v : volets) {
-            x = Range.combine(x, DatasetUtils.iterateDomainBounds(v.donnees(v.series), v.un == 0));
-            y = Range.combine(y, DatasetUtils.iterateRangeBounds(v.donnees(v.series), true));
+            x = Range.combine(x, DatasetUtils.iterateDomainBounds(v.donnees(), v.un == 0));
+            y = Range.combine(y, DatasetUtils.iterateRangeBounds(v.donnees(), true));
         }
         for (Volet v : volets) {
             v.autresX = x;
@@ -98,7 +93,7 @@ public final class Volet {
     /** Ajoute une série, si elle a des marques. */
     public Volet serie(Serie serie) {
         if (!serie.marques.isEmpty()) {
-            (serie.forme == FormeDePoint.AUCUNE ? fonds : series).add(serie);
+            series.add(serie);
         }
         return this;
     }
@@ -109,46 +104,27 @@ public final class Volet {
         return this;
     }
 
-    /** Noms de la légende. */
-    LegendItemCollection legende() {
-        return plot().getLegendItems();
-    }
-
-    /** La hauteur de l'en-tête, pour cette largeur. */
-    double enTete(Graphics2D g, double largeur) {
-        return ecrire(g, 0, 0, largeur, false) + 14;
-    }
-
-    private double ecrire(Graphics2D g, double x, double y, double largeur, boolean vraiment) {
-        return Style.texte(g, constat, Style.CONSTAT, Style.ENCRE, x, y, largeur - 2 * RETRAIT, vraiment);
-    }
-
-    /**
-     * Dessine le volet dans ce rectangle.
-     *
-     * @param enTete hauteur de l'en-tête, la même pour tous les volets d'une rangée
-     */
-    void dessiner(Graphics2D g, Rectangle2D place, double enTete) {
-        ecrire(g, place.getX() + RETRAIT, place.getY(), place.getWidth(), true);
-        JFreeChart courbe = new JFreeChart(null, null, plot(), false);
-        courbe.setBackgroundPaint(null);
-        courbe.setPadding(new RectangleInsets(10, 0, 0, 16));
-        courbe.draw(g, new Rectangle2D.Double(place.getX(), place.getY() + enTete, place.getWidth(), place.getHeight() - enTete));
+    JFreeChart graphique() {
+        JFreeChart graphique = new JFreeChart(null, null, plot(), false);
+        graphique.setBackgroundPaint(null);
+        graphique.setPadding(new RectangleInsets(10, 0, 0, 16));
+        if (!constat.isEmpty()) {
+            graphique.setTitle(Style.titre(constat, Style.CONSTAT, Style.ENCRE));
+        }
+        return graphique;
     }
 
     private XYPlot plot() {
-        XYIntervalSeriesCollection montrees = donnees(series);
-        Range etendueX = Range.combine(autresX, DatasetUtils.iterateDomainBounds(montrees, un == 0));
-        Range etendueY = Range.combine(autresY, DatasetUtils.iterateRangeBounds(montrees, true));
+        // JFreeChart peint les séries de la dernière à la première : un trait large reste derrière les points
+        series.sort(Comparator.comparing(s -> s.forme == FormeDePoint.AUCUNE));
+        Range etendueX = Range.combine(autresX, DatasetUtils.iterateDomainBounds(donnees(), un == 0));
+        Range etendueY = Range.combine(autresY, DatasetUtils.iterateRangeBounds(donnees(), true));
         for (double niveau : niveaux.keySet()) {
             etendueY = Range.expandToInclude(etendueY, niveau);
         }
         ValueAxis axeX = lineaire ? new NumberAxis(nomX) : axe(nomX, etendueX);
         axeX.setInverted(versZero);
-        // JFreeChart peint les séries de la dernière à la première : les fonds sont derrière
-        XYPlot plot = new XYPlot(montrees, axeX, axe(nomY, etendueY), new Points(series));
-        plot.setDataset(1, donnees(fonds));
-        plot.setRenderer(1, new Points(fonds));
+        XYPlot plot = new XYPlot(donnees(), axeX, axe(nomY, etendueY), new Points(series));
         plot.setBackgroundPaint(null);
         // deux volets l'un sous l'autre ont ainsi les mêmes abscisses
         AxisSpace gauche = new AxisSpace();
@@ -159,14 +135,11 @@ public final class Volet {
         plot.setRangeGridlinePaint(Style.GRILLE);
         plot.setDomainGridlineStroke(Style.TRAIT_FIN);
         plot.setRangeGridlineStroke(Style.TRAIT_FIN);
-        if (un > 0) {
-            plot.setDomainAxis(1, new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un));
-            plot.setDomainAxisLocation(1, AxisLocation.TOP_OR_LEFT);
-        }
         habiller(axeX);
         habiller(plot.getRangeAxis());
         if (un > 0) {
-            habiller(plot.getDomainAxis(1));
+            plot.setDomainAxis(1, habiller(new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un)));
+            plot.setDomainAxisLocation(1, AxisLocation.TOP_OR_LEFT);
         }
         niveaux.forEach((y, nom) -> {
             ValueMarker repere = new ValueMarker(y, Style.GRIS, Style.POINTILLE);
@@ -174,14 +147,15 @@ public final class Volet {
             repere.setLabelFont(Style.ETIQUETTE);
             repere.setLabelPaint(Style.GRIS);
             repere.setLabelBackgroundColor(Color.WHITE);
-            repere.setLabelAnchor(RectangleAnchor.TOP_RIGHT);
-            repere.setLabelTextAnchor(TextAnchor.BOTTOM_RIGHT);
+            // les courbes du temps descendent vers la droite
+            repere.setLabelAnchor(un > 0 ? RectangleAnchor.BOTTOM_LEFT : RectangleAnchor.TOP_RIGHT);
+            repere.setLabelTextAnchor(un > 0 ? TextAnchor.TOP_LEFT : TextAnchor.BOTTOM_RIGHT);
             plot.addRangeMarker(repere, Layer.BACKGROUND);
         });
         return plot;
     }
 
-    private static void habiller(ValueAxis axe) {
+    private static ValueAxis habiller(ValueAxis axe) {
         axe.setLabelFont(Style.TEXTE);
         axe.setLabelPaint(Style.ENCRE);
         axe.setTickLabelFont(Style.TEXTE);
@@ -189,6 +163,7 @@ public final class Volet {
         axe.setAxisLinePaint(Style.GRIS);
         axe.setTickMarkPaint(Style.GRIS);
         axe.setMinorTickMarksVisible(false);
+        return axe;
     }
 
     /** Un axe plus long que l'étendue de ses marques, dont le dessin doit tenir aussi. */
@@ -199,13 +174,11 @@ public final class Volet {
         return new Axe(nom, min / jeu, max * jeu);
     }
 
-    private XYIntervalSeriesCollection donnees(List<Serie> partie) {
+    private XYIntervalSeriesCollection donnees() {
         XYIntervalSeriesCollection donnees = new XYIntervalSeriesCollection();
-        for (int s = 0; s < partie.size(); s++) {
-            XYIntervalSeries points = new XYIntervalSeries(partie.get(s).nom, false, true);
-            for (Marque m : partie.get(s).marques) {
-                points.add(m.x.valeur, m.x.min, m.x.max, m.y.valeur, m.y.min, m.y.max);
-            }
+        for (Serie serie : series) {
+            XYIntervalSeries points = new XYIntervalSeries(serie.nom, false, true);
+            serie.marques.forEach(m -> points.add(m.x.valeur, m.x.min, m.x.max, m.y.valeur, m.y.min, m.y.max));
             donnees.addSeries(points);
         }
         return donnees;
@@ -242,8 +215,6 @@ public final class Volet {
                 // un trait plus large reste visible derrière les autres
                 setSeriesStroke(s, points ? Style.TRAIT : Style.TRAIT_FRONT);
                 setSeriesOutlineStroke(s, Style.TRAIT);
-                setDrawXError(points);
-                setDrawYError(points);
                 setSeriesVisibleInLegend(s, !serie.nom.isEmpty());
             }
         }

@@ -1,11 +1,9 @@
 package lancer.mesures.vitesse;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import lancer.Constantes;
-import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
@@ -16,17 +14,16 @@ import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.scenes.Scenes;
 
-/** Besoins d'une scène : ses rayons, les lampes et les réflexions qui changent son image. Tout est compté, rien n'est chronométré. */
+/** Besoins d'une scène : ses rayons, et les réflexions qui changent son image. Tout est compté, rien n'est chronométré. */
 final class Besoin {
 
-    static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes", "lampes_utiles",
+    static final List<String> COLONNES = Arrays.asList("scene", "largeur", "hauteur", "spheres", "lampes",
             "profondeur_utile", "tests_par_rayon", "rayons", "structures");
 
     private final Taille taille;
     private final String nom;
     private final Scene scene;
     private final Compteurs compteurs;
-    private final int[] codes;
 
     /** Recherche qui a dessiné l'image, avec les structures qu'elle a construites. */
     private final Recherche recherche;
@@ -36,14 +33,14 @@ final class Besoin {
         nom = fichier.getFileName().toString().replace(".ini", "");
         scene = Scenes.lire(fichier);
         Lancer lancer = preparer(scene.avec(scene.getModele()), Constantes.SEUIL);
-        codes = codes(lancer, Constantes.MAX_REFLETS);
+        codes(lancer, Constantes.MAX_REFLETS);
         compteurs = lancer.getCompteurs();
         recherche = lancer.getScene().getModele().getRecherche();
     }
 
     String ligne() {
         return FichierCsv.ligne(nom, taille.largeur, taille.hauteur, scene.getObjets().size(), scene.getLampes().size(),
-                lampesUtiles(), profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
+                profondeurUtile(), Releve.reel((double) compteurs.testsSpheres / compteurs.rayons()),
                 compteurs.rayons(), recherche == null ? "boucles" : recherche);
     }
 
@@ -76,17 +73,5 @@ final class Besoin {
             }
         }
         return bas;
-    }
-
-    /** Nombre de lampes qui changent le code d'au moins un pixel. */
-    int lampesUtiles() {
-        int utiles = 0;
-        for (Lampe lampe : scene.getLampes()) {
-            List<Lampe> autres = new ArrayList<>(scene.getLampes());
-            autres.remove(lampe);
-            int[] sans = codes(preparer(new Scene(scene.getObjets(), autres), Constantes.SEUIL), Constantes.MAX_REFLETS);
-            utiles += Arrays.equals(sans, codes) ? 0 : 1;
-        }
-        return utiles;
     }
 }

@@ -41,6 +41,10 @@ final class Catalogue {
     static final String PROGRAMME = "programme";
     static final String BOUCLES = "boucles du cours";
 
+    /** Le programme sans option, avec les options que « make » donne à la machine virtuelle d'une image. */
+    static final String MAKE = "options de make";
+    static final List<String> OPTIONS_DE_MAKE = Arrays.asList("-XX:+UseSerialGC", "-Xmn16m");
+
     static final String COURS = "scene1";
 
     /** Scènes chronométrées. */
@@ -93,7 +97,9 @@ final class Catalogue {
         }
         Methode lampe = new Methode("une lampe", "de plus");
         lampe.section = "[Lampe de plus]\nposition=300 420 -260\ncouleur=1.12 1.04 0.9\n";
-        groupes.add(new Groupe(DEMANDES, COURS, lampe, new Methode("brume", "").variante("brume", m -> m.setAtmosphere(new Brume())),
+        Methode make = new Methode(MAKE, "");
+        make.machine = OPTIONS_DE_MAKE;
+        groupes.add(new Groupe(DEMANDES, COURS, make, lampe, new Methode("brume", "").variante("brume", m -> m.setAtmosphere(new Brume())),
                 new Methode("Blinn", "").variante("blinn", m -> m.setSpecularite(new Blinn()))));
         for (int n = 1; n <= (court ? 100 : 1_000_000); n *= 10) {
             groupes.add(new Groupe(SPHERES, Scenes.FOULE + "-" + n, spheres(n)));
@@ -129,7 +135,7 @@ final class Catalogue {
         for (int p : scene.equals("miroirs") ? new int[] {0, 2, 10, Gabarit.PROFONDEUR} : new int[] {0, 1, 2}) {
             m.add(new Methode(REFLETS, String.valueOf(p)).limitee(p, Constantes.SEUIL));
         }
-        for (int n : scene.equals(COURS) ? new int[] {2, 3, 4, 8} : new int[] {2, 3}) {
+        for (int n : scene.equals(COURS) ? new int[] {2, 3, 4, 8} : scene.equals("miroirs") ? new int[] {2} : new int[] {2, 3}) {
             m.add(tousLesReflets(GRILLE, n + " × " + n, n, 0));
         }
         for (int n : scene.equals(COURS) ? new int[] {3, 4, 8} : scene.equals("miroirs") ? new int[] {3} : new int[] {3, 4}) {

@@ -1,7 +1,6 @@
 package lancer.mesures.vitesse;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.Raster;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -20,6 +19,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.auto.Auto;
 import lancer.contrat.Compteurs;
+import lancer.mesures.Circonstances;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
@@ -92,9 +92,8 @@ final class Comptes {
         Scene scene = Scenes.lire(fichier);
         if (methode.povray) {
             SceneJugee jugee = new SceneJugee(povray, nom, scene, Constantes.MAX_REFLETS, taille.largeur, taille.hauteur);
-            Raster rouge = jugee.dessiner(methode.options);
+            image = jugee.image(methode.options);
             champs.put("rayons", String.valueOf(povray.rayons()));
-            image = jugee.image(rouge, methode.options);
         } else {
             Auto auto = methode.nom.equals(Catalogue.AUTO) ? MesureAuto.dessiner(scene, taille, 1, image) : null;
             Compteurs c = auto == null ? methode.new ScenePrete(scene, taille.largeur, taille.hauteur).faire(image, taille.fils)
@@ -120,12 +119,12 @@ final class Comptes {
         }
         Planche planche = new Planche("Deux programmes justes, en double, ne donnent pas la même image", "10 000 petites boules, toutes "
                 + "des miroirs parfaits, sans lampe : chaque pixel est le ciel vu au bout de la chaîne. " + petite + ". make mesures")
-                .taille(Style.LARGEUR, 1000);
+                .colonnes(3).taille(Style.LARGEUR, 1000);
         for (int reflets : new int[] {Constantes.MAX_REFLETS, REFLETS}) {
             SceneJugee jugee = new SceneJugee(povray, "miroirs-parfaits", new Scene(miroirs, Collections.emptyList()), reflets,
                     petite.largeur, petite.hauteur);
             ImageLineaire notre = ImageLineaire.de(jugee.lancer, reflets, taille.fils);
-            ImageLineaire sienne = jugee.image(jugee.dessiner());
+            ImageLineaire sienne = jugee.image();
             BufferedImage ecart = new BufferedImage(petite.largeur, petite.hauteur, BufferedImage.TYPE_INT_RGB);
             double part = 0;
             for (int p = 0; p < petite.pixels(); p++) {

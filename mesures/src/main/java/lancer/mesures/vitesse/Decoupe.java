@@ -60,7 +60,7 @@ final class Decoupe {
             images.add(decoupe.image(Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres)));
         }
         ImageLineaire verite = decoupe.verite();
-        Planche planche = new Planche("En des temps voisins : l'image, la vérité, et l'erreur × " + GROSSIE, "").vignettes(4)
+        Planche planche = new Planche("En des temps voisins : l'image, la vérité, et l'erreur × " + GROSSIE, "").colonnes(4)
                 .taille(Style.LARGEUR, 800);
         for (int k = 0; k < montres.size(); k++) {
             Releve r = montres.get(k);

@@ -6,8 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 import lancer.mesures.Intervalle;
 
 /**
@@ -51,42 +50,35 @@ final class Manches {
     /** Résultat de quelques manches. */
     static final class Temps {
 
-        /** Pour chaque manche gardée, coût de la référence, et rapport du temps de la méthode à celui de la référence. */
-        final List<double[]> references;
-        final List<Double> rapports;
-        final int manches;
-        final int jetees;
+        /** Pour chaque manche gardée, coûts de la référence et de la méthode. */
+        final List<double[]> references = new ArrayList<>();
+        final List<double[]> couts = new ArrayList<>();
 
-        Temps(List<double[]> references, List<Double> rapports, int manches, int jetees) {
-            this.references = references;
-            this.rapports = rapports;
-            this.manches = manches;
-            this.jetees = jetees;
+        /** Nombre de manches, gardées ou rejetées. */
+        int manches;
+
+        int jetees() {
+            return manches - couts.size();
         }
 
+        /** Rapport du temps de la méthode à celui de la référence. */
         Intervalle rapport() {
-            return Intervalle.desRapports(rapports.stream().mapToDouble(r -> r).toArray());
+            return Intervalle.desRapports(IntStream.range(0, couts.size())
+                    .mapToDouble(k -> couts.get(k)[REEL] / references.get(k)[REEL]).toArray());
         }
 
-        /** Coût médian de la référence ; NaN s'il n'est pas connu. */
-        double reference(int grandeur) {
-            return Intervalle.desRapports(references.stream().mapToDouble(m -> grandeur < m.length ? m[grandeur] : Double.NaN)
-                    .toArray()).valeur;
+        /** Temps réel médian de la référence. */
+        double reference() {
+            return mediane(references, REEL);
         }
 
-        /** Remplace les rapports par leur moyenne : les manches d'une même machine virtuelle ne sont pas indépendantes. */
-        Temps enUnRapport() {
-            return new Temps(references, Collections.singletonList(rapport().valeur), manches, jetees);
+        /** Coût médian de la méthode ; NaN s'il n'est pas connu. */
+        double cout(int grandeur) {
+            return mediane(couts, grandeur);
         }
 
-        /** Ajoute les manches d'une autre machine virtuelle. */
-        Temps plus(Temps autre) {
-            return new Temps(ensemble(references, autre.references), ensemble(rapports, autre.rapports), manches + autre.manches,
-                    jetees + autre.jetees);
-        }
-
-        private static <T> List<T> ensemble(List<T> unes, List<T> autres) {
-            return Stream.concat(unes.stream(), autres.stream()).collect(Collectors.toList());
+        private static double mediane(List<double[]> couts, int grandeur) {
+            return Intervalle.mediane(couts.stream().mapToDouble(c -> grandeur < c.length ? c[grandeur] : Double.NaN).toArray());
         }
     }
 
@@ -104,31 +96,29 @@ final class Manches {
      * @throws IOException si la machine n'est pas assez souvent disponible
      */
     Temps mesurer(Echantillon reference, Echantillon methode, int voulues) throws IOException {
-        List<double[]> references = new ArrayList<>();
-        List<Double> rapports = new ArrayList<>();
+        Temps temps = new Temps();
         List<Double> partsReference = new ArrayList<>();
         List<Double> parts = new ArrayList<>();
         long debut = System.nanoTime();
         boolean calme = false;
-        int essais = 0;
-        while (rapports.size() < voulues) {
+        while (temps.couts.size() < voulues) {
             // si l'étalon était bon après la manche d'avant, il n'est pas refait
             calme = calme || etalon.getAsBoolean();
             double[] r = reference.prendre();
             double[] m = methode.prendre();
             boolean garde = partTenue(partsReference, r) & partTenue(parts, m) & calme;
             calme = etalon.getAsBoolean();
-            essais++;
+            temps.manches++;
             toutes++;
             if (garde && calme || agitee) {
-                references.add(r);
-                rapports.add(m[REEL] / r[REEL]);
+                temps.references.add(r);
+                temps.couts.add(m);
             } else {
                 jetees++;
-                renoncer(essais, rapports.size(), voulues, System.nanoTime() - debut);
+                renoncer(temps, voulues, System.nanoTime() - debut);
             }
         }
-        return new Temps(references, rapports, essais, essais - rapports.size());
+        return temps;
     }
 
     private static boolean partTenue(List<Double> parts, double[] temps) {
@@ -138,22 +128,18 @@ final class Manches {
         return !(part < PART_MIN * parts.get(parts.size() / 2));
     }
 
-    private void renoncer(int essais, int gardees, int voulues, long dureeNs) throws IOException {
+    private void renoncer(Temps temps, int voulues, long dureeNs) throws IOException {
         if (toutes >= ESSAIS && 2 * jetees > toutes) {
-            throw new Troublee(jetees + " manches jetées sur " + toutes);
+            throw troublee(jetees + " manches jetées sur " + toutes);
         }
-        if (essais >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
-            throw new Troublee(gardees + " manches gardées sur " + essais + " en " + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
+        if (temps.manches >= Math.max(ESSAIS_MIN, 2 * voulues) && dureeNs > PATIENCE_NS) {
+            throw troublee(temps.couts.size() + " manches gardées sur " + temps.manches + " en "
+                    + TimeUnit.NANOSECONDS.toSeconds(dureeNs) + " s");
         }
     }
 
-    static final class Troublee extends IOException {
-
-        private static final long serialVersionUID = 1;
-
-        Troublee(String raison) {
-            super("machine troublée : " + raison + " ; aucun temps n'est changé. Fermez ce qui l'occupe et recommencez ; ou "
-                    + "MESURES=--comptes, qui refait le reste sans rien chronométrer");
-        }
+    private static IOException troublee(String raison) {
+        return new IOException("machine troublée : " + raison + " ; aucun temps n'est changé. Fermez ce qui l'occupe et recommencez ; ou "
+                + "MESURES=--comptes, qui refait le reste sans rien chronométrer");
     }
 }

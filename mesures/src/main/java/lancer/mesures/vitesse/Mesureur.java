@@ -14,15 +14,16 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import lancer.Constantes;
 import lancer.Scene;
+import lancer.mesures.Circonstances;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 import lancer.mesures.scenes.Scenes;
+import lancer.mesures.stabilite.Noyau;
 
 /** Mesure un groupe après l'autre, et écrit chaque résultat dès qu'il est connu. */
 final class Mesureur {
@@ -30,21 +31,9 @@ final class Mesureur {
     /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Durée au-delà de quelques fois laquelle une manche est longue. */
-    private static final double LONGUE_NS = 1e9;
-
-    /** Nombre de machines virtuelles de chaque calcul de distance. */
-    private static final int LANCEMENTS = 5;
-
-    /** Nombre maximal de manches : davantage n'apprendrait rien d'une autre machine. */
-    private static final int MANCHES_MAX = 21;
-
-    /** Échauffement : ce nombre de dessins, ou moins s'ils dépassent cette durée. */
-    private static final int ECHAUFFEMENT = 10;
-    private static final long ECHAUFFEMENT_NS = TimeUnit.MILLISECONDS.toNanos(1500);
-
-    /** Durée minimale d'un échantillon : un dessin plus court est répété. */
-    private final double echantillonNs;
+    /** Nombre de manches d'un programme entier, et d'un calcul de distance. */
+    private static final int PROGRAMMES = 6;
+    private static final int NOYAUX = 9;
 
     private final boolean court;
     private final Path csv;
@@ -70,7 +59,6 @@ final class Mesureur {
         this.csv = csv;
         this.sortie = sortie;
         this.lancer = lancer;
-        echantillonNs = TimeUnit.MILLISECONDS.toNanos(court ? 20 : 50);
         this.povray = povray;
         dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
         manches = new Manches(new Etalon()::estCalme, court);
@@ -94,65 +82,17 @@ final class Mesureur {
         }
     }
 
-    /** Nombre de manches d'une paire de machines virtuelles, pour deux secondes environ. Il est fixé avant la première manche. */
-    private int voulues(double mancheNs) {
-        return court ? 2 : (int) Math.max(3, Math.min(MANCHES_MAX, 2 * LONGUE_NS / mancheNs));
-    }
-
-    /** Nombre de manches de programmes entiers : au moins cinq, sauf pour un programme très long. */
-    private int manchesEntieres(double mancheNs) {
-        return court ? 2 : mancheNs < 1.5 * LONGUE_NS ? 6 : mancheNs < 12 * LONGUE_NS ? 5 : 3;
-    }
-
-    // ---- des machines virtuelles qui durent
-
     private void enNoyaux(Catalogue.Groupe groupe) throws IOException {
-        int lancements = court ? 1 : LANCEMENTS;
-        Map<Methode, Manches.Temps> temps = new HashMap<>();
-        for (int lancement = 1; lancement <= lancements; lancement++) {
-            try (Machine reperes = new Machine(groupe, groupe.methodes.get(0))) {
-                for (Methode methode : groupe.methodes) {
-                    try (Machine machine = new Machine(groupe, methode)) {
-                        Manches.Temps pris = manches.mesurer(reperes, machine, voulues(reperes.dureeNs + machine.dureeNs));
-                        temps.merge(methode, lancements > 1 ? pris.enUnRapport() : pris, Manches.Temps::plus);
-                    }
-                }
-            }
-        }
         for (Methode methode : groupe.methodes) {
-            noter(groupe, methode, 1, Releve.champs("lancements", lancements), temps.get(methode));
+            noter(groupe, methode, 1, new HashMap<>(), manches.mesurer(noyau(groupe.scene, groupe.methodes.get(0).nom),
+                    noyau(groupe.scene, methode.nom), court ? 1 : NOYAUX));
         }
     }
 
-    private final class Machine extends Processus implements Manches.Echantillon {
-
-        private final int fois;
-
-        /** Durée approchée d'un échantillon. */
-        private final double dureeNs;
-
-        Machine(Catalogue.Groupe groupe, Methode methode) throws IOException {
-            super(Ouvrier.class, groupe.scene, methode.nom);
-            long debut = System.nanoTime();
-            double dessinNs = chronometrer(1)[0];
-            for (int k = 1; k < (court ? 1 : ECHAUFFEMENT) && System.nanoTime() - debut < ECHAUFFEMENT_NS; k++) {
-                dessinNs = chronometrer(1)[0];
-            }
-            fois = Math.max(1, (int) Math.ceil(echantillonNs / dessinNs));
-            dureeNs = fois * dessinNs;
-        }
-
-        @Override
-        public double[] prendre() throws IOException {
-            return chronometrer(fois);
-        }
-
-        private double[] chronometrer(int combien) throws IOException {
-            return Arrays.stream(demander(String.valueOf(combien)).split(" ")).mapToDouble(Double::parseDouble).toArray();
-        }
+    private Manches.Echantillon noyau(String regime, String formule) {
+        return () -> Arrays.stream(new Lancement(dossier.resolve("pris"), Lancement.JAVA, "-cp", System.getProperty("java.class.path"),
+                Noyau.class.getName(), regime, formule).reussi().derniereLigne().split(" ")).mapToDouble(Double::parseDouble).toArray();
     }
-
-    // ---- le programme entier, lancé chaque fois
 
     private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
         for (Methode methode : groupe.methodes) {
@@ -176,12 +116,12 @@ final class Mesureur {
                 echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                         dossier.resolve("embree.ppm")).reussi().pris;
             }
-            // un premier passage charge le cache du disque et donne la durée d'une manche
-            double mancheNs = repere.prendre()[Manches.REEL] + echantillon.prendre()[Manches.REEL];
-            Manches.Temps temps = manches.mesurer(repere, echantillon, manchesEntieres(mancheNs));
-            champs.put("lancements", String.valueOf(temps.rapports.size()));
+            // un premier passage charge le cache du disque
+            repere.prendre();
+            echantillon.prendre();
+            Manches.Temps temps = manches.mesurer(repere, echantillon, court ? 2 : PROGRAMMES);
             if (methode.nom.equals(Catalogue.EMBREE)) {
-                Ouvrier.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
+                Controle.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
             } else if (methode.boucles) {
                 if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
                     throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
@@ -189,7 +129,7 @@ final class Mesureur {
                 }
                 champs.put("pixels_verifies", String.valueOf(taille.pixels()));
             } else if (!methode.povray) {
-                champs.putAll(Ouvrier.controler(methode, scene, taille, programme.png));
+                champs.putAll(Controle.controler(methode, scene, taille, programme.png));
             }
             noter(groupe, methode, scene.getObjets().size(), champs, temps);
         }
@@ -210,7 +150,8 @@ final class Mesureur {
 
         Programme(String image, Path fichier, Methode methode) {
             png = dossier.resolve(image);
-            commande = new ArrayList<>(Collections.singletonList(Processus.JAVA));
+            commande = new ArrayList<>(Collections.singletonList(Lancement.JAVA));
+            commande.addAll(methode.machine);
             commande.addAll(Arrays.asList(lancer.apply(methode)));
             commande.addAll(Arrays.asList("--image", png, "--taille", taille, fichier));
             commande.addAll(Arrays.asList(methode.options));
@@ -225,18 +166,19 @@ final class Mesureur {
     private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, String> champs, Manches.Temps temps)
             throws IOException {
         Circonstances c = circonstances;
-        double reference = temps.reference(Manches.REEL) / 1e6;
+        double reference = temps.reference() / 1e6;
         Intervalle rapport = temps.rapport();
         champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
                 groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
                 "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees, "reference_ms", Releve.reel(reference), "memoire_mo",
-                Releve.reel(temps.reference(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
+                temps.jetees(), "reference_ms", Releve.reel(reference), "processeur_ms",
+                Releve.reel(temps.cout(Manches.PROCESSEURS) / 1e6), "memoire_mo",
+                Releve.reel(temps.cout(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
                 "rapport_min", Releve.reel(rapport.min), "rapport_max", Releve.reel(rapport.max)));
         String ligne = new Releve(champs).ligne(Releve.COLONNES);
         Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms %2d/%d", methode.nom,
-                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.manches - temps.jetees,
+                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.couts.size(),
                 temps.manches));
     }
 }

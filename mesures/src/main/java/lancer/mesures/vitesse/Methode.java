@@ -1,5 +1,7 @@
 package lancer.mesures.vitesse;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import lancer.Constantes;
@@ -22,6 +24,9 @@ final class Methode {
 
     /** Options de la commande, du programme ou de POV-Ray. */
     String[] options = {};
+
+    /** Options de la machine virtuelle du programme. */
+    List<String> machine = Collections.emptyList();
 
     /** Section à ajouter à la scène ; vide s'il n'en faut pas. */
     String section = "";

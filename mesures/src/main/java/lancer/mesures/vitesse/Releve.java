@@ -16,8 +16,8 @@ final class Releve {
 
     static final List<String> COLONNES = Arrays.asList("machine", "coeurs", "jvm", "date", "commit", "famille", "scene", "spheres",
             "methode", "parametres", "largeur", "hauteur", "fils", "primaires", "ombre", "reflechis", "tests", "noeuds",
-            "raffines", "pixels_verifies", "lancements", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
-            "memoire_mo");
+            "raffines", "pixels_verifies", "manches", "jetees", "reference_ms", "rapport", "rapport_min", "rapport_max",
+            "processeur_ms", "memoire_mo");
 
     final String famille;
     final String scene;
@@ -63,7 +63,7 @@ final class Releve {
         return methode.equals(Catalogue.UN_RAYON) && nombre("rapport") > 0 ? Intervalle.exact(1) : mesure();
     }
 
-    /** Rapport mesuré, sans bornes s'il n'y a qu'une manche. */
+    /** Rapport mesuré, sans bornes s'il y a trop peu de manches. */
     Intervalle mesure() {
         double max = nombre("rapport_max");
         return new Intervalle(nombre("rapport"), Double.isNaN(max) ? 0 : nombre("rapport_min"),

@@ -36,12 +36,15 @@ final class Tableaux {
         pages.put("choisir", choisir(methodes) + source(cours));
         pages.put("resultat", resultat(cours));
         pages.put("comptes", comptes(methodes) + source(methodes));
-        Releves demandes = new Releves(Stream.of(releves.de(Catalogue.DEMANDES), cours.methode(Catalogue.SANS_SECTION),
-                cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")), cours.methode(Catalogue.BOUCLES))
-                .flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
-        pages.put("demandes", table(Arrays.asList("ce qui change", "temps, divisé par celui de la scène du cours"),
-                demandes.get().stream().map(r -> Arrays.asList(r.nom(), rapport(r.rapport()))).collect(Collectors.toList()))
+        Releves demandes = new Releves(Stream.of(cours.methode(Catalogue.UN_RAYON), releves.de(Catalogue.DEMANDES),
+                cours.methode(Catalogue.SANS_SECTION), cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")),
+                cours.methode(Catalogue.BOUCLES)).flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
+        pages.put("demandes", table(Arrays.asList("ce qui change", "temps, divisé par celui de la scène du cours", "processeurs",
+                "mémoire"), demandes.get().stream().map(r -> Arrays.asList(r.nom(), r.methode.equals(Catalogue.UN_RAYON) ? "l'unité"
+                : rapport(r.rapport()), processeurs(r), memoire(r))).collect(Collectors.toList()))
                 + source(demandes));
+        pages.put("options", demandes.methode(Catalogue.MAKE).get().isEmpty() ? "pas encore mesuré"
+                : couts(demandes.le(Catalogue.MAKE, "")) + " au lieu de " + couts(demandes.le(Catalogue.UN_RAYON, "")));
         pages.put("besoins", besoins() + source(besoins.stream().map(Releve::new).collect(Collectors.toList())));
         pages.put("machine", releves.get().stream().filter(r -> !r.texte("machine").isEmpty()).findFirst().map(r -> table(
                 Arrays.asList("machine", "cœurs", "machine virtuelle", "commit", "date"), Arrays.asList(Arrays.asList(r.texte("machine"),
@@ -49,6 +52,23 @@ final class Tableaux {
         pages.put("lui-meme", methodes.methode(Catalogue.UN_RAYON).tels(r -> r.nombre("rapport") > 0).get().stream()
                 .map(r -> fois(r.mesure()) + " sur `" + r.scene + "`").collect(Collectors.joining(", ")));
         return pages;
+    }
+
+    private static String couts(Releve r) {
+        return processeurs(r) + " de processeur et " + memoire(r);
+    }
+
+    private static String processeurs(Releve r) {
+        return avec(r.nombre("processeur_ms") / 1000, " s");
+    }
+
+    private static String memoire(Releve r) {
+        return avec(r.nombre("memoire_mo"), " Mo");
+    }
+
+    /** Le nombre et son unité ; vide s'il n'est pas mesuré. */
+    private static String avec(double nombre, String unite) {
+        return Double.isNaN(nombre) ? "" : Style.nombre(nombre) + unite;
     }
 
     private static String source(Releves mesures) {
@@ -139,18 +159,15 @@ final class Tableaux {
 
     /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
     private String besoins() {
-        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "utiles", "reflets qui changent l'écran", "sphères",
-                "essayées par rayon", "structures", "première image", "alloué", "mémoire"), besoins.stream().map(b -> {
+        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "reflets qui changent l'écran", "sphères",
+                "essayées par rayon", "structures", "première image", "mémoire"), besoins.stream().map(b -> {
                     Releves temps = releves.scene(b.get("scene")).tels(r -> !r.famille.equals(Catalogue.DEMANDES));
-                    double memoire = temps.methode(Catalogue.UN_RAYON).get().stream().mapToDouble(r -> r.nombre("memoire_mo"))
-                            .findFirst().orElse(Double.NaN);
                     return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / nombre(b, "largeur")
-                            / nombre(b, "hauteur")), b.get("lampes"), b.get("lampes_utiles"), b.get("profondeur_utile")
+                            / nombre(b, "hauteur")), b.get("lampes"), b.get("profondeur_utile")
                             + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
                             Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
-                            b.get("structures").toLowerCase(Locale.ROOT), Double.isNaN(temps.secondes()) ? ""
-                            : Style.nombre(temps.secondes()) + " s", b.get("alloues_mo") + " Mo",
-                            Double.isNaN(memoire) ? "" : Style.arrondi(memoire) + " Mo");
+                            b.get("structures").toLowerCase(Locale.ROOT), avec(temps.secondes(), " s"),
+                            temps.methode(Catalogue.UN_RAYON).get().stream().findFirst().map(Tableaux::memoire).orElse(""));
                 }).collect(Collectors.toList()));
     }
 

@@ -15,13 +15,11 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
-import lancer.mesures.Lancement;
+import lancer.mesures.Circonstances;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
@@ -149,20 +147,10 @@ public final class Vitesse {
     private void compterLesBesoins() throws IOException {
         List<Path> scenes = Scenes.livrees();
         sortie.println("besoins de " + scenes.size() + " scènes");
-        List<String> comptes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne()).collect(Collectors.toList());
-        List<String> lignes = new ArrayList<>(Collections.singletonList(String.join(",", Besoin.COLONNES) + ",alloues_mo,commit,date"));
         Circonstances c = new Circonstances();
-        for (int k = 0; k < scenes.size(); k++) {
-            lignes.add(comptes.get(k) + "," + String.join(",", alloues(scenes.get(k)), c.commit, c.date));
-        }
+        List<String> lignes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne() + "," + c.commit + "," + c.date)
+                .collect(Collectors.toList());
+        lignes.add(0, String.join(",", Besoin.COLONNES) + ",commit,date");
         Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
-    }
-
-    /** Mégaoctets alloués par le programme pour sa première image ; vide si Java n'a pas de ramasse-miettes Epsilon. */
-    private String alloues(Path scene) throws IOException {
-        Matcher m = Pattern.compile("(?s).*, (\\d+)M \\([^)]*\\) used.*").matcher(new Lancement(travail.resolve("pris"), Processus.JAVA,
-                "-XX:+UnlockExperimentalVMOptions", "-XX:+UseEpsilonGC", "-Xmx3g", "-Xlog:gc", "-jar", new Methode("", "").jar(), "--image",
-                travail.resolve("besoin.png"), "--taille", taille, scene).dit);
-        return m.matches() ? m.group(1) : "";
     }
 }

@@ -14,6 +14,7 @@ import java.util.Arrays;
 import lancer.mesures.Intervalle;
 import org.jfree.chart.axis.AxisState;
 import org.jfree.chart.axis.LogTick;
+import org.jfree.chart.block.RectangleConstraint;
 import org.jfree.chart.ui.RectangleEdge;
 import org.junit.jupiter.api.Test;
 
@@ -64,7 +65,7 @@ class StyleTest {
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, 600, 400);
         new Volet("", "", "").serie(new Serie("", Style.VERT, FormeDePoint.CARRE, true, Arrays.asList(Marque.en(1, 3).nommee(nom),
-                Marque.en(9, 30)))).repere(1, repere).dessiner(g, new Rectangle2D.Double(0, 0, 600, 400), 0);
+                Marque.en(9, 30)))).repere(1, repere).graphique().draw(g, new Rectangle2D.Double(0, 0, 600, 400));
         return Arrays.stream(image.getRGB(0, 0, 600, 400, null, 0, 600)).filter(p -> p == couleur.getRGB()).count();
     }
 
@@ -74,11 +75,15 @@ class StyleTest {
         assertTrue(encre(Style.GRIS, "", "le nom") > encre(Style.GRIS, "", "") + 20);
     }
 
+    private double hauteur(String texte, double largeur) {
+        return Style.titre(texte, Style.TEXTE, Color.BLACK).arrange(g, RectangleConstraint.NONE.toFixedWidth(largeur)).getHeight();
+    }
+
     @Test
     void unGuillemetNEstPasSepareDeSonMot() {
-        double une = Style.texte(g, "un", Style.TEXTE, Color.BLACK, 0, 0, 500, false);
+        double une = hauteur("un", 500);
         // « un / « mot » : / 2 fois »
-        assertEquals(3 * une, Style.texte(g, "un « mot » : 2 fois", Style.TEXTE, Color.BLACK, 0, 0, 100, false), 0.1 * une);
+        assertEquals(3 * une, hauteur("un « mot » : 2 fois", 100), 0.1 * une);
     }
 
     @Test

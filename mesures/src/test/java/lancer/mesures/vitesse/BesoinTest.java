@@ -37,19 +37,11 @@ class BesoinTest {
     void uneBouleMateNeDemandeAucunReflet() throws IOException {
         Besoin mate = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
         assertEquals(0, mate.profondeurUtile());
-        assertEquals(1, mate.lampesUtiles());
     }
 
     @Test
     void uneBouleBrillanteSeuleNEnDemandeQuUnCeluiDuCiel() throws IOException {
         assertEquals(1, besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKs=0.5 0.5 0.5\n").profondeurUtile());
-    }
-
-    @Test
-    void uneLampeEnfermeeDansUneBouleOpaqueNeSertARien() throws IOException {
-        Besoin besoin = besoin("[Sphere 1]\ncentre=0 0 4\nrayon=0.5\nKd=1 1 1\n[Sphere 2]\ncentre=9 9 9\nrayon=0.1\nKd=1 1 1\n"
-                + "[Lampe dedans]\nposition=9 9 9\ncouleur=1 1 1\n[Lampe dehors]\nposition=-4 6 -3\ncouleur=1 1 1\n");
-        assertEquals(1, besoin.lampesUtiles());
     }
 
     @Test

@@ -94,7 +94,7 @@ class ResultatsTest {
     void lesBesoinsSontEncoreCeuxQueCompteLeProgramme() throws IOException {
         Map<String, String> diffus = FichierCsv.lire(RESULTATS.resolve(Vitesse.BESOINS)).stream()
                 .filter(b -> b.get("scene").equals("diffus")).findFirst().get();
-        diffus.keySet().removeAll(Arrays.asList("alloues_mo", "commit", "date"));
+        diffus.keySet().removeAll(Arrays.asList("commit", "date"));
         assertEquals(String.join(",", diffus.values()), new Besoin(FichierScene.trouver("scenes/diffus.ini"),
                 new Taille(Integer.parseInt(diffus.get("largeur")), Integer.parseInt(diffus.get("hauteur")))).ligne());
     }
@@ -132,7 +132,7 @@ class ResultatsTest {
                 if (bloc.startsWith("java -jar ") && !bloc.contains("--auto")) {
                     Path image = dossier.resolve("boules.png");
                     Path fichier = Files.write(dossier.resolve("scene.ini"), (scene + "\n" + section).getBytes(StandardCharsets.UTF_8));
-                    List<Object> commande = new ArrayList<>(Arrays.asList(Processus.JAVA, "-cp", System.getProperty("java.class.path"),
+                    List<Object> commande = new ArrayList<>(Arrays.asList(Lancement.JAVA, "-cp", System.getProperty("java.class.path"),
                             "lancer.Main", "--sans=Brume,Blinn" + (bloc.contains("antialias.jar") ? "" : ",Antialias"), "--statistiques"));
                     commande.addAll(Arrays.asList(bloc.trim().replaceFirst("java -jar \\S+ ", "").replace("boules.png", image.toString())
                             .replace("scenes/scene1.ini", fichier.toString()).split(" ")));

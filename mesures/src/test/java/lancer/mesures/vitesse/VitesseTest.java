@@ -247,7 +247,7 @@ class VitesseTest {
         for (Regime regime : Regime.values()) {
             for (Formule f : Formule.values()) {
                 temps.add(ligne(Releve.COLONNES, "famille", Catalogue.INTERSECTIONS, "scene", regime.name(), "methode", f.name(),
-                        "lancements", 5, "reference_ms", Noyau.DISTANCES / 1e6 * 5, "rapport", 1 + 0.1 * f.ordinal(),
+                        "reference_ms", Noyau.DISTANCES / 1e6 * 5, "rapport", 1 + 0.1 * f.ordinal(),
                         "rapport_min", 0.85 + 0.1 * f.ordinal(), "rapport_max", 1.15 + 0.1 * f.ordinal()));
             }
         }
@@ -269,6 +269,13 @@ class VitesseTest {
                 Collections.singletonList(sol));
         Releves releves = new Releves(Releves.lignes(dossier.resolve(Methodes.CSV)));
         assertTrue(releves.le("PROGRAMME", "").nombre("rapport") > 0 && releves.le("MANUEL", "").nombre("reference_ms") > 0);
+    }
+
+    @Test
+    void lesOptionsMesureesSontCellesQueMakeDonne() throws IOException {
+        Path commun = Paths.get(Files.exists(Paths.get("mesures")) ? "commun.mk" : "../commun.mk");
+        String lignes = new String(Files.readAllBytes(commun), StandardCharsets.UTF_8);
+        assertTrue(lignes.contains(" " + String.join(" ", Catalogue.OPTIONS_DE_MAKE) + ","), lignes);
     }
 
     @Test

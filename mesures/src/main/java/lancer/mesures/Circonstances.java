@@ -1,4 +1,4 @@
-package lancer.mesures.vitesse;
+package lancer.mesures;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -8,16 +8,16 @@ import java.time.LocalDateTime;
 import java.time.temporal.ChronoUnit;
 
 /** Circonstances d'une mesure, sans lesquelles un temps ne peut être comparé. */
-final class Circonstances {
+public final class Circonstances {
 
-    final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
+    public final String machine = premiereLigne("sh", "-c", "grep -q '^model name' /proc/cpuinfo"
             + " && sed -n 's/^model name[^:]*: //p' /proc/cpuinfo || sysctl -n machdep.cpu.brand_string || uname -m");
-    final int coeurs = Runtime.getRuntime().availableProcessors();
-    final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
-    final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
+    public final int coeurs = Runtime.getRuntime().availableProcessors();
+    public final String jvm = System.getProperty("java.vm.name") + " " + System.getProperty("java.version");
+    public final String date = LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
 
     /** Le commit mesuré, suivi de « + » si les sources ont changé depuis. */
-    final String commit = commit();
+    public final String commit = commit();
 
     private static String commit() {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");

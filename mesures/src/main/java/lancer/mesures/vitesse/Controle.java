@@ -1,13 +1,7 @@
 package lancer.mesures.vitesse;
 
-import com.sun.management.OperatingSystemMXBean;
 import java.awt.image.BufferedImage;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.PrintStream;
-import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -21,15 +15,9 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Pave;
 import lancer.mesures.ImageLineaire;
-import lancer.mesures.stabilite.Formule;
-import lancer.mesures.stabilite.Noyau;
-import lancer.mesures.stabilite.Regime;
 
-/**
- * Une machine virtuelle qui n'exécute qu'un calcul de distance. Elle lit sur son entrée, plusieurs fois, le nombre de répétitions à
- * chronométrer. Ici sont aussi les vérifications des images que dessine un programme.
- */
-final class Ouvrier {
+/** Les vérifications des images que dessine un programme. */
+final class Controle {
 
     /** Quantité de travail refaite par les boucles du cours, en nombre approché de sphères essayées. */
     private static final double BUDGET = 1e8;
@@ -39,45 +27,7 @@ final class Ouvrier {
 
     private static final long GRAINE = 800600;
 
-    private Ouvrier() {
-    }
-
-    /** @param args le régime des rayons et le calcul de distance */
-    public static void main(String[] args) throws IOException {
-        PrintStream sortie = new PrintStream(System.out, true, "UTF-8");
-        BufferedReader entree = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
-        try {
-            Noyau noyau = new Noyau(Formule.valueOf(args[1]), Regime.valueOf(args[0]));
-            for (String fois = entree.readLine(); fois != null; fois = entree.readLine()) {
-                double[] temps = repeter(noyau::faire, Integer.parseInt(fois));
-                sortie.println(temps[0] + " " + temps[1]);
-            }
-        } catch (RuntimeException | OutOfMemoryError e) {
-            sortie.println("faute " + e);
-        }
-    }
-
-    private static String comptes(Compteurs c) {
-        return c.primaires + " " + c.ombre + " " + c.reflechis + " " + c.testsSpheres + " " + c.noeudsVisites + " " + c.pixelsRaffines;
-    }
-
-    /** Ces compteurs, puis le nombre de pixels vérifiés, par noms de colonnes. */
-    static Map<String, String> champs(String comptes) {
-        String[] noms = {"primaires", "ombre", "reflechis", "tests", "noeuds", "raffines", "pixels_verifies"};
-        String[] valeurs = comptes.split(" ");
-        return IntStream.range(0, noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> valeurs[k]));
-    }
-
-    /** Le temps réel et le temps des processeurs d'une répétition, en nanosecondes. */
-    private static double[] repeter(Runnable travail, int fois) {
-        OperatingSystemMXBean systeme = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-        long processeur = systeme.getProcessCpuTime();
-        long debut = System.nanoTime();
-        for (int k = 0; k < fois; k++) {
-            travail.run();
-        }
-        double duree = System.nanoTime() - debut;
-        return new double[] {duree / fois, (double) (systeme.getProcessCpuTime() - processeur) / fois};
+    private Controle() {
     }
 
     /**
@@ -145,6 +95,8 @@ final class Ouvrier {
                         + k / taille.largeur + ")");
             }
         }
-        return champs(comptes(comptes) + " " + (auto ? taille.pixels() : verifier(dessin, scene, image, taille)));
+        return Releve.champs("primaires", comptes.primaires, "ombre", comptes.ombre, "reflechis", comptes.reflechis, "tests",
+                comptes.testsSpheres, "noeuds", comptes.noeudsVisites, "raffines", comptes.pixelsRaffines, "pixels_verifies",
+                auto ? taille.pixels() : verifier(dessin, scene, image, taille));
     }
 }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Les vérifications d'une image dessinée. */
-class OuvrierTest {
+class ControleTest {
 
     private static final Taille TAILLE = new Taille(64, 48);
 
@@ -37,10 +37,10 @@ class OuvrierTest {
             Methode.ScenePrete dessin = methode(cle).new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur);
             ImageLineaire image = new ImageLineaire(TAILLE.largeur, TAILLE.hauteur);
             dessin.faire(image, 2);
-            assertEquals(TAILLE.pixels(), Ouvrier.verifier(dessin, scene(), image, TAILLE));
+            assertEquals(TAILLE.pixels(), Controle.verifier(dessin, scene(), image, TAILLE));
             image.getComposantes()[1000] = Math.nextUp(image.getComposantes()[1000]);
             IllegalStateException faute = assertThrows(IllegalStateException.class,
-                    () -> Ouvrier.verifier(dessin, scene(), image, TAILLE));
+                    () -> Controle.verifier(dessin, scene(), image, TAILLE));
             assertTrue(faute.getMessage().startsWith("image fausse : le pixel (13, 5) est "), faute.getMessage());
         }
     }
@@ -50,9 +50,9 @@ class OuvrierTest {
         ImageMemoire image = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
         Methode un = methode("un rayon/");
         un.new ScenePrete(scene(), TAILLE.largeur, TAILLE.hauteur).faire(image, 1);
-        assertEquals(String.valueOf(TAILLE.pixels()), Ouvrier.controler(un, scene(), TAILLE, ecrire(image)).get("primaires"));
+        assertEquals(String.valueOf(TAILLE.pixels()), Controle.controler(un, scene(), TAILLE, ecrire(image)).get("primaires"));
         ImageMemoire noire = new ImageMemoire(TAILLE.largeur, TAILLE.hauteur, false);
-        assertThrows(IllegalStateException.class, () -> Ouvrier.controler(un, scene(), TAILLE, ecrire(noire)));
+        assertThrows(IllegalStateException.class, () -> Controle.controler(un, scene(), TAILLE, ecrire(noire)));
     }
 
     private Path ecrire(ImageMemoire image) {
