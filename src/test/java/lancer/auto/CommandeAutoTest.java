@@ -1,12 +1,8 @@
 package lancer.auto;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
@@ -29,18 +25,6 @@ class CommandeAutoTest extends EssaiCommande {
     }
 
     @Test
-    void leChoixEstCeluiDUnDessinALaMain() throws IOException {
-        Essai e = executer("--auto", "erreur=12", "--lineaire=" + pfm);
-        String choisi = e.erreur.split(System.lineSeparator())[0].replaceAll(".*(--reflets .*)", "$1");
-        byte[] auto = Files.readAllBytes(pfm);
-        String[] options = choisi.split(" ");
-        String[] arguments = Arrays.copyOf(options, options.length + 1);
-        arguments[options.length] = "--lineaire=" + pfm;
-        dessiner(arguments);
-        assertArrayEquals(Files.readAllBytes(pfm), auto, choisi);
-    }
-
-    @Test
     void leCheminLisibleChoisitDeMeme() {
         String choisi = executer("--auto", "erreur=12", "--image=" + png).erreur.split(System.lineSeparator())[0];
         assertEquals(choisi, executer("--auto", "erreur=12", "--simple", "--image=" + png).erreur.split(System.lineSeparator())[0]);
@@ -54,21 +38,6 @@ class CommandeAutoTest extends EssaiCommande {
                 + "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar\\R"), e.erreur);
         e = executer("--auto", "erreur=0.01", "--reflets=2", "--seuil=0", "--image=" + png);
         assertTrue(e.erreur.contains("un rayon par pixel, --reflets 2 --seuil 0.0" + System.lineSeparator()), e.erreur);
-    }
-
-    @Test
-    void uneTresPetiteImageEstChoisieEtControlee() {
-        for (String taille : new String[] {"1x1", "2x1", "3x1", "4x4"}) {
-            Essai e = Essai.executer("--auto", "erreur=30", "--taille", taille, "--image=" + png, SCENE);
-            assertEquals(0, e.code, e.toString());
-            assertTrue(e.erreur.contains("auto, mesuré : erreur de "), e.erreur);
-        }
-    }
-
-    @Test
-    void unEchecApresLeChoixNeDitQueLui() throws IOException {
-        Path pleine = disquePlein("pleine.png");
-        verifierRefus(1, pleine + " : écriture impossible, disque plein", executer("--auto=erreur=30", "--image", pleine.toString()));
     }
 
     @Test

@@ -13,7 +13,6 @@ import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.essai.Plan;
@@ -76,13 +75,5 @@ class PixelsFautifsTest {
             PixelFautif faute = faute(new Vecteur(0, 0, faux), 2);
             assertTrue(faute.x >= 20, faute.getMessage());
         }
-    }
-
-    @Test
-    void uneReponseNulleNommeLePixelAussi() {
-        Modele modele = new Modele();
-        modele.setAtmosphere((vue, distance) -> null);
-        Scene scene = new Scene(Collections.singletonList(new Mur(new Vecteur(0, 0, -1))), Collections.<Lampe>emptyList()).avec(modele);
-        assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((couleur, i, j) -> { }, 5, 2));
     }
 }

@@ -43,28 +43,13 @@ class FormesRefuseesTest extends EssaiFormes {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "normale=0 1 0 | ligne 1, [Panneau sol], point : clé absente ; attendu : 3 nombres séparés par des blancs, "
-                + "chacun de -1e100 à 1e100",
         "point=0 0 0~normal=0 1 0 | ligne 3, [Panneau sol], normal : clé inconnue ; attendu : point, normale, {matière}",
-        "centre=0 0 0 | ligne 2, [Panneau sol], centre : clé inconnue ; attendu : point, normale, {matière}",
-        "point=0 0 0~Point=1 2 3 | ligne 3, [Panneau sol], Point : clé donnée deux fois, déjà ligne 2 ; attendu : "
-                + "une seule fois chaque clé",
-        "point=0 0 -1.1e100~normale=0 1 0 | ligne 2, [Panneau sol], point : hors limites : « -1.1e100 » ; attendu : 3 nombres séparés "
-                + "par des blancs, chacun de -1e100 à 1e100",
-        "point=0 0~normale=0 1 0 | ligne 2, [Panneau sol], point : 2 nombres au lieu de 3 : « 0 0 » ; attendu : 3 nombres séparés par des "
-                + "blancs, chacun de -1e100 à 1e100",
         "point=0 0 0~normale=0 un 0 | ligne 3, [Panneau sol], normale : n'est pas un nombre : « un » ; attendu : 3 nombres séparés par des "
                 + "blancs, chacun de -1e100 à 1e100",
         "point=0 0 0~normale=0 1e101 0 | ligne 3, [Panneau sol], normale : hors limites : « 1e101 » ; attendu : 3 nombres séparés par des "
                 + "blancs, chacun de -1e100 à 1e100",
         "point=0 0 0~NORMALE=0 -0 0e5 | ligne 3, [Panneau sol], normale : vecteur nul : « 0 -0 0e5 » ; attendu : trois nombres "
                 + "qui ne sont pas tous nuls",
-        "point=0 0 0~normale=0 1 0~Kd=2 0 0 | ligne 4, [Panneau sol], Kd : hors limites : « 2 » ; attendu : 3 nombres séparés "
-                + "par des blancs, chacun de 0 à 1",
-        "point=0 0 0~normale=0 1 0~Ks=0 0 0~Kr=0 0 0 | ligne 5, [Panneau sol], Kr : synonyme de Ks, déjà ligne 4 ; attendu : "
-                + "Ks ou Kr, pas les deux",
-        "point=0 0 0~normale=0 1 0~[Panneau  sol] | ligne 4, [Panneau sol] : deux sections de ce nom, la première ligne 1 ; attendu : "
-                + "un nom différent pour chaque section",
         "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : "
                 + "Sphere, Panneau, Lampe, Brume, Antialias, Blinn"})
     void uneSectionFautiveEstRefuseeEnUneLigne(String lignes, String message) throws IOException {

@@ -66,11 +66,6 @@ class ExigencesTest {
     class UneCamera {
 
         @Test
-        void cadreDeMemeAToutesLesTailles() {
-            assertEquals(new Camera(800, 600).getRayon(200, 150).getP(), new Camera(1600, 1200).getRayon(400, 300).getP());
-        }
-
-        @Test
         void sansPixelEstRefusee() {
             for (int[] taille : new int[][] {{0, 600}, {0, 1}, {1, 0}, {-1, 5}}) {
                 assertThrows(IllegalArgumentException.class, () -> new Camera(taille[0], taille[1]));

@@ -2,17 +2,12 @@ package lancer.cours;
 
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
-import static lancer.essai.Ressources.imageRapide;
-import static lancer.essai.Ressources.memesBits;
 import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Constantes;
@@ -25,7 +20,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.essai.Ombre;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
@@ -68,20 +62,6 @@ class TheorieTest {
     }
 
     @Test
-    void laSilhouetteDUneSphereEstUneEllipseDAireConnue() {
-        double D = Math.hypot(1, 5 + Camera.FOCALE);
-        double sin2 = 1 / (D * D);
-        double cos2Theta = 1 - 1 / (D * D);
-        double aire = Math.PI * F * F * sin2 * Math.sqrt(1 - sin2) / Math.pow(cos2Theta - sin2, 1.5) * 200 * 200;
-        Ressources.Image image = image(scene(Collections.singletonList(boule(1, 0, 5, 1, 0, 0, 1))), 400, 300, 0, 2);
-        int noirs = 0;
-        for (int k = 0; k < image.composantes.length; k += 3) {
-            noirs += image.composantes[k + 2] == 0 ? 1 : 0;
-        }
-        assertEquals(aire, noirs, Math.pow(aire / Math.PI, 1.0 / 3));
-    }
-
-    @Test
     void leSeuilNOublieQueCeQuIlPromet() {
         Sphere fond = boule(0, 0, 5, 1, 0.5, 0.5, 1);
         Sphere face = boule(0, 0, -5, 1, 0.5, 0.5, 1);
@@ -114,61 +94,12 @@ class TheorieTest {
     }
 
     @Test
-    void milleReflexionsSansPerteNiDebordementDePile() {
-        Sphere fond = boule(0, 0, 5, 1, 0.5, 1, 1);
-        Sphere face = boule(0, 0, -5, 1, 0.5, 1, 1);
-        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
-        double c = 0.5 * 0.8 + 0.8;
-        assertEquals(1001 * c, scene.getCouleurVue(DEVANT, null, 1000).r, 1e-9);
-    }
-
-    @Test
-    void unObjetAuDelaDeLaLampeNOmbrePas() {
-        Sphere boule = boule(0, 0, 5, 1, 1, 0, 1);
-        Lampe lampe = new Lampe(new Point(0, 0, 0), new Couleur(1));
-        Scene seule = scene(Collections.singletonList(boule), lampe);
-        Scene avec = scene(Arrays.asList(boule, boule(0, 0, -20, 1, 0, 0, 1)), lampe);
-        assertTrue(memesBits(image(seule, 40, 30, 0, 1), image(avec, 40, 30, 0, 1)));
-    }
-
-    @Test
-    void uneLampeDansUneSphereNEclaireRienAuDehors() {
-        Scene scene = scene(Arrays.asList(boule(0, 0, 8, 1, 1, 0, 1), boule(0, 0, 4, 0.5, 1, 1, 9)),
-                new Lampe(new Point(0.1, 0, 4), new Couleur(9)));
-        assertEquals(new Couleur(), scene.getCouleurVue(DEVANT, null, 0));
-        assertEquals(new Couleur(), scene.getCouleurVue(new Camera(800, 600).getRayon(440, 300), null, 0));
-    }
-
-    @Test
-    void uneLampeSurUneSurfaceNEclairePasCetteSphereEtNeDonneJamaisNaN() {
-        Sphere boule = boule(0, 0, 5, 1, 1, 0.5, 3);
-        Lampe utile = new Lampe(new Point(3, 4, 0), new Couleur(0.5));
-        Ressources.Image sans = image(scene(Collections.singletonList(boule), utile), 41, 31, 5, 1);
-        Ressources.Image avec = image(scene(Collections.singletonList(boule),
-                new Lampe(new Point(0, 0, 4), new Couleur(1)), utile), 41, 31, 5, 1);
-        assertTrue(memesBits(sans, avec));
-    }
-
-    @Test
     void deLInterieurDUneSphereOnVoitSaParoiEclaireeDuDehors() {
         // l'écran est dans la sphère ; la lampe, au-delà de la sortie, voit la normale extérieure
         Scene scene = scene(Collections.singletonList(boule(0, 0, 0, 3, 0.6, 0, 1)), new Lampe(new Point(0, 4, 3), new Couleur(1)));
         assertEquals(0, scene.getCouleurVue(DEVANT, null, 0).r, 0, "N·L = 0 : juste au bord");
         Scene haut = scene(Collections.singletonList(boule(0, 0, 0, 3, 0.6, 0, 1)), new Lampe(new Point(0, 4, 6), new Couleur(1)));
         assertEquals(0.6 * 0.6, haut.getCouleurVue(DEVANT, null, 0).r, 1e-12);
-    }
-
-    @Test
-    void uneLampeTresLointaineFaitUneOmbreCylindrique() {
-        // le soleil à 1e9 au-dessus d'une boule de rayon 1 posée loin d'un sol presque plat
-        double r = 1e4;
-        Sphere sol = boule(0, -r - 2, 20, r, 1, 0, 1);
-        Scene scene = scene(Arrays.asList(sol, boule(0, 0, 20, 1, 0, 0, 1)), new Lampe(new Point(0, 1e9, 20), new Couleur(1)));
-        for (double x = -1.995; x < 2; x += 0.01) {
-            double y = -r - 2 + Math.sqrt(r * r - x * x);
-            Point contact = new Point(x, y, 20);
-            assertEquals(Math.abs(x) < 1, Ombre.cachee(scene, scene.getLampes().get(0), contact, sol), "x = " + x);
-        }
     }
 
     @Test
@@ -202,39 +133,6 @@ class TheorieTest {
         Scene dos = scene(Collections.singletonList(boule(0, 0, 5, 1, 1, 0, 1)), new Lampe(new Point(0, 0, 9), new Couleur(1)));
         dos.getCouleurVue(DEVANT, null, 5);
         assertEquals(0, dos.getCompteurs().ombre, "N·L ≤ 0");
-    }
-
-    @Test
-    void desPetitesBoulesSeRefletentSansDeriveDesLongueurs() {
-        // le piège des normales non ramenées à 1 : des boules de rayon 0,03 à une distance de 6
-        List<Sphere> boules = new ArrayList<>();
-        for (int k = 0; k < 400; k++) {
-            boules.add(boule(0.08 * (k % 20) - 0.8, 0.08 * (k / 20) - 0.8, 6 + 0.05 * (k % 3), 0.03, 0.3, 0.6, 30));
-        }
-        Scene scene = scene(boules, new Lampe(new Point(3, 5, -2), new Couleur(1)));
-        Ressources.Image image = image(scene, 160, 120, 12, 2);
-        for (float c : image.composantes) {
-            assertFalse(c < 0 || c > 2.5 || Float.isNaN(c), "couleur " + c);
-        }
-    }
-
-    /** La somme des pixels d'une sphère dans l'axe, la lampe à l'œil : π F² (2α/sin 2α − 1)(L/2)². */
-    @Test
-    void lIntegraleDeLambertSurUneSphereEstConnue() {
-        int cote = 400;
-        for (double r : new double[] {0.7, 1.2, 1.9}) {
-            Ressources.Image image = imageRapide(scene(Collections.singletonList(boule(0, 0, 5, r, 1, 0, 1)), A_L_OEIL),
-                    new Camera(cote, cote), 0);
-            double somme = 0;
-            for (int k = 0; k < cote * cote; k++) {
-                // le ciel a un bleu d'au moins 0,1 de plus ou de moins que son rouge ; la boule est grise
-                float rouge = image.composantes[3 * k];
-                somme += rouge == image.composantes[3 * k + 2] ? rouge : 0;
-            }
-            double alpha = Math.asin(r / (5 + F));
-            double attendue = Math.PI * F * F * (2 * alpha / Math.sin(2 * alpha) - 1) * cote * cote / 4;
-            assertEquals(1, somme / attendue, 1e-4, "rayon " + r);
-        }
     }
 
     /** La silhouette est une ellipse de demi-axes F sin α cos α/(cos²θ − sin²α), vers l'axe, et F sin α/√(cos²θ − sin²α). */
@@ -304,7 +202,7 @@ class TheorieTest {
         double c1 = (0.5 + 0.75) * 0.8;
         double c2 = (0.2 + 0.5) * 0.8;
         double raison = 0.75 * 0.5;
-        for (int n : new int[] {0, 1, 2, 3, 5, 19, 20, 59}) {
+        for (int n : new int[] {0, 1, 2, 3, 5, 19, 20, 59, 1000}) {
             int m = (n + 1) / 2;
             double attendu = (c1 + 0.75 * c2) * (1 - Math.pow(raison, m)) / (1 - raison) + (n % 2 == 0 ? Math.pow(raison, m) * c1 : 0);
             assertEquals(attendu, scene.getCouleurVue(DEVANT, null, n).r, 1e-12, n + " réflexions");

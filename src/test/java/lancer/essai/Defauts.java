@@ -13,12 +13,10 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Recherche;
 import lancer.contrat.Vue;
@@ -207,10 +205,10 @@ public final class Defauts {
     }
 
     private void jumelle(Sphere boule) {
-        Sphere jumelle = boule(0, 0, 5, 1.5, 1, 0);
-        Scene scene = scene(Camera.OEIL, boule, jumelle);
-        noter("sphère jumelle gardée", scene, 0,
-                naive(scene, 0, new RechercheSimple(Arrays.<Objet3D>asList(boule, jumelle), new Compteurs())), deLaLampe(boule, 1));
+        Scene scene = scene(Camera.OEIL, boule, boule(0, 0, 5, 1.5, 1, 0));
+        // d'une classe dérivée, elle est gardée
+        Scene gardee = scene(Camera.OEIL, boule, new Sphere(boule.getCentre(), boule.getRayon()) { });
+        noter("sphère jumelle gardée", scene, 0, naive(gardee, 0, null), deLaLampe(boule, 1));
     }
 
     /** Une lampe à un milliard : ses rayons sont parallèles. */

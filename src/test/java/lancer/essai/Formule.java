@@ -4,11 +4,10 @@ import lancer.Constantes;
 import lancer.Point;
 import lancer.Vecteur;
 import lancer.precision.Intersection;
-import lancer.precision.IntersectionCompensee;
 
 /**
- * Des façons de calculer la distance d'un rayon à une sphère : celles que l'on trouve partout, celle du programme, et ce que coûterait
- * de calculer toujours plus finement : les tests montrent où chacune échoue.
+ * Des façons de calculer la distance d'un rayon à une sphère, celles que l'on trouve partout et celle du programme : les tests montrent
+ * où chacune échoue.
  *
  * <p>Toutes reçoivent un départ P, une direction V « de longueur 1 », un centre C et un rayon r, et rendent la plus petite distance
  * strictement positive, +∞ si elles n'en trouvent pas.
@@ -82,38 +81,6 @@ public enum Formule {
         @Override
         public double distance(Point P, Vecteur V, Point C, double r) {
             return Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
-        }
-    },
-
-    /** Le calcul compensé, que le programme ne fait que près d'une surface, fait toujours. Il n'est pas juste de loin : h² = b² − c. */
-    COMPENSEE {
-        @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            return IntersectionCompensee.distance(P.x, P.y, P.z, V.x, V.y, V.z, C.x, C.y, C.z, r);
-        }
-    },
-
-    /** Celle du manuel, racines stables, chaque nombre étant la somme de deux doubles : P − C et tout ce qui le suit. */
-    DEUX_DOUBLES {
-        @Override
-        public double distance(Point P, Vecteur V, Point C, double r) {
-            DeuxDoubles fx = DeuxDoubles.difference(C.x, P.x);
-            DeuxDoubles fy = DeuxDoubles.difference(C.y, P.y);
-            DeuxDoubles fz = DeuxDoubles.difference(C.z, P.z);
-            DeuxDoubles a = DeuxDoubles.carre(V.x).plus(DeuxDoubles.carre(V.y)).plus(DeuxDoubles.carre(V.z));
-            DeuxDoubles b = fx.fois(V.x).plus(fy.fois(V.y)).plus(fz.fois(V.z));
-            DeuxDoubles c = fx.fois(fx).plus(fy.fois(fy)).plus(fz.fois(fz)).moins(DeuxDoubles.carre(r));
-            DeuxDoubles discriminant = b.fois(b).moins(a.fois(c));
-            if (discriminant.haut < 0) {
-                return Constantes.INFINI;
-            }
-            double racine = Math.sqrt(discriminant.haut);
-            // la racine n'est prise qu'en doubles : sa part de l'erreur est celle d'un arrondi de h ; V n'est de longueur 1 qu'à u près
-            double longueur = Math.sqrt(a.haut);
-            if (c.haut > 0) {
-                return b.haut > 0 ? c.haut / (b.haut + racine) * longueur : Constantes.INFINI;
-            }
-            return b.haut > 0 ? (b.haut + racine) / longueur : c.haut < 0 ? c.haut / (b.haut - racine) * longueur : Constantes.INFINI;
         }
     };
 

@@ -54,8 +54,8 @@ import lancer.image.ImageMemoire;
 /** Une fenêtre à l'essai, sur un vrai écran : on y frappe des touches, on y regarde, et on attend sans dormir pour rien. */
 final class BancFenetre {
 
-    /** Bien plus que ce qu'il faut à une machine chargée : au-delà, cela n'arrivera plus. */
-    private static final long PATIENCE_NS = TimeUnit.SECONDS.toNanos(40);
+    /** Attente au-delà de laquelle cela n'arrivera plus : quarante fois la plus lente des ouvertures de fenêtre, et au moins 40 s. */
+    private static volatile long patienceNs = TimeUnit.SECONDS.toNanos(40);
 
     final ByteArrayOutputStream sortie;
     final ByteArrayOutputStream erreur;
@@ -75,6 +75,7 @@ final class BancFenetre {
 
     BancFenetre(MainLent main) throws Exception {
         exigerEcran();
+        long debut = System.nanoTime();
         this.main = main;
         sortie = main.sortie;
         erreur = main.erreur;
@@ -88,6 +89,7 @@ final class BancFenetre {
         resume = composant("resume", JLabel.class);
         pixel = composant("pixel", JLabel.class);
         avancement = composant("avancement", JProgressBar.class);
+        patienceNs = Math.max(patienceNs, 40 * (System.nanoTime() - debut));
     }
 
     static PrintStream flux(ByteArrayOutputStream octets) {
@@ -116,7 +118,7 @@ final class BancFenetre {
     }
 
     static void attendre(String quoi, Callable<Boolean> condition) throws Exception {
-        long limite = System.nanoTime() + PATIENCE_NS;
+        long limite = System.nanoTime() + patienceNs;
         while (!surFilEvenements(condition)) {
             if (System.nanoTime() > limite) {
                 fail("toujours pas : " + quoi);
@@ -128,7 +130,7 @@ final class BancFenetre {
     static <T> T surFilEvenements(Callable<T> question) throws Exception {
         FutureTask<T> tache = new FutureTask<>(question);
         EventQueue.invokeLater(tache);
-        return tache.get(PATIENCE_NS, TimeUnit.NANOSECONDS);
+        return tache.get(patienceNs, TimeUnit.NANOSECONDS);
     }
 
     static void faire(Runnable geste) throws Exception {
@@ -174,7 +176,7 @@ final class BancFenetre {
 
     /** Le composant de ce nom, quand il sera là. */
     static <T extends Component> T composant(String nom, Class<T> classe) throws Exception {
-        long limite = System.nanoTime() + PATIENCE_NS;
+        long limite = System.nanoTime() + patienceNs;
         while (true) {
             T trouve = chercher(nom, classe);
             if (trouve != null && surFilEvenements(trouve::isShowing)) {
@@ -295,7 +297,7 @@ final class BancFenetre {
             }
             cadre.dispatchEvent(new WindowEvent(cadre, WindowEvent.WINDOW_CLOSING));
         });
-        if (!fin.await(PATIENCE_NS, TimeUnit.NANOSECONDS)) {
+        if (!fin.await(patienceNs, TimeUnit.NANOSECONDS)) {
             fail("la fenêtre est fermée, et le programme ne finit pas");
         }
     }

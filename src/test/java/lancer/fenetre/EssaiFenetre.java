@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Une fenêtre du programme sur un vrai écran, et une petite scène à lui donner. */
 @Tag("fenetre")
 @ExtendWith(UnSeulEcran.class)
-@Timeout(120)
+@Timeout(900)
 abstract class EssaiFenetre {
 
     static final int L = 320;

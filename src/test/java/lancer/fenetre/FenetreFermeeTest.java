@@ -17,7 +17,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 /** Un programme dont la fenêtre est ouverte, arrêté pendant qu'il dessine : il finit sans rien dire ni rien laisser. */
 @Tag("fenetre")
 @ExtendWith(UnSeulEcran.class)
-@Timeout(120)
+@Timeout(900)
 class FenetreFermeeTest extends EssaiProcessus {
 
     @Test

@@ -35,15 +35,6 @@ class EchecsTest extends EssaiProcessus {
 
     // le disque
 
-    @Test
-    void uneSortieStandardFermeeOuPleineEstUnePanne() throws Exception {
-        assumeTrue(Files.exists(Paths.get("/dev/full")), "pas de /dev/full ici");
-        ProcessBuilder p = preparer(java("-Dfile.encoding=UTF-8", "--image=a.png", "--taille=4x4", "--statistiques", SCENE));
-        assertEquals(1, statut(p.redirectOutput(new File("/dev/full"))));
-        assertEquals(1, erreur().split("\n").length, erreur());
-        assertTrue(erreur().startsWith("lancer : sortie standard : "), erreur());
-    }
-
     /** La limite d'un fichier, {@code ulimit -f}, fait comme un disque qui se remplit pendant l'écriture. */
     @Test
     void unDisqueQuiSeRemplitLaisseLAncienneImage() throws Exception {
@@ -84,13 +75,6 @@ class EchecsTest extends EssaiProcessus {
         Arrays.sort(reste);
         assertArrayEquals(noms, reste);
         assertArrayEquals(AVANT, Files.readAllBytes(dossier.resolve("flux/reste/a.pfm")));
-    }
-
-    @Test
-    void unVraiDisquePleinLaisseLAncienneImage() throws Exception {
-        assertEquals(1, surUnDisque("size=64k", "--lineaire=disque/a.pfm", "--taille=400x300", SCENE), erreur());
-        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
-        verifierReste("a.pfm");
     }
 
     @Test
@@ -202,23 +186,6 @@ class EchecsTest extends EssaiProcessus {
         assertEquals(130, processus.waitFor());
         assertEquals("", erreur());
         verifierDossier();
-    }
-
-    @Test
-    void ctrlCPendantLEcritureNeLaisseRienDInacheve() throws Exception {
-        supposerUnix();
-        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=2500x2000");
-        attendre(() -> dossier.toFile().list().length > 1 || !processus.isAlive());
-        interrompre(pid);
-        int statut = processus.waitFor();
-        if (statut == 0 || Files.exists(dossier.resolve("a.pfm"))) {
-            // l'image était déjà finie
-            verifierDossier("a.pfm");
-            assertEquals("PF\n2500 2000\n-1.0\n".length() + 12L * 2500 * 2000, Files.size(dossier.resolve("a.pfm")));
-        } else {
-            assertEquals(130, statut);
-            verifierDossier();
-        }
     }
 
     @Test

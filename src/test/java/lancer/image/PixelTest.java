@@ -127,17 +127,4 @@ class PixelTest extends EssaiCommande {
         assertEquals(0, e.code);
         assertTrue(e.sortie.startsWith("pixel 1, 1"), e.toString());
     }
-
-    @Test
-    void unRefusNEcritQueSaLigne() throws IOException {
-        verifierRefus(2, "valeur impossible pour --pixel : « 40,0 » ; attendu : un pixel de l'image, de 0,0 à 39,29",
-                executer("--pixel", "40,0"));
-        verifierRefus(2, "--pixel ne va pas avec --image ; attendu : l'une ou l'autre", executer("--pixel=1,1", "--image=" + png));
-        Path scene = Essai.scene(dossier.resolve("s.ini"), "[Cube]");
-        Essai e = Essai.executer("--pixel=1,1", scene.toString());
-        assertTrue(e.erreur.startsWith("lancer : " + scene + ", ligne 1, [Cube] : type de section inconnu"), e.toString());
-        assertEquals(2, e.code);
-        assertEquals("", e.sortie);
-        verifierFichiers("s.ini");
-    }
 }

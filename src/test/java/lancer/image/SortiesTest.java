@@ -48,14 +48,6 @@ class SortiesTest extends EssaiCommande {
     }
 
     @Test
-    void unDisquePleinSeDit() throws IOException {
-        Path image = disquePlein("plein.png");
-        verifierRefus(1, image + " : écriture impossible, disque plein", executer("--image", image.toString()));
-        Path lineaire = disquePlein("plein.pfm");
-        verifierRefus(1, lineaire + " : écriture impossible, disque plein", executer("--statistiques", "--lineaire", lineaire.toString()));
-    }
-
-    @Test
     void unEchecNeDitQueLui() throws IOException {
         Path pleine = disquePlein("pleine.png");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
@@ -175,22 +167,6 @@ class SortiesTest extends EssaiCommande {
         dessiner("--lineaire", lien("neant.pfm", Paths.get("/dev/null")).toString(), "--image", png.toString());
         assertFalse(Files.isRegularFile(Paths.get("/dev/null")));
         verifierFichiers("image.png", "neant.pfm", "neant.png");
-    }
-
-    @Test
-    void lePngEtLePfmDisentLaMemeImage() throws IOException {
-        dessiner("--image", png.toString(), "--lineaire", pfm.toString());
-        BufferedImage image = ImageIO.read(png.toFile());
-        float[] c = Essai.pfm(Files.readAllBytes(pfm));
-        assertEquals(40, image.getWidth());
-        assertEquals(30, image.getHeight());
-        for (int j = 0; j < 30; j++) {
-            for (int i = 0; i < 40; i++) {
-                // la ligne du bas est la première du PFM
-                int k = 3 * (40 * (29 - j) + i);
-                assertEquals(new Couleur(c[k], c[k + 1], c[k + 2]).getCode(), image.getRGB(i, j), "pixel " + i + ", " + j);
-            }
-        }
     }
 
     @Test

@@ -21,10 +21,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Modele;
-import lancer.contrat.Specularite;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
@@ -124,40 +121,6 @@ class InspectionTest {
         }
         assertEquals(1, segments.get(0));
         assertTrue(segments.get(1) == 2 && segments.get(2) >= 2, segments.toString());
-    }
-
-    @Test
-    void leRefletDUneLampeEstSaBaseASonExposant() {
-        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
-        int reflets = 0;
-        for (int x = 5; x < 80; x += 3) {
-            Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30);
-            for (Segment segment : pixel.getSegments()) {
-                for (Terme lampe : segment.lampes) {
-                    if (lampe.L != null && !segment.contact.objet.getKs().estNoire()) {
-                        double base = Specularite.PHONG.base(segment.V, segment.N, lampe.L, segment.R);
-                        assertEquals(lampe.eclat, Specularite.puissance(base, segment.contact.objet.getNs()));
-                        reflets++;
-                    }
-                }
-            }
-        }
-        assertTrue(reflets > 20, reflets + " reflets");
-    }
-
-    @Test
-    void laBaseNegativeDUnRefletSeDitDansLeMaximumDuCours() {
-        Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
-        int negatives = 0;
-        for (int x = 0; x < 80; x++) {
-            for (String ligne : recitDe(inspecter(scene, new Origines(), new Camera(80, 60), 2, x, 30)).lignes()) {
-                if (ligne.contains("R·L -")) {
-                    assertTrue(ligne.matches(".* × max\\(0, R·L -\\S+\\)\\^\\S+ = 0.0 0.0 0.0"), ligne);
-                    negatives++;
-                }
-            }
-        }
-        assertTrue(negatives > 3, negatives + " bases négatives");
     }
 
     @Test

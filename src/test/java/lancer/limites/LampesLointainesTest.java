@@ -21,11 +21,13 @@ import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 import lancer.essai.Ombre;
-import lancer.essai.RechercheSimple;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -94,7 +96,6 @@ class LampesLointainesTest {
         spheres.addAll(Arrays.asList(autour));
         Scene scene = new Scene(spheres, Collections.singletonList(lampe));
         Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
-        boucles.getModele().setRecherche(new RechercheSimple(boucles.getObjets(), boucles.getCompteurs()));
         scene.getModele().setRecherche(Preparation.pour(scene, new Camera(80, 60), part -> { }));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
@@ -196,15 +197,27 @@ class LampesLointainesTest {
         for (File fichier : new File("scenes").listFiles((dossier, nom) -> nom.endsWith(".ini"))) {
             Scene scene = new Scene(fichier.getPath());
             int[] questions = new int[1];
-            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()) {
+            Camera camera = new Camera(40, 30);
+            Recherche rapide = Preparation.pour(scene, camera, part -> { });
+            scene.getModele().setRecherche(new Recherche() {
+                @Override
+                public void plusProche(Rayon incident, Objet3D saufLui) {
+                    rapide.plusProche(incident, saufLui);
+                }
+
                 @Override
                 public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
                     questions[0]++;
                     assertSame(lampe.getPosition(), P, "une question par ombre, qui part de la lampe");
-                    return super.estCachee(lampe, P, V, distance, objet);
+                    return rapide.estCachee(lampe, P, V, distance, objet);
+                }
+
+                @Override
+                public Recherche pourUnFil(Compteurs compteurs) {
+                    return this;
                 }
             });
-            Lancer lancer = new Lancer(scene, new Camera(40, 30));
+            Lancer lancer = new Lancer(scene, camera);
             for (int k = 0; k < 40 * 30; k++) {
                 lancer.getCouleurPixel(k % 40 + 0.5, k / 40 + 0.5, 5);
             }

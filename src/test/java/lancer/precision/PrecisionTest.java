@@ -2,7 +2,6 @@ package lancer.precision;
 
 import static lancer.essai.Ressources.fois;
 import static lancer.essai.Tirages.direction;
-import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -90,7 +89,7 @@ class PrecisionTest {
             case LOIN:
                 return new Cas(c.add(n.mul(r * puissance(0, 12))), c.add(direction(hasard).mul(r * hasard.nextDouble())), c, r);
             case RASANT:
-                return viser(c, r, n, r * puissance(0.05, 3), 1 - puissance(-10, -1));
+                return viser(c, r, n, r * puissance(0.05, 3), 1 + (hasard.nextBoolean() ? 1 : -1) * puissance(-16, -1));
             default:
                 return viser(c, r, n, r * (1 + puissance(-10, -1)), Math.min(1, 1 - puissance(-14, -1)));
         }
@@ -168,30 +167,6 @@ class PrecisionTest {
 
     private static double distance(Point p, Vecteur v, Point c, double r) {
         return new Sphere(c, r).getIntersectionDistance(new Rayon(p, v));
-    }
-
-    @Test
-    void uneTangenteExacteEstUnContactDeLoinCommeDePres() {
-        Vecteur z = new Vecteur(0, 0, 1);
-        for (double pas : new double[] {0.001, 0.1, 1, 3, 1e3, 1e9}) {
-            assertEquals(pas, distance(new Point(5, 0, -pas), z, new Point(), 5), 4 * U * pas, "à " + pas);
-            assertEquals(Constantes.INFINI, distance(new Point(5 + Math.ulp(5.0), 0, -pas), z, new Point(), 5), "au-delà, à " + pas);
-            assertTrue(distance(new Point(5 - Math.ulp(5.0), 0, -pas), z, new Point(), 5) < pas, "en deçà, à " + pas);
-        }
-        assertEquals(Constantes.INFINI, distance(new Point(5, 0, 0), z, new Point(), 5), "sur la surface, distance nulle");
-    }
-
-    @Test
-    void lesLongueursQuiSortentDesCarresOrdinairesOntLesMemesReponses() {
-        Vecteur z = new Vecteur(0, 0, 1);
-        assertAll(() -> assertEquals(1e-200, distance(new Point(5, 5, 5), z, new Point(5, 5, 5), 1e-200), 0, "au centre"),
-                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-160, -1), z, new Point(), 1e-160), "à côté, de loin"),
-                () -> assertEquals(1, distance(new Point(0, 1e-160, -1), z, new Point(), 1e-160), 0, "tangente, de loin"),
-                () -> assertEquals(1e290, distance(new Point(0, 0, -1e290), z, new Point(), 1e-100), 0, "immensément loin"),
-                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 2e-100, -1e290), z, new Point(), 1e-100),
-                "à côté, immensément loin"),
-                () -> assertEquals(1e300, distance(new Point(0, 0, -2e300), z, new Point(), 1e300), 1e285, "immense"),
-                () -> assertEquals(Constantes.INFINI, distance(new Point(0, 0, 2e300), z, new Point(), 1e300), "immense, derrière"));
     }
 
     private static BigDecimal exact(double x) {

@@ -45,18 +45,6 @@ class DessinTest {
     }
 
     @Test
-    void uneJumelleNeChangePasUnBit() {
-        Scene sans = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
-        List<Objet3D> doubles = new ArrayList<>(sans.getObjets());
-        for (Objet3D objet : sans.getObjets()) {
-            Sphere s = (Sphere) objet;
-            doubles.add(boule(s.getCentre().x, s.getCentre().y, s.getCentre().z, s.getRayon(), 1, 1, 1));
-        }
-        Scene avec = new Scene(doubles, sans.getLampes());
-        assertTrue(memesBits(image(sans, 60, 45, 5, 1), image(avec, 60, 45, 5, 1)));
-    }
-
-    @Test
     void leNombreDeFilsNeChangeNiUnBitNiUnCompte() {
         Scene scene = new Scene(Ressources.chemin("reference/p4-foule.ini"));
         Camera camera = new Camera(100, 75);

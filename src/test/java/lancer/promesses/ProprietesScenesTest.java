@@ -7,12 +7,9 @@ import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Collections;
-import java.util.List;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -24,9 +21,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Recherche;
 import lancer.essai.Ombre;
-import lancer.essai.RechercheSimple;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import lancer.rapide.Preparation;
@@ -38,10 +33,6 @@ class ProprietesScenesTest {
     private static final int RAYONS = 100_000;
     private static final int RAYONS_PAR_SCENE = 1_000;
     private static final Camera CAMERA = new Camera(50, 40);
-
-    private static Recherche simple(Scene scene) {
-        return new RechercheSimple(scene.getObjets(), scene.getCompteurs());
-    }
 
     private static Rayon copie(Rayon rayon) {
         return new Rayon(rayon.getP(), rayon.getV(), new Couleur(1));
@@ -57,13 +48,13 @@ class ProprietesScenesTest {
         int quittes = 0;
         while (quittes < RAYONS) {
             Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
-            Recherche[] recherches = {simple(scene), Preparation.pour(scene, CAMERA, part -> { })};
+            Scene[] chemins = {scene, new Scene(scene.getObjets(), scene.getLampes())};
+            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
                 Objet3D depart = null;
                 for (int n = 0; n < 8; n++) {
-                    recherches[k % 2].plusProche(rayon, depart);
-                    PointContact contact = rayon.calcContact();
+                    PointContact contact = chemins[k % 2].getClosestIntersection(rayon, depart);
                     if (contact == null) {
                         break;
                     }
@@ -90,38 +81,11 @@ class ProprietesScenesTest {
     }
 
     @Test
-    void laRechercheRapideRepondCommeLesBouclesDuCoursAuBitPres() {
-        Tirages tirages = new Tirages(42);
-        for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
-            Scene scene = tirages.scene(1 + tirages.hasard.nextInt(n % 3 == 0 ? 120 : 20));
-            Recherche simple = simple(scene);
-            Recherche rapide = Preparation.pour(scene, CAMERA, part -> { });
-            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
-                String cas = "graine 42, rayon " + (n + k);
-                Rayon rayon = new Rayon(tirages.point(), tirages.direction());
-                Objet3D sauf = k % 2 == 0 ? null : scene.getObjets().get(tirages.hasard.nextInt(scene.getObjets().size()));
-                Rayon memeRayon = copie(rayon);
-                simple.plusProche(rayon, sauf);
-                rapide.plusProche(memeRayon, sauf);
-                assertSame(rayon.getObjet(), memeRayon.getObjet(), cas);
-                assertEquals(rayon.getDistance(), memeRayon.getDistance(), cas);
-                PointContact contact = rayon.calcContact();
-                for (Lampe lampe : contact == null ? Collections.<Lampe>emptyList() : scene.getLampes()) {
-                    if (!contact.sub(lampe.getPosition()).equals(new Vecteur())) {
-                        assertEquals(Ombre.cachee(simple, lampe, contact, contact.objet),
-                                Ombre.cachee(rapide, lampe, contact, contact.objet), cas);
-                    }
-                }
-            }
-        }
-    }
-
-    @Test
     void touteComposanteEstFiniePositiveEtLaMemeParLesDeuxChemins() {
         for (int n = 0; n < 50; n++) {
             Scene scene = new Tirages(4300 + n).scene(1 + 2 * n);
             Ressources.Image rapide = imageRapide(scene, CAMERA, 8);
-            scene.getModele().setRecherche(simple(scene));
+            scene.getModele().setRecherche(null);
             Ressources.Image lisible = image(scene, CAMERA.getLargeur(), CAMERA.getHauteur(), 8, 2);
             for (int k = 0; k < rapide.composantes.length; k++) {
                 float c = rapide.composantes[k];
@@ -161,35 +125,6 @@ class ProprietesScenesTest {
             }
         }
         assertTrue(auCiel > RAYONS / 10, auCiel + " rayons réfléchis jusqu'au ciel");
-    }
-
-    /** Toute la scène multipliée par 2^k : le même objet, à une distance multipliée par 2^k, au bit près, par les deux chemins. */
-    @Test
-    void grossirLaSceneGrossitLesDistancesAuBit() {
-        Tirages tirages = new Tirages(45);
-        for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
-            List<Sphere> boules = tirages.boules(1 + tirages.hasard.nextInt(30));
-            double f = Math.scalb(1.0, tirages.hasard.nextInt(601) - 300);
-            List<Sphere> grosses = new ArrayList<>();
-            for (Sphere s : boules) {
-                grosses.add(new Sphere(fois(s.getCentre(), f), s.getRayon() * f));
-            }
-            Scene scene = scene(boules);
-            Scene grosse = scene(grosses);
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
-            grosse.getModele().setRecherche(Preparation.pour(grosse, CAMERA, part -> { }));
-            for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
-                Point p = tirages.point();
-                Point vers = tirages.point();
-                Rayon rayon = new Rayon(p, vers);
-                Rayon gros = new Rayon(fois(p, f), fois(vers, f));
-                scene.getClosestIntersection(rayon);
-                grosse.getClosestIntersection(gros);
-                String cas = "graine 45, rayon " + (n + k) + ", facteur " + f;
-                assertEquals(boules.indexOf(rayon.getObjet()), grosses.indexOf(gros.getObjet()), cas);
-                assertEquals(rayon.getDistance() * f, gros.getDistance(), cas);
-            }
-        }
     }
 
     /** Un nombre qui s'écrit avec peu de bits : la somme de deux d'entre eux ne s'arrondit pas. */

@@ -20,7 +20,6 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.Specularite;
-import lancer.essai.RechercheSimple;
 import org.junit.jupiter.api.Test;
 
 /** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */
@@ -74,7 +73,7 @@ class IdentiteTest {
         for (int k = 0; k < 2000; k++) {
             double xe = 400 + k % 50 * 2.5 + 0.5;
             double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
-            scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+            scene.getModele().setRecherche(null);
             Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
             scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
             assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
@@ -101,7 +100,7 @@ class IdentiteTest {
 
     static void comparer(String nom, Scene scene, int profondeur) {
         Camera camera = new Camera(LARGEUR, HAUTEUR);
-        scene.getModele().setRecherche(new RechercheSimple(scene.getObjets(), scene.getCompteurs()));
+        scene.getModele().setRecherche(null);
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
         for (Preparation.Genre genre : Preparation.Genre.values()) {

@@ -13,7 +13,6 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
-import lancer.essai.RechercheSimple;
 import org.junit.jupiter.api.Test;
 
 /** Un sondage voit une recherche qui ne répond pas comme les classes du cours, et les boucles du cours dessinent alors. */
@@ -74,25 +73,25 @@ class SondageTest {
     /** Un rayon qui ne part pas d'où partent ceux d'un masque, ou va ailleurs, reçoit quand même la réponse des boucles. */
     @Test
     void unRayonDeplaceOuTorduALaReponseDesBoucles() {
-        for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(20).entrySet()) {
+        for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(60).entrySet()) {
             Scene scene = rapide(e.getValue(), CAMERA);
-            RechercheSimple boucles = new RechercheSimple(scene.getObjets(), new Compteurs());
+            Scene boucles = new Scene(scene.getObjets(), scene.getLampes());
             java.util.Random hasard = new java.util.Random(5);
-            for (int k = 0; k < 400; k++) {
+            for (int k = 0; k < 5000; k++) {
                 Point ailleurs = new Point(hasard.nextGaussian(), hasard.nextGaussian(), k % 3 == 0 ? 0 : 4 * hasard.nextGaussian());
                 Rayon rayon = new Rayon(ailleurs,
                         new Point(3 * hasard.nextGaussian(), 3 * hasard.nextGaussian(), 6 + hasard.nextGaussian()));
                 Objet3D depart = k % 2 == 0 || scene.getObjets().isEmpty() ? null : scene.getObjets().get(k % scene.getObjets().size());
-                scene.getModele().getRecherche().plusProche(rayon, depart);
+                scene.getClosestIntersection(rayon, depart);
                 double distance = rayon.getDistance();
                 Objet3D objet = rayon.getObjet();
-                boucles.plusProche(rayon, depart);
+                boucles.getClosestIntersection(rayon, depart);
                 assertEquals(rayon.getDistance(), distance, e.getKey() + ", rayon " + k);
                 assertEquals(rayon.getObjet(), objet, e.getKey() + ", rayon " + k);
                 for (Lampe lampe : scene.getLampes()) {
                     if (depart != null) {
                         assertEquals(boucles.estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
-                                scene.getModele().getRecherche().estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
+                                scene.estCachee(lampe, ailleurs, rayon.getV(), 5, depart),
                                 e.getKey() + ", ombre " + k);
                     }
                 }

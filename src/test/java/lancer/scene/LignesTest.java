@@ -12,7 +12,6 @@ import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -134,47 +133,5 @@ class LignesTest {
         assertEquals(3, lignes.size());
         assertEquals("2:" + longue.toString().replace("\u0001", "\\u0001"), lignes.get(1));
         assertEquals("3:b", lignes.get(2));
-    }
-
-    /** Un flux de cent mégaoctets, qui n'existe nulle part : s'il était gardé, ou seulement ses commentaires, on le verrait. */
-    @Test
-    void unGrandFichierEstLuAuFil() throws IOException {
-        byte[] motif = "; un commentaire qui ne sert à rien\n\n  rayon=1\r\n".getBytes(StandardCharsets.UTF_8);
-        long[] donnes = {0};
-        int[] plusGrandeLecture = {0};
-        InputStream sansFin = new InputStream() {
-            @Override
-            public int read() {
-                throw new UnsupportedOperationException();
-            }
-
-            @Override
-            public int read(byte[] cible, int position, int nombre) {
-                plusGrandeLecture[0] = Math.max(plusGrandeLecture[0], cible.length);
-                if (donnes[0] > 100_000_000) {
-                    return -1;
-                }
-                int n = 0;
-                for (; n + motif.length <= nombre; n += motif.length) {
-                    System.arraycopy(motif, 0, cible, position + n, motif.length);
-                }
-                if (n == 0) {
-                    n = Math.min(nombre, motif.length);
-                    // la place manque : un commentaire plus court suffit
-                    Arrays.fill(cible, position, position + n, (byte) '\n');
-                }
-                donnes[0] += n;
-                return n;
-            }
-        };
-        Lignes lignes = new Lignes(sansFin, 0, part -> { });
-        char[] tampon = new char[1000];
-        int plusLongue = 0;
-        for (int n = lignes.read(tampon, 0, 1000); n >= 0; n = lignes.read(tampon, 0, 1000)) {
-            plusLongue = Math.max(plusLongue, n);
-        }
-        assertEquals("  rayon=1\n".length(), plusLongue);
-        assertTrue(lignes.getNumero() > 6_000_000);
-        assertTrue(plusGrandeLecture[0] <= 1 << 16, "le tampon a grandi : " + plusGrandeLecture[0]);
     }
 }

@@ -2,7 +2,6 @@ package lancer.antialias;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
@@ -11,11 +10,8 @@ import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
-import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -90,12 +86,6 @@ class CoinsTest {
     }
 
     @Test
-    void unPixelDeBordCouteTousSesRayons() {
-        Compteurs compteurs = compteurs(Collections.singletonList(new Sphere(new Point(0, 0, 6), 1)), 4, 0.05);
-        assertEquals(4 * 40 * 30 + 12 * compteurs.pixelsRaffines, compteurs.primaires);
-    }
-
-    @Test
     void leBrouillonNePrendPasUnRayonDePlus() {
         Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(8, 0), Constantes.SEUIL)), new Camera(41, 31));
@@ -110,37 +100,6 @@ class CoinsTest {
         Couleur[] image = new Couleur[9];
         new Lancer(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
         return image;
-    }
-
-    /** Une boule noire de 0,2 pixel de rayon au centre du pixel (1, 2), sous l'horizon. */
-    private static Sphere bille() {
-        Rayon vers = new Camera(3, 3).getRayon(1.5, 2.5);
-        double distance = new Vecteur(Camera.OEIL, vers.getP()).norme();
-        double pixel = Constantes.ECHELLE / 3;
-        return new Sphere(vers.getP().add(vers.getV().mul(3 * distance)), 4 * 0.2 * pixel);
-    }
-
-    @Test
-    void uneBilleEntreLesCoinsEstManquee() {
-        List<Lampe> nuit = Collections.emptyList();
-        List<Sphere> bille = Collections.singletonList(bille());
-        List<Sphere> rien = Collections.emptyList();
-        assertEquals(Arrays.asList(image(rien, nuit, new Coins(3, 0.05))), Arrays.asList(image(bille, nuit, new Coins(3, 0.05))));
-        // la grille complète voit la bille par son sous-pixel du milieu, et le ciel par les huit autres
-        Couleur ciel = image(rien, nuit, new Coins(3, 0))[7];
-        Couleur milieu = new Camera(3, 3).getRayon(1.5, 2.5).getSkyColor();
-        assertEquals(ciel.v - milieu.v / 9, image(bille, nuit, new Coins(3, 0))[7].v, 1e-15);
-        assertEquals(8 * 0.1 / 9, image(bille, nuit, new Coins(3, 0))[7].b, 1e-15);
-    }
-
-    @Test
-    void unRefletMinceEntreLesCoinsEstManque() {
-        Sphere boule = new Sphere(new Point(0, 0, 6), 3);
-        boule.setKs(new Couleur(1));
-        boule.setNs(1e4);
-        List<Lampe> lampe = Collections.singletonList(new Lampe(Camera.OEIL, new Couleur(1)));
-        assertEquals(0, image(Collections.singletonList(boule), lampe, new Coins(3, 0.05))[4].v, 1e-9);
-        assertEquals(1.0 / 9, image(Collections.singletonList(boule), lampe, new Coins(3, 0))[4].v, 1e-9);
     }
 
     /** La part de disques de rayon rho (en pixels), jetés au hasard, qu'aucun point de l'image ne voit. */
@@ -175,17 +134,6 @@ class CoinsTest {
         double attendue = 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n);
         double ecartType = Math.sqrt(attendue * (1 - attendue) / essais);
         assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, essais), 4 * ecartType);
-    }
-
-    @Test
-    void auBoutDeLaFormuleUnDisqueSurDeuxEstEncoreManque() {
-        for (int n : new int[] {3, 4, 8}) {
-            double rho = 1 / (Math.sqrt(2) * n);
-            double attendue = 1 - (Math.PI + 2) / (n * n);
-            assertEquals(attendue, 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n), 1e-12);
-            assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, 20_000), 0.015);
-            assertEquals(0, partManquee(new Coins(n, 0), rho, 2_000), "la grille complète n'en manque plus");
-        }
     }
 
     @Test

@@ -147,23 +147,6 @@ class PartageTest {
         assertTrue(rayons[1] < 2.3 * rayons[0], () -> Arrays.toString(rayons));
     }
 
-    @Test
-    void unBordEstAussiJusteQueLaGrilleComplete() {
-        Vue vue = (xe, ye) -> new Couleur(bord(xe, ye));
-        Couleur[] fin = pixels(new Coins(64, 0), PAVE, vue);
-        double complet = ecart(fin, pixels(new Coins(8, 0), PAVE, vue));
-        double partage = ecart(fin, pixels(new Partage(8, 0.06), PAVE, vue));
-        assertTrue(partage <= 1.5 * complet, () -> partage + " contre " + complet);
-    }
-
-    private static double ecart(Couleur[] a, Couleur[] b) {
-        double plusGrand = 0;
-        for (int k = 0; k < a.length; k++) {
-            plusGrand = Math.max(plusGrand, Math.abs(a[k].v - b[k].v));
-        }
-        return plusGrand;
-    }
-
     /** Ce que la mesure a montré, gardé sur une scène : moins de rayons, et moins d'erreur. */
     @Test
     void pourMoinsDeRayonsLErreurEstMoindreQueCelleDuCours() {

@@ -2,7 +2,6 @@ package lancer.auto;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -105,25 +104,5 @@ class AutoAntialiasTest {
         Map<String, String> rapport = rapport(essai);
         assertTrue(rapport.get("choisi").startsWith("l'échantillonnage de la scène, --reflets "), rapport.toString());
         assertEquals(4 * 120 * 90, essai.statistique("rayons.primaires"));
-    }
-
-    @Test
-    void uneErreurPlusPetiteCoutePlusEtSeMesurePlusPetite() throws IOException {
-        double erreur = Double.POSITIVE_INFINITY;
-        long rayons = 0;
-        for (String voulue : new String[] {"8", "2", "0.5"}) {
-            Essai essai = Essai.executerAvec(Arrays.asList(Essai.origine(Antialias.class)), "--taille=120x90", "--auto=erreur=" + voulue,
-                    "--statistiques", "--lineaire=" + dossier.resolve("auto.pfm"), scene.toString());
-            assertFalse(rapport(essai).get("mesuré").contains("erreur voulue dépassée"), essai.erreur);
-            String[] mesure = rapport(essai).get("mesuré").replaceAll("erreur de ([0-9.]+) ± ([0-9.]+) .*", "$1 $2").split(" ");
-            double mesuree = Double.parseDouble(mesure[0]);
-            assertTrue(mesuree - Double.parseDouble(mesure[1]) <= Double.parseDouble(voulue), essai.erreur);
-            assertTrue(mesuree < erreur, voulue + " : " + mesuree + " après " + erreur);
-            long lances = essai.statistique("rayons.primaires") + essai.statistique("rayons.ombre")
-                    + essai.statistique("rayons.reflechis");
-            assertTrue(lances > rayons, voulue);
-            erreur = mesuree;
-            rayons = lances;
-        }
     }
 }

@@ -1,20 +1,16 @@
 package lancer.blinn;
 
 import static lancer.essai.Tirages.direction;
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.Random;
 import lancer.Camera;
 import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
-import lancer.essai.EssaiPixel;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,12 +36,6 @@ class BlinnTest {
         Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/" + ini), section, facteur);
         Essai.dessiner(dossier, scene, "--taille", "120x90", "--seuil", "0");
         Essai.verifierReference(pfm, dossier);
-    }
-
-    @Test
-    void unPixelDemandeSeulEstCeluiDeLImage() throws IOException {
-        Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/p2-sol.ini"), "[Blinn]", "facteur=3");
-        EssaiPixel.verifier(Collections.singletonList(Essai.origine(Blinn.class)), dossier, scene, 60, 45);
     }
 
     @Test
@@ -119,15 +109,6 @@ class BlinnTest {
                 double ailleurs = new Blinn(facteur).eclat(direction(hasard), N, L, L, 1e9);
                 assertTrue(deFace >= 0 && deFace <= 1 && ailleurs >= 0 && ailleurs <= 1, () -> deFace + " et " + ailleurs);
             }
-        }
-    }
-
-    @Test
-    void lImageNeDependPasDuNombreDeFils() throws IOException {
-        Path scene = scene(Essai.ressource(BlinnTest.class, "/reference/p1-quatre.ini"));
-        float[] unFil = Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", "1");
-        for (String fils : Arrays.asList("2", "3", "7")) {
-            assertArrayEquals(unFil, Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", fils));
         }
     }
 

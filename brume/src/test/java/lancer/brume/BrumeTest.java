@@ -8,13 +8,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.essai.Essai;
 import lancer.essai.EssaiParametres;
-import lancer.essai.EssaiPixel;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,12 +43,6 @@ class BrumeTest {
         }
         Essai.dessiner(dossier, scene(lignes.toArray(new String[0])), "--taille", "120x90", "--seuil", "0");
         Essai.verifierReference(pfm, dossier);
-    }
-
-    @Test
-    void unPixelDemandeSeulEstCeluiDeLImage() throws IOException {
-        Path scene = scene(Essai.ressource(BrumeTest.class, "/reference/p2-sol.ini"), "[Brume]", "densite=0.08");
-        EssaiPixel.verifier(Collections.singletonList(Essai.origine(Brume.class)), dossier, scene, 60, 45);
     }
 
     @Tag("reference")
@@ -134,21 +126,6 @@ class BrumeTest {
         }
     }
 
-    @Test
-    void unePetiteBrumeGardeSesChiffres() {
-        assertEquals(1e-12, new Brume(new Couleur(1), 0, Double.NaN, 1e-12).k(1), 1e-24);
-        assertEquals(3e-20, new Brume(new Couleur(1), 0, Double.NaN, 1e-20).k(3), 1e-35);
-    }
-
-    @Test
-    void lImageNeDependPasDuNombreDeFils() throws IOException {
-        Path scene = scene(Essai.ressource(BrumeTest.class, "/reference/p2-sol.ini"), "[Brume]", "densite=0.08");
-        float[] unFil = Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", "1");
-        for (String fils : Arrays.asList("2", "3", "7")) {
-            assertArrayEquals(unFil, Essai.dessiner(dossier, scene, "--taille", "120x90", "--fils", fils));
-        }
-    }
-
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "debut=30             | 2 | debut   | la brume commencerait à « 30 » et finirait à « 30 » ; attendu : debut plus petit "
@@ -185,17 +162,6 @@ class BrumeTest {
                 + ", ligne 2, [Brume 2] : deuxième section de ce type, la première ligne 1 ; attendu : une seule section Brume"
                 + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
-    }
-
-    @Test
-    void lesSectionsDesVariantesAbsentesSontNommeesUneFois() throws IOException {
-        Path scene = scene("[Blinn]", "facteur=2", "[Brume]", "[Antialias]");
-        Path image = dossier.resolve("image.pfm");
-        Essai essai = Essai.executer("--lineaire", image.toString(), "--taille", "1x1", scene.toString());
-        assertEquals(0, essai.code);
-        assertEquals(2, essai.erreur.split(System.lineSeparator()).length, essai.erreur);
-        assertTrue(essai.erreur.contains("[Blinn]") && essai.erreur.contains("[Antialias]") && !essai.erreur.contains("[Brume]"));
-        assertTrue(image.toFile().exists());
     }
 
     @Test

@@ -100,17 +100,6 @@ class ClasseTest extends ClasseEssai {
                 Files.readString(dossier.resolve("ajustements-a-remplir.csv")));
     }
 
-    @Test
-    void unRenduIllisibleNAPasZeroMaisRien(@TempDir Path autre) throws IOException {
-        Path rendu = autre.resolve("rendus/Étudiant 9_109_assignsubmission_file");
-        Files.write(Files.createDirectories(rendu).resolve("tp.7z"), new byte[9]);
-        Map<String, String> ligne = noter(autre.resolve("rendus"), autre.resolve("notes")).get("109");
-        assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
-                ligne.get("image identique")));
-        contient(ligne.get("refus"), "tp.7z : à déplier à la main");
-        contient(index(autre.resolve("notes")), "1 rendu", "Étudiant 9</a><td class=\"n\">sans note<td class=\"petit\"><div>tp.7z");
-    }
-
     private static String index(Path dossier) throws IOException {
         return new String(Files.readAllBytes(dossier.resolve("index.html")), StandardCharsets.UTF_8);
     }
@@ -235,12 +224,6 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void desPointsAuDelaDeCeuxDUneExtensionSontNommesEtNeSontPasComptes() throws IOException {
-        contient(ajuster("106,brume,9,\n"), "ajustements.csv, ligne 1 : « 9 » ; attendu : de 0 à 1.0 pour « brume »");
-        assertEquals("17.00", classe(dossier).get("106").get("note"));
-    }
-
-    @Test
     void unResultatPerduOuAbimeEstNomme(@TempDir Path copie) throws IOException {
         copier(dossier, copie);
         Path perdu = copie.resolve("resultats/002-102.json");
@@ -315,14 +298,6 @@ class ClasseTest extends ClasseEssai {
                 1e-9);
         assertEquals(classe.get("102").get("note"), classe(dossier).get("102").get("note"));
         contient(page(dossier, "101"), "Donné par l'enseignant : vu en TP");
-    }
-
-    @Test
-    void unFichierAuxFinsDeLigneDeWindowsLesGarde() throws IOException {
-        Path feuille = dossier.resolve("crlf.csv");
-        Files.writeString(feuille, "Identifiant,Note,Note maximale,Dernière modification (note)\r\nParticipant104,,20.00,-\r\n");
-        renoter("--notes", feuille);
-        assertEquals(-1, Files.readString(dossier.resolve("notes-a-deposer.csv")).replace("\r\n", "").indexOf('\n'));
     }
 
     @Test

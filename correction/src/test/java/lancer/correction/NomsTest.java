@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -62,6 +63,12 @@ class NomsTest extends ClasseEssai {
             assertTrue(nom.endsWith("_11_assignsubmission_file/correction.html"), nom);
             assertTrue(nom.split("/")[0].getBytes(StandardCharsets.UTF_8).length <= 255, nom);
         }
+        // un rendu illisible n'a pas zéro, mais rien
+        Map<String, String> ligne = classe(pages).get("11");
+        assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
+                ligne.get("image identique")));
+        contient(ligne.get("refus"), "Vecteur.7z : à déplier à la main");
+        contient(Files.readString(pages.resolve("index.html")), "4 rendus", "</a><td class=\"n\">sans note<td class=\"petit\"><div>");
     }
 
     /** Ce que dit le programme, sans confinement permis, si bwrap est le programme de ce dossier. */

@@ -6,14 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -207,45 +205,32 @@ class NotesTest extends ClasseEssai {
         contient(classe(dossier).get("7002").get("à regarder"), "note tapée dans notes-a-deposer.csv, gardée : 21, que Moodle ignorera");
     }
 
-    /** Les noms et les octets de ces fichiers. */
-    private static Map<String, String> octets(Path dossier) throws IOException {
-        try (Stream<Path> flux = Files.list(dossier)) {
-            Map<String, String> tout = new java.util.TreeMap<>();
-            for (Path fichier : flux.collect(Collectors.toList())) {
-                tout.put(fichier.getFileName().toString(), new String(Files.readAllBytes(fichier), StandardCharsets.ISO_8859_1));
-            }
-            return tout;
-        }
-    }
-
     @Test
     void unRenduDePlusEstAjouteOuRemplaceSansQuAucunAutreNeChange() throws IOException {
         Path resultats = dossier.resolve("resultats");
         Files.writeString(resultats.resolve("mes-notes.csv"), "à moi");
-        Map<String, String> avant = octets(resultats);
-        Path tard = dossier.resolve("tard/Émile Abe_7009_assignsubmission_file");
-        copier(jugee.resolve("rendus/Ólafur Þór_7001_assignsubmission_file"), tard);
-        Essai essai = executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard.getParent());
+        String autre = Files.readString(resultat("7002"));
+        Path achevee = jugee.resolve("rendus/Ólafur Þór_7001_assignsubmission_file");
+        Path tard = dossier.resolve("tard");
+        copier(achevee, tard.resolve("Émile Abe_7009_assignsubmission_file"));
+        copier(achevee, tard.resolve(achevee.getFileName().toString()));
+        changer(tard.resolve(achevee.getFileName() + "/projet/src/main/java/lancer"), "Sphere", "distance = (-b - racine) / 2;",
+                "distance = 3;");
+        Essai essai = executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard);
         assertEquals(0, essai.code, essai.erreur);
-        contient(essai.erreur, "les résultats de 2 autres rendus de ce dossier restent");
-        assertEquals(List.of("7009", "7001", "7002"), new ArrayList<>(classe(dossier).keySet()).stream().sorted((a, b) ->
-                a.equals("7009") ? -1 : b.equals("7009") ? 1 : a.compareTo(b)).collect(Collectors.toList()));
+        contient(essai.erreur, "les résultats de l'autre rendu de ce dossier restent");
+        assertEquals(Set.of("7001", "7002", "7009"), classe(dossier).keySet());
         assertEquals("17.00/20.00", note("7009"));
-        Map<String, String> apres = octets(resultats);
-        assertTrue(apres.entrySet().containsAll(avant.entrySet()) && apres.size() == avant.size() + 1, apres.keySet().toString());
-        // le même, refait : il prend sa place
-        changer(tard.resolve("projet/src/main/java/lancer"), "Sphere", "distance = (-b - racine) / 2;", "distance = 3;");
-        assertEquals(0, executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard.getParent()).code);
-        assertEquals(apres.keySet(), octets(resultats).keySet());
-        assertFalse(note("7009").equals("17.00/20.00"));
-        assertTrue(octets(resultats).entrySet().containsAll(avant.entrySet()));
+        assertFalse(note("7001").equals("17.00/20.00"), "il a pris la place du premier");
+        assertEquals(autre, Files.readString(resultat("7002")));
         assertEquals(2, renoter("--ajouter").code, "sans rendus, rien à ajouter");
         // sans --ajouter, c'est dit avant de juger
-        Essai seul = executer("--sans-confinement", "--sortie", dossier, tard.getParent());
-        assertTrue(seul.erreur.indexOf("les résultats de 2 autres rendus de ce dossier seront effacés à la fin ; AJOUTER=1") > 0
+        Path vide = Files.createDirectories(dossier.resolve("seul/Zoé_7003_assignsubmission_file"));
+        Essai seul = executer("--sans-confinement", "--sortie", dossier, vide.getParent());
+        assertTrue(seul.erreur.indexOf("les résultats de 3 autres rendus de ce dossier seront effacés à la fin ; AJOUTER=1") > 0
                 && seul.erreur.indexOf("AJOUTER=1") < seul.erreur.indexOf("1/1"), seul.erreur);
         assertEquals("à moi", Files.readString(resultats.resolve("mes-notes.csv")));
-        assertEquals(1, classe(dossier).size());
+        assertEquals(Set.of("7003"), classe(dossier).keySet());
     }
 
     @Test

@@ -199,7 +199,7 @@ class DepotTest extends DepotEssai {
         Path moodle = dossier.resolve("moodle.zip");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(moodle))) {
             for (int k = 0; k < 20_001; k++) {
-                zip.putNextEntry(new ZipEntry("Étudiant_" + k % 30 + "_assignsubmission_file/.git/" + k));
+                zip.putNextEntry(new ZipEntry("Étudiant_" + (7 + k % 2) + "_assignsubmission_file/.git/" + k));
             }
             zip.putNextEntry(new ZipEntry("Étudiant_7_assignsubmission_file/lancer/Vecteur.java"));
             zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
