@@ -85,8 +85,8 @@ final class Menus {
 
     private JMenu fichier() {
         return actions.menu("Fichier",
-                actions.ligne("Ouvrir une scène… : ou déposer son fichier sur la fenêtre", toujours, f::choisirScene,
-                        "menu O"),
+                actions.ligne("Ouvrir une scène… : déposer son fichier sur la fenêtre l'ouvre aussi", toujours,
+                        f::choisirScene, "menu O"),
                 actions.ligne("Enregistrer l'image…", scene, f.enregistrement::enregistrer, "menu S"),
                 actions.ligne("Copier l'image", scene, f.enregistrement::copier, "menu C"),
                 actions.ligne("Copier le message", f.panneau.bandeau::isVisible, f.panneau.bandeau::copier),
@@ -145,8 +145,8 @@ final class Menus {
                 actions.ligne("Défaire : un déplacement, un réglage, une vue", () -> c.etat.peutRevenir(-1),
                         () -> c.revenir(-1), "menu Z"),
                 actions.ligne("Refaire", () -> c.etat.peutRevenir(1), () -> c.revenir(1), "menu shift Z"),
-                actions.ligne("Copier ces réglages : et ce qui est déplacé", scene, f.enregistrement::copierReglages,
-                        "menu shift C")));
+                actions.ligne("Copier ces réglages : une section par variante, et les sections changées", scene,
+                        f.enregistrement::copierReglages, "menu shift C")));
         return actions.menu("Dessin", contenu.toArray(new Actions.Ligne[0]));
     }
 
