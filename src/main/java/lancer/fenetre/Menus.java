@@ -145,7 +145,7 @@ final class Menus {
                 actions.ligne("Défaire : un déplacement, un réglage, une vue", () -> c.etat.peutRevenir(-1),
                         () -> c.revenir(-1), "menu Z"),
                 actions.ligne("Refaire", () -> c.etat.peutRevenir(1), () -> c.revenir(1), "menu shift Z"),
-                actions.ligne("Copier ces réglages : une section par variante, et les sections changées", scene,
+                actions.ligne("Copier ces réglages : les sections changées, et la commande", scene,
                         f.enregistrement::copierReglages, "menu shift C")));
         return actions.menu("Dessin", contenu.toArray(new Actions.Ligne[0]));
     }
