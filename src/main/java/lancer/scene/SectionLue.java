@@ -208,7 +208,7 @@ public final class SectionLue extends Section {
 
     @Override
     public SectionLue avec(String cle, String valeur, String sans) {
-        SectionLue autre = new SectionLue(fichier, nom, 0, ouverte ? null : connues);
+        SectionLue autre = ouverte ? new SectionLue(nom) : new SectionLue(fichier, nom, 0, connues);
         for (Entree entree : entrees) {
             if (pareilles(entree.cle, cle)) {
                 autre.ajouter(entree.cle, valeur, 0);
