@@ -295,7 +295,7 @@ final class PanneauImage extends JPanel {
             g.drawImage(reduire(image, place), place.x, place.y, null);
             return;
         }
-        BufferedImage pixels = Reduction.pixels(image.codes, image.largeur, true);
+        BufferedImage pixels = Enregistrement.pixels(image.codes, image.largeur, true);
         double l = (double) place.width / image.largeur;
         double h = (double) place.height / image.hauteur;
         Point de = getPixel(image, new Point());
@@ -310,7 +310,7 @@ final class PanneauImage extends JPanel {
         boolean achevee = !image.legende.isEmpty();
         List<Object> voulue = Arrays.asList(image, achevee, place.width);
         if (!achevee || !voulue.equals(reduiteDe)) {
-            reduite = Reduction.pixels(Reduction.moyenne(image, place.width, place.height,
+            reduite = Enregistrement.pixels(Reduction.moyenne(image, place.width, place.height,
                     achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width, true);
             reduiteDe = voulue;
         }

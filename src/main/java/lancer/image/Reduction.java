@@ -1,9 +1,5 @@
 package lancer.image;
 
-import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 
@@ -18,14 +14,6 @@ public final class Reduction {
         int[] codes = new int[largeur * hauteur];
         IntStream.range(0, hauteur).parallel().forEach(y -> reduireLigne(image, largeur, hauteur, y, pas, codes));
         return codes;
-    }
-
-    /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
-    public static BufferedImage pixels(int[] codes, int largeur, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
-                vides ? 0xFF000000 : 0);
-        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
-                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
     }
 
     private static void reduireLigne(ImageMemoire image, int largeur, int hauteur, int y, int pas, int[] codes) {
