@@ -40,8 +40,7 @@ public final class Echantillon implements Toile {
     long rayons;
 
     /**
-     * Tire de nouveaux pixels, dont les couleurs sont d'abord vérifiées. Une petite image les donne tous,
-     * plusieurs fois.
+     * Tire de nouveaux pixels, après {@link Lancer#sonder}. Une petite image les donne tous, plusieurs fois.
      *
      * @param prepare la scène, prête à être dessinée
      * @param essais le nombre voulu de pixels, 1 pour un essai, 2 pour un contrôle

@@ -6,9 +6,6 @@ import lancer.Scene;
 /** Une recherche dont les réponses se comparent à celles des boucles du cours. */
 public interface Sondable {
 
-    /**
-     * Compare ses réponses à celles des boucles de cette scène, qu'elle vient de dessiner. Dès qu'une réponse diffère,
-     * ce sont les boucles qui dessinent.
-     */
+    /** Dit si une réponse diffère de celles des boucles de cette scène, déjà dessinée ; elles la redessinent alors. */
     boolean differe(Scene dessinee, Camera camera);
 }

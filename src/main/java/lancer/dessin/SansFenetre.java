@@ -174,8 +174,8 @@ public final class SansFenetre implements Runnable {
     private void dessinerUneVue() {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         dessin.lire();
-        Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur, false, false));
         ImageMemoire image = new ImageMemoire(options.largeur, options.hauteur, false);
+        Lancer prepare = dessin.preparer(image);
         Lancer lancer = new FaussesCouleurs(prepare, dessin.getReglages().getProfondeur(), options.fils, sien -> { })
                 .dessiner(options.vue, image, null);
         Ecriture.ecrire(image, fichiers);

@@ -10,8 +10,7 @@ import lancer.precision.Intersection;
  * Les sphères vues d'un point, notées par case de direction (« light buffer », Haines et Greenberg, 1986). Chaque case
  * donne, de la plus proche à la plus lointaine, les sphères dont la silhouette la touche. Si une sphère couvre toute
  * une case, cette case a une coupe : les sphères plus lointaines n'y sont pas notées. L'œil a une carte. Chaque lampe
- * en a une aussi, car les rayons d'ombre du cours partent de la lampe. Une réponse examine une ou deux sphères, et
- * coûte cinq à neuf fois moins que l'arbre.
+ * en a une aussi, car les rayons d'ombre du cours partent de la lampe. Une réponse examine une ou deux sphères.
  */
 final class Carte implements Intersections, Occultations {
 

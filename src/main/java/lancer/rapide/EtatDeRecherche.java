@@ -10,9 +10,8 @@ import lancer.precision.Intersection;
  * <p>Le crédit borne le coût des structures. Il est nul au départ d'un rayon de l'écran. Ce rayon, puis chaque rayon
  * qui en naît, y ajoute {@link #PAR_RAYON} examens ; chaque examen d'une structure en retire un. Quand le crédit est
  * épuisé, l'arbre recommence la recherche. Si l'arbre cherche un premier contact, il ajoute au crédit le nombre de ses
- * examens. Un dessin examine donc au plus 32 sphères ou cases par rayon, plus deux fois les examens de l'arbre seul. Le
- * crédit d'un rayon de l'écran ne passe pas au suivant : les compteurs ne dépendent ni des fils, ni du dessin
- * précédent.
+ * examens. Un dessin examine donc au plus 32 sphères ou cases par rayon, plus deux fois les examens de l'arbre seul. Ce
+ * crédit ne passe pas au rayon de l'écran suivant : les compteurs ne dépendent ni des fils, ni d'un dessin d'avant.
  */
 final class EtatDeRecherche {
 

@@ -38,7 +38,8 @@ final class Tableaux {
         pages.put("comptes", comptes(methodes) + source(methodes));
         Releves demandes = new Releves(Stream.of(cours.methode(Catalogue.UN_RAYON), releves.de(Catalogue.DEMANDES),
                 cours.methode(Catalogue.SANS_SECTION), cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")),
-                cours.methode(Catalogue.BOUCLES)).flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0).collect(Collectors.toList()));
+                cours.methode(Catalogue.BOUCLES)).flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0)
+                .collect(Collectors.toList()));
         pages.put("demandes", table(Arrays.asList("ce qui change", "temps, divisé par celui de la scène du cours", "processeurs",
                 "mémoire"), demandes.get().stream().map(r -> Arrays.asList(r.nom(), r.methode.equals(Catalogue.UN_RAYON) ? "l'unité"
                 : rapport(r.rapport()), processeurs(r), memoire(r))).collect(Collectors.toList()))
