@@ -8,6 +8,7 @@ import java.awt.AWTError;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -80,7 +81,9 @@ final class BancFenetre {
         sortie = main.sortie;
         erreur = main.erreur;
         robot = new Robot();
-        // ce qu'a copié l'essai d'avant n'est pas ce qu'on attend
+        // ni l'endroit où l'essai d'avant a laissé la souris, qu'un menu ouvert dessous suivrait, ni ce qu'il a copié ne comptent
+        Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
+        robot.mouseMove(ecran.width - 1, ecran.height - 1);
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
         Fenetre fenetre = main.ouvrir(fin::countDown);
         controleur = fenetre.controleur;
