@@ -160,6 +160,9 @@ public final class RechercheRapide implements Recherche, Sondable {
     public void verifier() {
         if (!spheres.sontEnPlace()) {
             structures.ecart = "une sphère a changé de place ou de rayon après la préparation" + SUITE;
+        } else if (structures.ecart == null) {
+            String ecart = Sondage.avant(spheres);
+            structures.ecart = ecart == null ? null : ecart + SUITE;
         }
     }
 

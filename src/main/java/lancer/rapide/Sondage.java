@@ -15,14 +15,13 @@ import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.fils.Fil;
-import lancer.precision.Intersection;
 
 /**
- * Comparaison, après un dessin, des réponses de la recherche rapide avec celles des boucles de la scène dessinée, au
- * bit près. Les rayons sont tirés au hasard : de l'écran, d'une lampe à travers une sphère, d'une sphère vers une
- * autre.
+ * Comparaison des réponses de la recherche rapide avec celles des classes du cours, au bit près : la distance de
+ * quelques sphères avant un dessin, les boucles de la scène dessinée après lui. Les rayons sont tirés au hasard : de
+ * l'écran, d'une lampe à travers une sphère, d'une sphère vers une autre.
  *
- * <p>Cette comparaison est un sondage : {@value #RAYONS} rayons au plus, et moins si la scène a beaucoup d'objets. Une
+ * <p>C'est un sondage : après le dessin, {@value #RAYONS} rayons au plus, et moins si la scène a beaucoup d'objets. Une
  * faute qui ne change la réponse d'aucun de ces rayons n'est pas vue. Les rayons dépendent de la scène et de la taille.
  */
 final class Sondage {
@@ -32,6 +31,12 @@ final class Sondage {
     /** Nombre d'intersections que les boucles calculent, à peu près ; nombre minimal de rayons. */
     private static final int EXAMENS = 1 << 18;
     private static final int RAYONS_MIN = 6;
+
+    /** Nombre de rayons, et de sphères interrogées par rayon, avant un dessin. */
+    private static final int RAYONS_AVANT = 100;
+    private static final int SPHERES_AVANT = 16;
+
+    private static final String DISTANCE = "Sphere.getIntersectionDistance ne répond pas comme la recherche rapide";
 
     private final Scene scene;
     private final Modele modele;
@@ -51,6 +56,31 @@ final class Sondage {
         this.spheres = spheres;
         hasard = new Random(31L * (31 * Arrays.hashCode(spheres.geometrie) + camera.getLargeur())
                 + camera.getHauteur());
+    }
+
+    /**
+     * Compare, avant un dessin, la distance que donnent quelques sphères à celle que donne leur copie.
+     *
+     * @return la différence, en une phrase ; {@code null} s'il n'y en a pas
+     */
+    static String avant(Spheres spheres) {
+        Random hasard = new Random(1);
+        try {
+            for (int k = 0; k < RAYONS_AVANT && spheres.nombre > 0; k++) {
+                int s = hasard.nextInt(spheres.nombre);
+                // de la surface, ou d'un point au hasard
+                Point P = dans(spheres, s, k % 2 == 0 ? 1 : 4 * hasard.nextDouble(), hasard);
+                Vecteur V = new Vecteur(P, dans(spheres, hasard.nextInt(spheres.nombre), hasard.nextDouble(), hasard));
+                for (int j = 0; j < Math.min(SPHERES_AVANT, spheres.nombre) && V.norme() > 0; j++) {
+                    if (!spheres.repond((s + j) % spheres.nombre, P, V.normalized())) {
+                        return DISTANCE;
+                    }
+                }
+            }
+        } catch (RuntimeException | Error e) {
+            // le dessin nommera le pixel qui échoue
+        }
+        return null;
     }
 
     /**
@@ -94,14 +124,14 @@ final class Sondage {
                     camera.getHauteur() * hasard.nextDouble());
             eclairer(lampe, suivre(rayon.getP(), rayon.getV(), null));
         } else if (k % 3 == 1 && lampe != null) {
-            Vecteur V = new Vecteur(lampe.getPosition(), dans(s, hasard.nextDouble()));
+            Vecteur V = new Vecteur(lampe.getPosition(), dans(spheres, s, hasard.nextDouble(), hasard));
             if (V.norme() > 0) {
                 PointContact devant = suivre(lampe.getPosition(), V.normalized(), null);
                 eclairer(lampe, devant == null ? null : suivre(devant, V.normalized(), devant.objet));
             }
         } else {
-            Point depart = dans(s, 1);
-            Vecteur V = new Vecteur(depart, dans(hasard.nextInt(spheres.nombre), hasard.nextDouble()));
+            Point depart = dans(spheres, s, 1, hasard);
+            Vecteur V = new Vecteur(depart, dans(spheres, hasard.nextInt(spheres.nombre), hasard.nextDouble(), hasard));
             if (V.norme() > 0) {
                 eclairer(lampe, suivre(depart, V.normalized(), spheres.objets[s]));
             }
@@ -109,7 +139,7 @@ final class Sondage {
     }
 
     /** Un point au hasard de la sphère s, à cette part du rayon. */
-    private Point dans(int s, double part) {
+    private static Point dans(Spheres spheres, int s, double part, Random hasard) {
         int g = Spheres.PAS * s;
         Vecteur direction = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
         return new Point(spheres.geometrie[g], spheres.geometrie[g + 1], spheres.geometrie[g + 2])
@@ -151,15 +181,12 @@ final class Sondage {
     /** Note la première différence, et l'attribue à la distance d'une sphère si elle en vient. */
     private void exiger(boolean juste, String qui, Point P, Vecteur V) {
         if (!juste && ecart == null) {
-            double[] g = spheres.geometrie;
-            ecart = qui;
-            for (int k = 0, s = 0; k < spheres.nombre; k++, s += Spheres.PAS) {
-                double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, g[s], g[s + 1], g[s + 2], g[s + 3]);
-                if (Double.compare(d, spheres.objets[k].getIntersectionDistance(Rayon.dOmbre(P, V))) != 0) {
-                    ecart = "Sphere.getIntersectionDistance";
+            ecart = qui + " ne répond pas comme la recherche rapide";
+            for (int k = 0; k < spheres.nombre; k++) {
+                if (!spheres.repond(k, P, V)) {
+                    ecart = DISTANCE;
                 }
             }
-            ecart += " ne répond pas comme la recherche rapide";
         }
     }
 }

@@ -7,7 +7,10 @@ import java.util.Map;
 import lancer.Constantes;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.precision.Intersection;
 
 /**
  * Copie des sphères d'une scène dans un tableau de nombres, où chacune a un numéro, dans l'ordre de la scène. Une
@@ -98,6 +101,14 @@ final class Spheres {
             k++;
         }
         return k == nombre;
+    }
+
+    /** Dit si la sphère k donne pour ce rayon, au bit près, la distance que donne sa copie. */
+    boolean repond(int k, Point P, Vecteur V) {
+        int g = PAS * k;
+        double d = Intersection.distance(P.x, P.y, P.z, V.x, V.y, V.z, geometrie[g], geometrie[g + 1],
+                geometrie[g + 2], geometrie[g + 3]);
+        return Double.compare(d, objets[k].getIntersectionDistance(Rayon.dOmbre(P, V))) == 0;
     }
 
     int[] toutes() {

@@ -31,6 +31,7 @@ class SondageTest {
         for (int k = 0; k < plates.nombre; k++) {
             plates.geometrie[Spheres.PAS * k + 3] *= part;
         }
+        assertEquals(part == 1, Sondage.avant(plates) == null, "avant le dessin déjà");
         scene.getModele().setRecherche(new RechercheRapide(new Structures(plates, scene.getLampes()), new Compteurs()));
         return Sondage.ecart(scene, plates, CAMERA);
     }
