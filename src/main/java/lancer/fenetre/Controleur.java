@@ -292,8 +292,8 @@ final class Controleur {
             // les sections ignorées, sans le reste de leur avertissement
             String ignorees = String.join("\n", fait.getLue().avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            fait.getImage().legende = fait.getCout() + ", " + fait.getReglages() + ignorees
-                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots());
+            panneau.legendes.put(fait.getImage(), fait.getCout() + ", " + fait.getReglages() + ignorees
+                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots()));
             if (fait.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
             }

@@ -205,7 +205,7 @@ public final class Fenetre {
         ImageMemoire voulue = tenue ? controleur.etat.avant : null;
         if (voulue != panneau.tenue) {
             panneau.tenue = voulue;
-            panneau.dire(tenue ? "avant : " + voulue.legende : "");
+            panneau.dire(tenue ? "avant : " + panneau.legendes.get(voulue) : "");
             decrire();
         }
     }
@@ -276,7 +276,7 @@ public final class Fenetre {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : controleur.etat.enCours ? null : controleur.etat.getImageEntiere();
         String resume = image == null ? "" : BarreEtat.resume(image, panneau.getReduction(image))
-                + ", " + image.legende;
+                + ", " + panneau.legendes.get(image);
         if (image != null) {
             barre.resumer(resume);
         }
@@ -290,7 +290,7 @@ public final class Fenetre {
         if (pixel == null || !prise.dire().isEmpty()) {
             barre.dire(prise.dire(), null);
         } else {
-            barre.montrerPixel(pixel, image, image.legende.isEmpty());
+            barre.montrerPixel(pixel, image, !panneau.legendes.containsKey(image));
         }
     }
 

@@ -16,6 +16,8 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
@@ -41,6 +43,8 @@ final class PanneauImage extends JPanel {
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
     ImageMemoire tenue;
+    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
+    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
     /** Une petite image, montrée pendant le calcul du brouillon. */
     ImageMemoire apercu;
     /** Dessine les objets à prendre, par-dessus l'image. */
@@ -307,7 +311,7 @@ final class PanneauImage extends JPanel {
 
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
-        boolean achevee = !image.legende.isEmpty();
+        boolean achevee = legendes.containsKey(image);
         List<Object> voulue = Arrays.asList(image, achevee, place.width);
         if (!achevee || !voulue.equals(reduiteDe)) {
             reduite = Enregistrement.pixels(Reduction.moyenne(image, place.width, place.height,

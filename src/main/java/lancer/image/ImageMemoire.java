@@ -24,9 +24,6 @@ public final class ImageMemoire implements Toile {
     /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
     public volatile String sens = COULEUR;
 
-    /** Texte qui décrit une image achevée : son coût, ses réglages ; vide si elle ne l'est pas. */
-    public volatile String legende = "";
-
     /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
     public volatile String echelle = "";
 
