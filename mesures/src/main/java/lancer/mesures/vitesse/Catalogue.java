@@ -141,6 +141,10 @@ final class Catalogue {
         for (int n : scene.equals(COURS) ? new int[] {3, 4, 8} : scene.equals("miroirs") ? new int[] {3} : new int[] {3, 4}) {
             m.add(tousLesReflets(COINS, "n=" + n + " seuil=0.05", n, 0.05));
         }
+        if (scene.equals("tournesol")) {
+            // mille boules : deux minutes à elles deux
+            return m;
+        }
         m.add(new Methode(BOUCLES, "").enBoucles());
         m.add(new Methode(POVRAY, "grille adaptative").parPovRay("+A0.1", "+R3", "+AM2"));
         return m;
