@@ -76,7 +76,7 @@ public class Main implements Toile {
 
     /** Lit une scène. @param suivi reçoit la part lue du fichier, de 0 à 1 */
     protected SceneLue lireScene(String nomFichier, DoubleConsumer suivi) {
-        return LecteurScene.lire(nomFichier, suivi);
+        return LecteurScene.lire(nomFichier, !options.sansFenetre(), suivi);
     }
 
     /** Exécute le dessin, dont la scène est déjà lue : c'est le travail du SwingWorker de la fenêtre. */

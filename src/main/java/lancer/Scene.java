@@ -35,7 +35,7 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(LecteurScene.lire(nomFichier, part -> { }));
+        this(LecteurScene.lire(nomFichier, false, part -> { }));
     }
 
     private Scene(SceneLue lue) {

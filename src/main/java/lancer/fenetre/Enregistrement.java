@@ -5,9 +5,6 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -41,7 +38,7 @@ final class Enregistrement {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = pixels(image.codes, image.largeur, false);
+            BufferedImage copie = PanneauImage.pixels(image.codes, image.largeur, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {
@@ -60,14 +57,6 @@ final class Enregistrement {
             }, null);
             bandeau.dire(Sujet.AVIS, "image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
         }
-    }
-
-    /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
-    static BufferedImage pixels(int[] codes, int largeur, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
-                vides ? 0xFF000000 : 0);
-        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
-                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
     }
 
     /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */

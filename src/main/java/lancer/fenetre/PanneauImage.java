@@ -14,6 +14,9 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -299,7 +302,7 @@ final class PanneauImage extends JPanel {
             g.drawImage(reduire(image, place), place.x, place.y, null);
             return;
         }
-        BufferedImage pixels = Enregistrement.pixels(image.codes, image.largeur, true);
+        BufferedImage pixels = pixels(image.codes, image.largeur, true);
         double l = (double) place.width / image.largeur;
         double h = (double) place.height / image.hauteur;
         Point de = getPixel(image, new Point());
@@ -309,12 +312,20 @@ final class PanneauImage extends JPanel {
                 de.x, de.y, a.x + 1, a.y + 1, null);
     }
 
+    /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
+    static BufferedImage pixels(int[] codes, int largeur, boolean vides) {
+        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
+                vides ? 0xFF000000 : 0);
+        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
+                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
+    }
+
     /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
     private BufferedImage reduire(ImageMemoire image, Rectangle place) {
         boolean achevee = legendes.containsKey(image);
         List<Object> voulue = Arrays.asList(image, achevee, place.width);
         if (!achevee || !voulue.equals(reduiteDe)) {
-            reduite = Enregistrement.pixels(Reduction.moyenne(image, place.width, place.height,
+            reduite = pixels(Reduction.moyenne(image, place.width, place.height,
                     achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width, true);
             reduiteDe = voulue;
         }

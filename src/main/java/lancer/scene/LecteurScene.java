@@ -47,22 +47,28 @@ public final class LecteurScene {
     /** Vrai si la section en cours n'est ni celle d'un objet, ni celle d'une lampe. */
     private boolean variante;
 
-    private LecteurScene(String nomFichier) {
+    private LecteurScene(String nomFichier, boolean avecTexte) {
         chemin = FichierScene.trouver(nomFichier);
         fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
         services = new Services();
         lecteur = new LecteurSections(services.formes);
-        lue = new SceneLue(lecteur);
+        lue = new SceneLue(new Origines(lecteur, avecTexte));
+    }
+
+    /** Lit une scène dont le texte des sections est gardé. Voir {@link #lire(String, boolean, DoubleConsumer)}. */
+    public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
+        return lire(nomFichier, true, suivi);
     }
 
     /**
      * @param nomFichier voir {@link FichierScene#trouver}
+     * @param avecTexte vrai pour garder le texte des sections, que la fenêtre montre et change
      * @param suivi reçoit la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
-        return new LecteurScene(nomFichier).lire(suivi);
+    public static SceneLue lire(String nomFichier, boolean avecTexte, DoubleConsumer suivi) {
+        return new LecteurScene(nomFichier, avecTexte).lire(suivi);
     }
 
     private SceneLue lire(DoubleConsumer suivi) {

@@ -18,50 +18,51 @@ public final class Origines {
     private final List<Object> choses = new ArrayList<>();
     private final List<Origine> lues = new ArrayList<>();
     final LecteurSections lecteur;
+    private final boolean avecTexte;
     /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
     private Map<Object, Integer> rangs;
 
-    /** Une section : sa ligne dans le fichier et, en UTF-8, son nom entre crochets puis une ligne par clé. */
+    /** Une section : son nom, sa ligne dans le fichier et, s'il est gardé, son texte en UTF-8, une ligne par clé. */
     static final class Origine {
+        final String nom;
         final int ligne;
         private final byte[] octets;
 
-        Origine(SectionLue section, int ligne) {
+        Origine(SectionLue section, int ligne, boolean avecTexte) {
+            nom = section.nom;
             this.ligne = ligne;
-            octets = section.ecrire("\n").getBytes(StandardCharsets.UTF_8);
-        }
-
-        private String[] lignes() {
-            return new String(octets, StandardCharsets.UTF_8).split("\n");
+            octets = avecTexte ? section.ecrire("\n").getBytes(StandardCharsets.UTF_8) : null;
         }
 
         @Override
         public String toString() {
-            return lignes()[0] + " ligne " + ligne;
+            return "[" + nom + "] ligne " + ligne;
         }
     }
 
     /** Celles d'une scène sans fichier. */
     public Origines() {
-        this(null);
+        this(null, false);
     }
 
-    Origines(LecteurSections lecteur) {
+    /** @param avecTexte vrai pour garder le texte des sections */
+    Origines(LecteurSections lecteur, boolean avecTexte) {
         this.lecteur = lecteur;
+        this.avecTexte = avecTexte;
     }
 
     /** Les mêmes, où une section et sa chose en remplacent une autre. */
     Origines(Origines autres, int rang, Object nouvelle, SectionLue section) {
-        this(autres.lecteur);
+        this(autres.lecteur, true);
         choses.addAll(autres.choses);
         choses.set(rang, nouvelle);
         lues.addAll(autres.lues);
-        lues.set(rang, new Origine(section, autres.lues.get(rang).ligne));
+        lues.set(rang, new Origine(section, autres.lues.get(rang).ligne, true));
     }
 
     void ajouter(Object chose, SectionLue section) {
         choses.add(chose);
-        lues.add(new Origine(section, section.ligne));
+        lues.add(new Origine(section, section.ligne, avecTexte));
     }
 
     public int getNombre() {
@@ -83,8 +84,8 @@ public final class Origines {
 
     /** La section de ce rang, avec ses changements. */
     public SectionLue getSection(int rang) {
-        String[] lignes = lues.get(rang).lignes();
-        String nom = lignes[0].substring(1, lignes[0].length() - 1);
+        String nom = lues.get(rang).nom;
+        String[] lignes = new String(lues.get(rang).octets, StandardCharsets.UTF_8).split("\n");
         SectionLue section = new SectionLue(REFUS, nom, 0, lecteur.cles(LecteurSections.type(nom)));
         for (int k = 1; k < lignes.length; k++) {
             int egal = lignes[k].indexOf('=');
@@ -113,7 +114,7 @@ public final class Origines {
     /** Le rang de la section de ce nom, cherchée d'abord à ce rang-là ; −1 s'il n'y en a pas. */
     int getRangDuNom(String nom, int probable) {
         return IntStream.concat(IntStream.of(Math.min(probable, lues.size() - 1)), IntStream.range(0, lues.size()))
-                .filter(k -> k >= 0 && lues.get(k).lignes()[0].equals("[" + nom + "]")).findFirst().orElse(-1);
+                .filter(k -> k >= 0 && lues.get(k).nom.equals(nom)).findFirst().orElse(-1);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */

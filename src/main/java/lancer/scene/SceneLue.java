@@ -27,8 +27,8 @@ public final class SceneLue {
     /** Avertissements : une ligne pour chaque section que la lecture a ignorée. */
     public final List<String> avertissements = new ArrayList<>();
 
-    SceneLue(LecteurSections lecteur) {
-        origines = new Origines(lecteur);
+    SceneLue(Origines origines) {
+        this.origines = origines;
     }
 
     private SceneLue(SceneLue autre, int rang, Object nouvelle, SectionLue section) {

@@ -196,8 +196,11 @@ public final class SectionLue extends Section {
 
     @Override
     public String ecrire(String separateur) {
-        return entrees.stream().map(entree -> separateur + entree.cle + '=' + entree.valeur)
-                .collect(Collectors.joining("", "[" + nom + "]", ""));
+        StringBuilder texte = new StringBuilder("[" + nom + "]");
+        for (Entree entree : entrees) {
+            texte.append(separateur).append(entree.cle).append('=').append(entree.valeur);
+        }
+        return texte.toString();
     }
 
     @Override

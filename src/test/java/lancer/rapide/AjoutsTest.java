@@ -36,8 +36,8 @@ class AjoutsTest {
     private static final String[] VERRE = {
         "Objet3D", "private double ns = 1;", "private double ns = 1; private Couleur Kt = new Couleur(); "
                 + "public Couleur getKt() { return Kt; } public void setKt(Couleur Kt) { this.Kt = Kt; }",
-        "scene/LecteurScene", "Arrays.asList(\"Kd\"", "Arrays.asList(\"Kt\", \"Kd\"",
-        "scene/LecteurScene", "lu.setKd(", "lu.setKt(courante.couleur(\"Kt\", lu.getKt(), 1)); lu.setKd(",
+        "scene/LecteurSections", "Arrays.asList(\"Kd\"", "Arrays.asList(\"Kt\", \"Kd\"",
+        "scene/LecteurSections", "lu.setKd(", "lu.setKt(section.couleur(\"Kt\", lu.getKt(), 1)); lu.setKd(",
         "Scene", "autre != objet && demander", "autre != objet && autre.getKt().estNoire() && demander"};
 
     private static final String CHAMP = "Scene|final Lampe[] lampes;|final Lampe[] lampes; Objet3D absent;"

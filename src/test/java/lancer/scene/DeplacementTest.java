@@ -107,7 +107,7 @@ class DeplacementTest {
         section.ajouter("centre", "0 0 6", 6);
         section.ajouter("rayon", "1", 7);
         section.ajouter("position", "assise", 8);
-        SceneLue lue = new SceneLue(lecteur);
+        SceneLue lue = new SceneLue(new Origines(lecteur, true));
         lue.ajouter(lecteur.lire(section), section);
         assertEquals(new Point(0, 0, 6), Deplacement.place(lue.origines.getSection(0)));
         Bulle bulle = (Bulle) lue.avec(0, "rayon", "2").avec(0, "Kd", "1 0 0").objets.get(0);
