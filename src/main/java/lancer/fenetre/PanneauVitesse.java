@@ -35,6 +35,8 @@ final class PanneauVitesse extends JPanel {
     private static final int PIXELS_GARDES = 4 << 20;
     /** Temps de dessin après lequel une image n'est plus dessinée de nouveau, en nanosecondes. */
     private static final long DUREE_NS = 300_000_000;
+    /** Temps de dessin de plus du premier échelon, puis du premier anticrénelage : Java compile d'abord leur code. */
+    private static final long AVANT_NS = 1_000_000_000;
     /** Racine du nombre de rayons d'une référence. */
     private static final int COTE = 6;
     private static final int MARGE = 8;
@@ -151,13 +153,16 @@ final class PanneauVitesse extends JPanel {
             }
             ImageMemoire image = new ImageMemoire(prepare.largeur, prepare.hauteur, true);
             List<Lancer> lancers = new ArrayList<>();
-            for (long duree = 0; duree < DUREE_NS; duree += lancers.get(lancers.size() - 1).getDureeNs()) {
+            for (long duree = dessines.size() < 2 ? -AVANT_NS : 0; duree < DUREE_NS;
+                    duree += lancers.get(lancers.size() - 1).getDureeNs()) {
                 lancers.add(echelon.lancer(prepare.getLancer()));
                 lancers.get(lancers.size() - 1).TracerPixels((couleur, xe, ye) -> {
                     image.drawPixel(couleur, xe, ye);
                     echantillon.drawPixel(couleur, xe, ye);
                 }, echelon.reflets, controleur.fils);
             }
+            // comme --repeter : les premiers dessins ne comptent pas
+            lancers.subList(0, lancers.size() / 2).clear();
             lancers.sort(Comparator.comparingLong(Lancer::getDureeNs));
             Dessin dessin = prepare.dessine(voulus, image, lancers.get((lancers.size() - 1) / 2));
             dessines.add(new Dessine(echelon, dessin, echantillon.mesurer()));
