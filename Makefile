@@ -122,7 +122,7 @@ mesures/target/embree: mesures/src/main/cpp/embree.cpp
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en un quart d'heure.
+# --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en quatre minutes.
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner
