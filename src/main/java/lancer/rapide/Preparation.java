@@ -81,6 +81,8 @@ public final class Preparation implements IntConsumer {
     /** Point de plus grande coordonnée des sphères : une lampe lointaine pour ce point l'est pour tout contact. */
     private Point bout;
     private final Equipe equipe = new Equipe("preparation");
+    /** Nombre d'étapes faites. */
+    private int faites;
 
     private Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
         this.camera = camera;
@@ -170,9 +172,10 @@ public final class Preparation implements IntConsumer {
         } else {
             structures.premiers = deLOeil();
         }
-        // cette étape, faite, ne compte pas encore
-        double faites = equipe.getAvancement() + 1.0 / (2 + structures.ombres.length);
-        suivi.accept(PART_COPIE + (1 - PART_COPIE) * faites);
+        synchronized (this) {
+            faites++;
+            suivi.accept(PART_COPIE + (1 - PART_COPIE) * faites / (2 + structures.ombres.length));
+        }
     }
 
     private Occultations deLaLampe(Lampe lampe) {
