@@ -192,7 +192,7 @@ public final class SansFenetre implements Runnable {
                 options.pixelX, options.pixelY);
         pixel.faire();
         Fil.commencer("récit");
-        Messages.repondreEnUtf8(new Recit(pixel, Double::toString).lignes(), sortie);
+        Messages.repondreEnUtf8(new Recit(pixel, Double::toString, Double::toString).raconter().lignes(), sortie);
         Messages.avertir(dessin.getLue().avertissements, erreur);
     }
 

@@ -38,7 +38,7 @@ final class Enregistrement {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = PanneauImage.pixels(image.codes, image.largeur, false);
+            BufferedImage copie = Pixels.de(image.codes, image.largeur, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {

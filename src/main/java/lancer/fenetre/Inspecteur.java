@@ -183,7 +183,7 @@ final class Inspecteur extends JPanel {
     }
 
     void copier() {
-        List<String> lignes = new Recit(montree, Double::toString).lignes();
+        List<String> lignes = new Recit(montree, Double::toString, Double::toString).raconter().lignes();
         getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
         panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
     }

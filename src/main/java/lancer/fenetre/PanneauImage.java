@@ -13,12 +13,6 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
-import java.awt.image.Raster;
-import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
@@ -27,7 +21,6 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
-import lancer.image.Reduction;
 
 /**
  * L'image sur un gris neutre. Si la place manque, elle est réduite dans ses proportions. Les positions sont en pixels
@@ -39,8 +32,6 @@ final class PanneauImage extends JPanel {
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
     private static final int TREMBLEMENT = 4;
-    /** Nombre de lignes et de colonnes qui donnent un pixel réduit, tant que l'image n'est pas achevée. */
-    private static final int LIGNES_REGARDEES = 4;
 
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
@@ -52,9 +43,7 @@ final class PanneauImage extends JPanel {
     ImageMemoire apercu;
     /** Dessine les objets à prendre, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    /** L'image réduite, et ce dont elle dépend. */
-    private BufferedImage reduite;
-    private List<Object> reduiteDe;
+    private final Pixels pixels = new Pixels();
     private Figure dessus;
     private IntConsumer siNumero;
     private final Runnable siBouge;
@@ -270,8 +259,12 @@ final class PanneauImage extends JPanel {
         AffineTransform t = g2.getTransform();
         g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                 Math.round(t.getTranslateY())));
-        peinte |= getVisible() != null;
-        peindre(g2, getVisible());
+        ImageMemoire image = getVisible();
+        if (image != null) {
+            peinte = true;
+            pixels.peindre(g2, image, legendes.containsKey(image), getPlace(image), getPixel(image, new Point()),
+                    getPixel(image, new Point(getLibre().width, getLibre().height)));
+        }
         g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
         if (dessus != null && montree != null && tenue == null) {
             dessus.peindre(g2, getPlace(montree), getLibre());
@@ -290,46 +283,6 @@ final class PanneauImage extends JPanel {
         g.fillRect(0, 0, getLibre().width, m.getHeight());
         g.setColor(Color.WHITE);
         g.drawString(texte, m.getHeight() / 2, m.getAscent());
-    }
-
-    /** Peint seulement les pixels visibles : AWT ne peut peindre une image entière très agrandie. */
-    private void peindre(Graphics2D g, ImageMemoire image) {
-        if (image == null) {
-            return;
-        }
-        Rectangle place = getPlace(image);
-        if (place.width < image.largeur) {
-            g.drawImage(reduire(image, place), place.x, place.y, null);
-            return;
-        }
-        BufferedImage pixels = pixels(image.codes, image.largeur, true);
-        double l = (double) place.width / image.largeur;
-        double h = (double) place.height / image.hauteur;
-        Point de = getPixel(image, new Point());
-        Point a = getPixel(image, new Point(getLibre().width, getLibre().height));
-        g.drawImage(pixels, (int) Math.round(place.x + l * de.x), (int) Math.round(place.y + h * de.y),
-                (int) Math.round(place.x + l * (a.x + 1)), (int) Math.round(place.y + h * (a.y + 1)),
-                de.x, de.y, a.x + 1, a.y + 1, null);
-    }
-
-    /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
-    static BufferedImage pixels(int[] codes, int largeur, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
-                vides ? 0xFF000000 : 0);
-        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(codes, codes.length), largeur,
-                codes.length / largeur, largeur, couleurs.getMasks(), null), false, null);
-    }
-
-    /** L'image réduite à sa place. Chaque pixel est une moyenne, exacte si l'image est achevée. */
-    private BufferedImage reduire(ImageMemoire image, Rectangle place) {
-        boolean achevee = legendes.containsKey(image);
-        List<Object> voulue = Arrays.asList(image, achevee, place.width);
-        if (!achevee || !voulue.equals(reduiteDe)) {
-            reduite = pixels(Reduction.moyenne(image, place.width, place.height,
-                    achevee ? 1 : 1 + image.largeur / (LIGNES_REGARDEES * place.width)), place.width, true);
-            reduiteDe = voulue;
-        }
-        return reduite;
     }
 
     /** Le bandeau couvre le bas de l'image sans la déplacer ; s'il est trop haut, sa fin est coupée. */

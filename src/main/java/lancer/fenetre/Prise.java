@@ -162,11 +162,11 @@ final class Prise extends MouseAdapter {
             Scene montree = controleur.etat.montre.getScene();
             PointContact contact = montree.avec(montree.getModele())
                     .getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
-            if (contact == null) {
-                refus = "rien à prendre ici : aucun objet ne s'y voit";
+            int vu = contact == null ? -1 : controleur.etat.montre.getLue().origines.getRang(contact.objet);
+            if (vu < 0) {
+                refus = "rien à prendre ici : aucun objet du fichier ne s'y voit";
                 return -1;
             }
-            int vu = controleur.etat.montre.getLue().origines.getRang(contact.objet);
             String nom = getLue().origines.getNom(vu);
             refus = Deplacement.place(getLue().origines.getSection(vu)) == null
                     ? nom + " ne se prend pas : sa section n'a ni centre, ni position"

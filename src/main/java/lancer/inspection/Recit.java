@@ -36,24 +36,17 @@ public final class Recit {
     /** Lampe, rival ou échantillon de la ligne en cours. */
     private String quoi = "";
 
-    /** @param nombre écriture d'un nombre calculé ; un nombre du fichier garde l'écriture du fichier */
-    public Recit(Inspection pixel, DoubleFunction<String> nombre) {
-        this(pixel, nombre, nombre);
-    }
-
-    /** @param composante écriture d'une composante de couleur calculée */
+    /**
+     * @param nombre écriture d'un nombre calculé ; un nombre du fichier garde l'écriture du fichier
+     * @param composante écriture d'une composante de couleur calculée
+     */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
         this.nombre = nombre;
         this.composante = composante;
     }
 
-    /** Lignes de l'explication ; la dernière est {@code somme R V B = #RRGGBB}. */
-    public List<String> lignes() {
-        return raconter().lignes();
-    }
-
-    /** L'explication, jusqu'à la faute s'il y en a une. */
+    /** L'explication, jusqu'à la faute s'il y en a une ; sa dernière ligne est {@code somme R V B = #RRGGBB}. */
     public Noeud raconter() {
         List<Noeud> lignes = new ArrayList<>();
         if (pixel.getEchantillons().size() > 1) {
@@ -79,8 +72,7 @@ public final class Recit {
         }
         Echantillon choisi = pixel.getChoisi();
         String titre = "pixel " + pixel.x + ", " + pixel.y;
-        String sujet = choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye;
-        return new Noeud(titre, sujet, null).sur(lignes, false);
+        return new Noeud(titre, choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye, null).sur(lignes, false);
     }
 
     private Noeud dire(String format, Object... valeurs) {

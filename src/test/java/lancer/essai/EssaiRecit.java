@@ -10,14 +10,11 @@ import static lancer.essai.Triplets.t;
 import static lancer.essai.Triplets.unite;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import lancer.Camera;
@@ -36,7 +33,7 @@ import lancer.texte.Nombre;
  * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
  * au bit près.
  */
-public final class EssaiRecit {
+public final class EssaiRecit extends LectureRecit {
 
     private static final double[] BLANC = {1, 1, 1};
 
@@ -54,8 +51,6 @@ public final class EssaiRecit {
     private final double blinn;
     private final Map<String, Object> parNom = new HashMap<>();
 
-    private List<String> lignes;
-    private int suivante;
     private double[] P;
     private double[] V;
     private double[] produit;
@@ -82,8 +77,7 @@ public final class EssaiRecit {
     }
 
     public void verifier(int x, int y, String sortie) {
-        lignes = dansLOrdreDesRayons(sortie.split("\\R"));
-        suivante = 0;
+        ouvrir(sortie);
         assertEquals("pixel " + x + ", " + y, lignes.get(suivante++));
         double xe = x + 0.5;
         double ye = y + 0.5;
@@ -104,30 +98,6 @@ public final class EssaiRecit {
         double[] somme = nombres(actuelle().replaceAll("=.*", ""));
         assertArrayEquals(moyenne == null ? vue : moyenne, somme, actuelle());
         assertTrue(actuelle().endsWith(String.format("#%06X", new Couleur(somme[0], somme[1], somme[2]).getCode() & 0xFFFFFF)), actuelle());
-    }
-
-    /** Les lignes, le premier contact d'abord : le récit va du dernier, dont la somme sert, au premier. */
-    private static List<String> dansLOrdreDesRayons(String[] dites) {
-        List<String> lignes = new ArrayList<>();
-        int debut = -1;
-        int suite = 0;
-        for (String ligne : dites) {
-            debut = debut < 0 && ligne.matches("\\d+  .*") ? lignes.size() : debut;
-            boolean fin = ligne.startsWith("somme ");
-            int place = fin || debut < 0 ? lignes.size() : ligne.startsWith(" ") ? suite : debut;
-            lignes.add(place, ligne);
-            suite = place + 1;
-        }
-        return lignes;
-    }
-
-    private String actuelle() {
-        return lignes.get(suivante);
-    }
-
-    /** Ce que dit d'abord, plus bas, une ligne qui commence ainsi. */
-    private double[] chercher(String debut) {
-        return nombres(lignes.stream().skip(suivante).filter(ligne -> ligne.startsWith(debut)).findFirst().get().substring(debut.length()));
     }
 
     private double[] moyenne() {
@@ -341,33 +311,6 @@ public final class EssaiRecit {
         double[] terme = nombres(ligne.replaceAll(".* = ", ""));
         proche(fois(fois(t(matiere), t(lampe.getCouleur())), gris(part)), terme);
         return terme;
-    }
-
-    private double[] lire(String debut) {
-        String ligne = lignes.get(suivante++);
-        assertTrue(ligne.startsWith(debut), ligne + " au lieu de " + debut);
-        return nombres(ligne.substring(debut.length()));
-    }
-
-    private static double[] nombres(String texte) {
-        List<Double> lus = new ArrayList<>();
-        for (String mot : texte.trim().split(" +")) {
-            if (mot.matches("-?[\\d.]+([eE]-?\\d+)?")) {
-                double lu = Double.parseDouble(mot);
-                lus.add(lu);
-                assertTrue(mot.equals(Double.toString(lu)) || mot.equals(Nombre.ecrire(lu)), mot);
-            }
-        }
-        return lus.stream().mapToDouble(n -> n).toArray();
-    }
-
-    /** Aux arrondis près, qui grandissent d'un reflet au suivant. */
-    private void proche(double[] attendu, double[] dit) {
-        assertNotNull(dit);
-        assertEquals(attendu.length, dit.length, () -> "ligne " + suivante + " : " + lignes.get(suivante - 1));
-        for (int c = 0; c < attendu.length; c++) {
-            assertEquals(attendu[c], dit[c], 1e-7 * (1 + Math.abs(attendu[c])), lignes.get(suivante - 1));
-        }
     }
 
     private static double distance(double[] P, double[] V, Sphere sphere) {

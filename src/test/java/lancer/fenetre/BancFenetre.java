@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.AWTError;
-import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -13,7 +12,6 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -41,7 +39,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -261,7 +258,7 @@ final class BancFenetre {
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
         attendre(quoi + ", à l'écran", () -> controleur.etat.getImageEntiere() != null
-                && trouver(codes, controleur.etat.getImageEntiere().largeur) != null);
+                && Ecran.trouver(codes, controleur.etat.getImageEntiere().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -314,37 +311,6 @@ final class BancFenetre {
         commande.add(Essai.origine(Main.class) + File.pathSeparator + Essai.origine(org.ini4j.Config.class));
         commande.addAll(Arrays.asList(options));
         return new ProcessBuilder(commande).redirectOutput(erreur.toFile()).redirectErrorStream(true);
-    }
-
-    /**
-     * L'endroit de l'écran où se voit cette image, au pixel près, ou {@code null}. L'écran entier est fouillé : sans
-     * gestionnaire de fenêtres, il arrive que Java se trompe sur l'endroit où est la sienne.
-     */
-    static Point trouver(int[] image, int largeur) throws AWTException {
-        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        int[] vu = codes(new Robot().createScreenCapture(ecran));
-        int hauteur = image.length / largeur;
-        // un pixel qui n'est pas de la couleur du coin écarte d'un coup tout fond de cette couleur
-        int temoin = IntStream.range(0, image.length).filter(k -> image[k] != image[0]).findFirst().orElse(0);
-        int place = temoin / largeur * ecran.width + temoin % largeur;
-        for (int y = 0; y + hauteur <= ecran.height; y++) {
-            for (int x = 0; x + largeur <= ecran.width; x++) {
-                int debut = y * ecran.width + x;
-                if (vu[debut + place] == image[temoin] && estLa(vu, debut, ecran.width, image, largeur)) {
-                    return new Point(x, y);
-                }
-            }
-        }
-        return null;
-    }
-
-    private static boolean estLa(int[] vu, int debut, int pas, int[] image, int largeur) {
-        for (int k = 0; k < image.length; k++) {
-            if (vu[debut + k / largeur * pas + k % largeur] != image[k]) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Les fils du programme qui vivent encore et dont le nom commence ainsi. */

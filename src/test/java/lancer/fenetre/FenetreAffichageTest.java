@@ -81,7 +81,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         ouvrir();
         ImageMemoire image = banc.imageAchevee();
         banc.attendreImage("à l'écran", image.codes);
-        Point coin = BancFenetre.trouver(image.codes, L);
+        Point coin = Ecran.trouver(image.codes, L);
         attendre("la souris est là", () -> {
             banc.robot.mouseMove(coin.x + 51, coin.y + 60);
             banc.robot.mouseMove(coin.x + 50, coin.y + 60);
@@ -95,7 +95,7 @@ class FenetreAffichageTest extends EssaiFenetre {
         for (int k = 0; k < grossie.length; k++) {
             grossie[k] = image.codes[(60 + k / 80 / 4) * L + 50 + k % 80 / 4];
         }
-        attendre("chaque pixel est un carré de quatre", () -> BancFenetre.trouver(grossie, 80) != null);
+        attendre("chaque pixel est un carré de quatre", () -> Ecran.trouver(grossie, 80) != null);
         for (int k = 0; k < 6; k++) {
             banc.robot.mouseWheel(-1);
         }

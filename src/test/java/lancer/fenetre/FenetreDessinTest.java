@@ -46,7 +46,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
-        attendre("le brouillon est à l'écran", () -> BancFenetre.trouver(bas, L) != null);
+        attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
         assertTrue(banc.controleur.etat.enCours);
         assertNull(banc.controleur.etat.getImageEntiere());
         banc.main.lent = false;

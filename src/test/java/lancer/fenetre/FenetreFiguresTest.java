@@ -36,7 +36,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         banc.attendreImage("sans figure", codes);
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
-        attendre("la figure est sur l'image", () -> BancFenetre.trouver(codes, L) == null);
+        attendre("la figure est sur l'image", () -> Ecran.trouver(codes, L) == null);
         assertArrayEquals(codes, banc.controleur.etat.getImageEntiere().codes, "et pas dans l'image");
         ImageMemoire avant = banc.controleur.etat.getImageEntiere();
         banc.main.lent();
@@ -86,8 +86,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         int[] attendue = attendue(L, H);
         programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
-        attendre("l'image est à l'écran", () -> BancFenetre.trouver(attendue, L) != null);
-        return BancFenetre.trouver(attendue, L);
+        attendre("l'image est à l'écran", () -> Ecran.trouver(attendue, L) != null);
+        return Ecran.trouver(attendue, L);
     }
 
     @AfterEach
@@ -105,7 +105,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         robot.keyPress(KeyEvent.VK_F2);
         robot.keyRelease(KeyEvent.VK_F2);
         Thread.sleep(2000);
-        Point coin = BancFenetre.trouver(attendue(L, H), L);
+        Point coin = Ecran.trouver(attendue(L, H), L);
         robot.mouseMove(coin.x + 150, coin.y + 110);
         attendre("l'anneau", () -> {
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);

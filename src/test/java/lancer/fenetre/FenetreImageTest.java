@@ -33,7 +33,7 @@ class FenetreImageTest extends EssaiFenetre {
     void changerDeTailleGardeLImageDemandeeEtSesProportions() throws Exception {
         ImageMemoire image = ouvrir();
         retailler(banc.panneau.getWidth() + 151, banc.panneau.getHeight() + 83);
-        attendre("elle est à sa taille, au milieu", () -> BancFenetre.trouver(image.codes, L) != null);
+        attendre("elle est à sa taille, au milieu", () -> Ecran.trouver(image.codes, L) != null);
         BufferedImage vue = peinte();
         assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(60, 20));
         retailler(L / 2, H);
@@ -110,8 +110,8 @@ class FenetreImageTest extends EssaiFenetre {
         Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
         try {
-            attendre("l'image est à l'écran, à la taille demandée", () -> BancFenetre.trouver(attendue, L) != null);
-            Point ou = BancFenetre.trouver(attendue, L);
+            attendre("l'image est à l'écran, à la taille demandée", () -> Ecran.trouver(attendue, L) != null);
+            Point ou = Ecran.trouver(attendue, L);
             robot.mouseMove(ou.x + L / 2, ou.y + H / 2);
             attendre("Ctrl+Q termine le programme", () -> {
                 robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
@@ -142,7 +142,7 @@ class FenetreImageTest extends EssaiFenetre {
         banc = new BancFenetre(lente("--statistiques"));
         ImageMemoire image = banc.imageAchevee();
         banc.attendreImage("l'image est à l'écran", image.codes);
-        Point coin = BancFenetre.trouver(image.codes, L);
+        Point coin = Ecran.trouver(image.codes, L);
         int k = 100 * L + 160;
         String debut = String.format("pixel 160, 100 : #%06X = ", image.codes[k] & 0xFFFFFF);
         banc.robot.mouseMove(coin.x + 10, coin.y + 10);
@@ -163,7 +163,7 @@ class FenetreImageTest extends EssaiFenetre {
     void lePixelNeSeDitPlusQuandLaFenetreBougeSousLaSouris() throws Exception {
         banc = new BancFenetre(lente());
         banc.attendreImage("à l'écran", banc.imageAchevee().codes);
-        Point coin = BancFenetre.trouver(banc.imageAchevee().codes, L);
+        Point coin = Ecran.trouver(banc.imageAchevee().codes, L);
         attendre("la souris est là", () -> {
             banc.robot.mouseMove(coin.x + 101, coin.y + 60);
             banc.robot.mouseMove(coin.x + 100, coin.y + 60);

@@ -301,7 +301,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         banc.robot.waitForIdle();
         faire(() -> ouvert.setVisible(true));
         attendreTitre(150, 110);
-        attendre("la figure revient", () -> BancFenetre.trouver(codes, L) == null);
+        attendre("la figure revient", () -> Ecran.trouver(codes, L) == null);
     }
 
     /** Un objet que rien ne touche, et dont l'intersection attend ce qu'on veut. */

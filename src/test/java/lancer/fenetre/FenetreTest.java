@@ -148,7 +148,7 @@ class FenetreTest extends EssaiFenetre {
             assertEquals("FlatDarkLaf", surFilEvenements(() -> UIManager.getLookAndFeel().getClass().getSimpleName()));
             assertTrue(Apparence.estSombre());
             attendre("le fond est sombre", () -> banc.resume.getParent().getBackground().getRed() < 100);
-            attendre("l'image est la même", () -> BancFenetre.trouver(image.codes, L) != null);
+            attendre("l'image est la même", () -> Ecran.trouver(image.codes, L) != null);
         } finally {
             faire(sombre::doClick);
         }

@@ -90,7 +90,7 @@ class PixelTest extends EssaiCommande {
     private static List<String> recit(Scene scene, Camera camera, int x, int y) {
         Inspection pixel = new Inspection(scene, new Origines(), camera, 5, x, y);
         pixel.faire();
-        return new Recit(pixel, Double::toString).lignes();
+        return new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
     }
 
     @Test

@@ -53,7 +53,7 @@ class InspectionTest {
     }
 
     private static Recit recitDe(Inspection pixel) {
-        return new Recit(pixel, Double::toString);
+        return new Recit(pixel, Double::toString, Double::toString);
     }
 
     @ParameterizedTest
@@ -70,7 +70,7 @@ class InspectionTest {
         for (int k = 0; k < 200; k++) {
             int x = hasard.nextInt(80);
             int y = hasard.nextInt(60);
-            recit.verifier(x, y, String.join("\n", recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).lignes()));
+            recit.verifier(x, y, String.join("\n", recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).raconter().lignes()));
         }
         assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
         assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
@@ -88,7 +88,7 @@ class InspectionTest {
         for (int x = 5; x < 80; x += 9) {
             Inspection pixel = inspecter(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
-            assertEquals(recitDe(pixel).lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
+            assertEquals(recitDe(pixel).raconter().lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
         }
     }
 
@@ -114,7 +114,7 @@ class InspectionTest {
         for (int reflets : new int[] {0, 1, 3}) {
             Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
             segments.add(pixel.getSegments().size());
-            List<String> lignes = recitDe(pixel).lignes();
+            List<String> lignes = recitDe(pixel).raconter().lignes();
             String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
             assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
             assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
@@ -240,7 +240,7 @@ class InspectionTest {
         Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(),
                 camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
-        List<String> lignes = recitDe(pixel).lignes();
+        List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
         assertEquals(2, lignes.size());
@@ -252,7 +252,7 @@ class InspectionTest {
         sphere.setKd(new Couleur(1));
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        List<String> lignes = recitDe(auMilieu(scene)).lignes();
+        List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
         assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
         assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
     }
@@ -280,7 +280,7 @@ class InspectionTest {
         });
         Scene scene = new Scene(Collections.singletonList(sphere),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
-        List<String> lignes = recitDe(auMilieu(scene)).lignes();
+        List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
         assertEquals("9 échantillons", lignes.get(1));
         assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
         assertEquals("1  objet 1  0.25 0.5 0.75", lignes.get(13));

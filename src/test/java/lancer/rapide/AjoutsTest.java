@@ -56,7 +56,7 @@ class AjoutsTest {
     private final List<String> pasVues = new ArrayList<>();
 
     private static float[] dessiner(Essai.Isole programme, Path dossier, Path scene, String... options) throws IOException {
-        List<String> args = new ArrayList<>(Arrays.asList("--taille=100x75", "--fils=1",
+        List<String> args = new ArrayList<>(Arrays.asList("--taille=200x150", "--fils=1",
                 "--lineaire", dossier.resolve("i.pfm").toString(), scene.toString()));
         args.addAll(Arrays.asList(options));
         Essai essai = programme.executer(args.toArray(new String[0]));

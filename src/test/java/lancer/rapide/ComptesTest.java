@@ -88,7 +88,7 @@ class ComptesTest {
 
     /** Un examen : une case, une entrée, une boîte, un masque ou une sphère regardés pour un rayon. */
     @ParameterizedTest
-    @ValueSource(ints = {1000, 5000})
+    @ValueSource(ints = {1000, 10_000})
     void aucuneSceneHostileNeCouteTroisFoisCeQueCouteUnArbreSimpleOuLesBoucles(int taille) {
         List<String> fautes = new ArrayList<>();
         for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(taille).entrySet()) {

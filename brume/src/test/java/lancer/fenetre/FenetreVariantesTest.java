@@ -177,7 +177,7 @@ class FenetreVariantesTest extends EssaiFenetre {
                 && banc.panneau.ligne.matches("avant : .*\\[Brume].*"));
         attendre("ses réglages et son coût", () -> banc.resume.getText().matches(".* rayons en .* s, .*, \\[Brume] .*"));
         banc.robot.keyRelease(KeyEvent.VK_SPACE);
-        attendre("puis celle de maintenant", () -> BancFenetre.trouver(sans, L) != null);
+        attendre("puis celle de maintenant", () -> Ecran.trouver(sans, L) != null);
         attendre("et les siens", () -> !banc.resume.getText().contains("Brume"));
     }
 

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.Reader;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -117,6 +120,24 @@ public abstract class ClasseEssai {
         for (String mot : mots) {
             assertTrue(texte.contains(mot), () -> "« " + mot + " » n'est pas dans : "
                     + texte.replaceAll("data:image[^\"]*|<style>.*?</style>", "…"));
+        }
+    }
+
+    /** Une archive d'un seul lien : ce que fait « zip --symlinks ». Il suffit d'en changer les droits, dans le répertoire central. */
+    public static void ecrireLien(Path archive, String nom, String cible) throws IOException {
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
+            zip.putNextEntry(new ZipEntry(nom));
+            zip.write(cible.getBytes(StandardCharsets.UTF_8));
+        }
+        ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(archive)).order(ByteOrder.LITTLE_ENDIAN);
+        int fiche = 0;
+        while (octets.getInt(fiche) != 0x02014b50) {
+            fiche++;
+        }
+        octets.put(fiche + 5, (byte) 3);
+        octets.putInt(fiche + 38, 0xA1FF << 16);
+        try (OutputStream sortie = Files.newOutputStream(archive)) {
+            sortie.write(octets.array());
         }
     }
 }

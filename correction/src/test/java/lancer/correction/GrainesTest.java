@@ -94,8 +94,8 @@ class GrainesTest {
             Map<Long, Map<String, String>> tous = (arrondi ? enFloat() : corrige())
                     .changer("Objet3D", "new Rayon(lampe.getPosition(), contact)", rayon)
                     .changer("Objet3D", "(rayon, (Sphere) this)", "(rayon, (Sphere) " + ombre + ")")
-                    .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")").rates(graines(25));
-            assertEquals(arrondi, tous.values().stream().filter(r -> r.remove(GEANTE) != null).count() > 20, "il y a du grain");
+                    .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")").rates(graines(100));
+            assertEquals(arrondi, tous.values().stream().filter(r -> r.remove(GEANTE) != null).count() > 80, "il y a du grain");
             tous.forEach((graine, rates) -> assertEquals(attendus, rates.keySet(), "graine " + graine));
         }
     }
@@ -116,7 +116,7 @@ class GrainesTest {
     void uneImageRetourneeSeVoitAuxMemesVerificationsQuelleQueSoitLaGraine(String juste, String faux) {
         Programme retourne = corrige().changer("Camera", juste, faux);
         Set<String> sans = retourne.rates(0).keySet().stream().filter(v -> v.startsWith("Camera.")).collect(Collectors.toSet());
-        retourne.rates(1, 2, 3, 4, 5, 6, 7, 8, 9, 78).forEach((graine, rates) ->
+        retourne.rates(graines(100)).forEach((graine, rates) ->
                 assertTrue(rates.keySet().containsAll(sans), () -> "graine " + graine + " : " + rates));
     }
 

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -122,7 +121,7 @@ class DepotTest extends DepotEssai {
         Files.createDirectories(rendus.resolve("Étudiant 6_16_assignsubmission_file"));
         Files.createSymbolicLink(rendus.resolve("Étudiant 6_16_assignsubmission_file/Vecteur.java"), secret);
         Path lien = Files.createDirectories(rendus.resolve("Étudiant 7_17_assignsubmission_file")).resolve("lien.zip");
-        ecrireLien(lien, "Vecteur.java", secret.toString());
+        ClasseEssai.ecrireLien(lien, "Vecteur.java", secret.toString());
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(7, lus.size());
         refuse(lus.get("11"), "tp.rar : à déplier à la main");
@@ -137,24 +136,6 @@ class DepotTest extends DepotEssai {
     private static void refuse(Rendu rendu, String message) {
         assertTrue(rendu.refus.stream().anyMatch(r -> r.contains(message)), rendu.refus.toString());
         assertEquals(Map.of(), rendu.sources);
-    }
-
-    /** Une archive d'un seul lien : ce que fait « zip --symlinks ». Il suffit d'en changer les droits, dans le répertoire central. */
-    private static void ecrireLien(Path archive, String nom, String cible) throws IOException {
-        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
-            zip.putNextEntry(new ZipEntry(nom));
-            zip.write(cible.getBytes(StandardCharsets.UTF_8));
-        }
-        ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(archive)).order(ByteOrder.LITTLE_ENDIAN);
-        int fiche = 0;
-        while (octets.getInt(fiche) != 0x02014b50) {
-            fiche++;
-        }
-        octets.put(fiche + 5, (byte) 3);
-        octets.putInt(fiche + 38, 0xA1FF << 16);
-        try (OutputStream sortie = Files.newOutputStream(archive)) {
-            sortie.write(octets.array());
-        }
     }
 
     @Test
