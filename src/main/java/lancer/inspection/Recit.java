@@ -36,10 +36,7 @@ public final class Recit {
     /** Lampe, rival ou échantillon de la ligne en cours. */
     private String quoi = "";
 
-    /**
-     * @param nombre écriture d'un nombre calculé ; un nombre du fichier garde l'écriture du fichier
-     * @param composante écriture d'une composante de couleur calculée
-     */
+    /** @param nombre écriture d'un nombre calculé ; le fichier garde la sienne @param composante celle d'une couleur */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
         this.nombre = nombre;
@@ -72,7 +69,8 @@ public final class Recit {
         }
         Echantillon choisi = pixel.getChoisi();
         String titre = "pixel " + pixel.x + ", " + pixel.y;
-        return new Noeud(titre, choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye, null).sur(lignes, false);
+        return new Noeud(titre, choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye, null)
+                .sur(lignes, false);
     }
 
     private Noeud dire(String format, Object... valeurs) {

@@ -70,7 +70,8 @@ class InspectionTest {
         for (int k = 0; k < 200; k++) {
             int x = hasard.nextInt(80);
             int y = hasard.nextInt(60);
-            recit.verifier(x, y, String.join("\n", recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).raconter().lignes()));
+            recit.verifier(x, y, String.join("\n",
+                    recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).raconter().lignes()));
         }
         assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
         assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
