@@ -166,7 +166,21 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        Vue vue = new Vue() {
+        // une lambda serait nommée comme la cause d'un échec : voir Demande.classes
+        final class Ouvrier implements IntConsumer, Vue {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
+            }
+
             @Override
             public Couleur couleur(double xe, double ye) {
                 return getCouleurPixel(xe, ye, profondeur);
@@ -176,18 +190,8 @@ public final class Lancer {
             public Compteurs compteurs() {
                 return scene.getCompteurs();
             }
-        };
-        return rang -> {
-            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-            if (brouillon) {
-                TracerBrouillon(pave, toile, profondeur);
-            } else if (choisi == null) {
-                TracerPixels(pave, toile, profondeur);
-            } else {
-                scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, vue, toile);
-            }
-            fautes.peindre(pave, toile);
-        };
+        }
+        return new Ouvrier();
     }
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */

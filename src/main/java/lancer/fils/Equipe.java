@@ -28,7 +28,7 @@ public final class Equipe {
     private volatile int nombre = 1;
     private volatile boolean arretee;
 
-    /** @param nom celui de ses fils */
+    /** @param nom le début du nom de ses fils */
     public Equipe(String nom) {
         this.nom = nom;
     }
@@ -49,7 +49,9 @@ public final class Equipe {
         nombre = taches;
         suivante.set(0);
         faites.set(0);
-        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(), this::nouveauFil);
+        AtomicInteger crees = new AtomicInteger();
+        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(),
+                travail -> demon(nom + "-" + crees.incrementAndGet(), travail));
         CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {
@@ -72,7 +74,7 @@ public final class Equipe {
         }
     }
 
-    private Thread nouveauFil(Runnable travail) {
+    private static Thread demon(String nom, Runnable travail) {
         Thread fil = new Thread(null, travail, nom, PILE);
         fil.setDaemon(true);
         return fil;
