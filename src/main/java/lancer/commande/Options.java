@@ -50,7 +50,7 @@ public final class Options {
                 (o, v) -> o.vue = parmi(VUES, v)),
         new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
                 "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-                (o, v) -> o.reglages = o.reglages.avecSeuil(positif(v))),
+                (o, v) -> o.reglages = o.reglages.avecSeuil(reel(v, 0, Double.MAX_VALUE))),
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
                 "sans ces variantes, même si elles sont dans le chemin des classes",
                 (o, v) -> o.reglages = o.reglages.sans(noms(v))),
@@ -82,7 +82,7 @@ public final class Options {
                 (o, v) -> o.comparer = image(v)),
         new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
                 "avec --comparer, l'écart permis, en niveaux sur 255",
-                (o, v) -> o.tolerance = positif(v)),
+                (o, v) -> o.tolerance = reel(v, 0, Double.MAX_VALUE)),
         new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
                 "avec --comparer, les pixels qui peuvent dépasser cet écart",
                 (o, v) -> o.part = part(v)),
@@ -362,29 +362,24 @@ public final class Options {
 
     private static int entier(String texte, double min, double max) {
         exiger(texte.matches("[0-9]+"));
-        double n = Nombre.lire(texte);
-        exiger(n >= min && n <= max);
-        return (int) n;
+        return (int) reel(texte, min, max);
     }
 
-    private static double positif(String texte) {
+    private static double reel(String texte, double min, double max) {
         double n = Nombre.lire(texte);
-        exiger(n >= 0 && n <= Double.MAX_VALUE);
+        exiger(n >= min && n <= max);
         return n;
     }
 
     private static double erreur(String texte) {
         exiger(texte.startsWith("erreur="));
-        double n = Nombre.lire(texte.substring("erreur=".length()));
-        exiger(n >= 0.01 && n <= 255);
-        return n;
+        return reel(texte.substring("erreur=".length()), 0.01, 255);
     }
 
     private static double part(String texte) {
         boolean pourCent = texte.endsWith("%");
         String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
-        double n = Nombre.lire(nombre);
-        exiger(n >= 0 && n <= (pourCent ? 100 : 1));
+        double n = reel(nombre, 0, pourCent ? 100 : 1);
         // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
         return pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : n;
     }

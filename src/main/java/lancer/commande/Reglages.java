@@ -211,10 +211,17 @@ public final class Reglages {
 
     /** Les options de la ligne de commande qui donnent ces réglages, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getOptions() {
-        return (etape == Etape.REFLETS ? "" : " --etape " + etape)
-                + (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
-                + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil) + (simple ? " --simple" : "")
-                + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
+        StringBuilder options = new StringBuilder();
+        ajouter(options, etape != Etape.REFLETS, " --etape " + etape);
+        ajouter(options, reflets != Constantes.MAX_REFLETS, " --reflets " + reflets);
+        ajouter(options, seuil != Constantes.SEUIL, " --seuil " + seuil);
+        ajouter(options, simple, " --simple");
+        ajouter(options, !debranchees.isEmpty(), " --sans " + String.join(",", debranchees));
+        return options.toString();
+    }
+
+    private static void ajouter(StringBuilder options, boolean donnee, String option) {
+        options.append(donnee ? option : "");
     }
 
     /** Deux réglages égaux donnent la même image d'une même scène. */

@@ -44,12 +44,15 @@ public final class Fautes {
         if (!tolerees) {
             throw faute;
         }
-        int rang = faute.y * largeur + faute.x;
-        if (premiere == null || rang < pixels.nextSetBit(0)) {
+        if (premiere == null || faute.estSitue() && rang(faute) < rang(premiere)) {
             premiere = faute;
         }
-        pixels.set(rang);
+        pixels.set(rang(faute));
         return MAGENTA;
+    }
+
+    private int rang(PixelFautif faute) {
+        return faute.y * largeur + faute.x;
     }
 
     /** Oublie les échecs : le dessin est recommencé. */
@@ -75,7 +78,7 @@ public final class Fautes {
                 : pixels.cardinality() + " pixels n'ont pu être calculés";
     }
 
-    /** Première faute, ligne par ligne, {@code null} s'il n'y en a pas. */
+    /** La première faute située, ligne par ligne, {@code null} s'il n'y en a pas. */
     public synchronized PixelFautif getPremiere() {
         return premiere;
     }
