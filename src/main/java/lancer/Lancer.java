@@ -59,14 +59,14 @@ public final class Lancer {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        TracerBrouillon(toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        TracerBrouillon(toile, profondeur, fils);
         toile.finirBrouillon();
         TracerPixels(toile, profondeur, fils);
     }
 
-    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre. */
+    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        partager(fils, true, null, toile, profondeur);
+        partager(fils, true, null, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON));
     }
 
     /**

@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
-import java.util.function.Consumer;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -60,12 +59,8 @@ public final class Options {
         new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
                 "dessine N fois avant d'écrire, pour mesurer",
                 (o, v) -> o.repeter = entier(v, 1, REPETER_MAX)),
-        new Entree("--statistiques",
-                "après l'image, rayons et temps, une ligne « nom: valeur » chacun",
-                o -> o.statistiques = true),
-        new Entree("--simple",
-                "les boucles du cours au lieu de la recherche rapide : la même image",
-                o -> o.reglages = o.reglages.avecLesBoucles()),
+        new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
+        new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image"),
         new Entree("--pixel", "421,426",
                 "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
                 "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
@@ -86,10 +81,10 @@ public final class Options {
         new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
                 "avec --comparer, les pixels qui peuvent dépasser cet écart",
                 (o, v) -> o.part = part(v)),
-        new Entree("--aide", "ce texte, comme --help et -h", o -> o.aide = true),
-        new Entree("--help", null, o -> o.aide = true),
-        new Entree("-h", null, o -> o.aide = true),
-        new Entree("--version", "la version", o -> o.version = true)};
+        new Entree("--aide", "ce texte, comme --help et -h"),
+        new Entree("--help", null),
+        new Entree("-h", null),
+        new Entree("--version", "la version")};
 
     /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
@@ -136,7 +131,7 @@ public final class Options {
     private static final class Entree {
 
         final String nom;
-        /** {@code null} si l'option ne prend pas de valeur. */
+        /** {@code null} si l'option ne prend pas de valeur ; de même ce qui est attendu, et la lecture. */
         final String exemple;
         final String attendu;
         /** {@code null} si l'aide n'a pas de ligne de cette option. */
@@ -151,8 +146,8 @@ public final class Options {
             this.lecture = lecture;
         }
 
-        Entree(String nom, String aide, Consumer<Options> lecture) {
-            this(nom, null, null, aide, (options, valeur) -> lecture.accept(options));
+        Entree(String nom, String aide) {
+            this(nom, null, null, aide, null);
         }
 
         String dire() {
@@ -240,19 +235,19 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (entree(nom).exemple == null) {
-                if (egal >= 0) {
-                    throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : "
-                            + Texte.cite(valeur));
-                }
-                entree(nom).lecture.accept(this, valeur);
-            } else if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
-                // dans « --image --fils 2 », le nom du fichier a été oublié
+            boolean seule = entree(nom).exemple == null;
+            if (seule && egal >= 0) {
+                throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
+            }
+            // dans « --image --fils 2 », le nom du fichier a été oublié
+            if (!seule && egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
                 valeur = arguments[++k];
             }
             if (donnees.put(nom, valeur) != null) {
                 throw demande("option donnée deux fois : " + nom, "une seule fois chaque option");
             }
+            aide = estDonnee("--aide") || estDonnee("--help") || estDonnee("-h");
+            version = estDonnee("--version");
         }
     }
 
@@ -268,6 +263,8 @@ public final class Options {
 
     /** Lit les valeurs dans l'ordre de la table. */
     private void comprendre() {
+        statistiques = estDonnee("--statistiques");
+        reglages = estDonnee("--simple") ? reglages.avecLesBoucles() : reglages;
         for (Entree entree : TABLE) {
             String valeur = donnees.get(entree.nom);
             if (valeur == null || entree.exemple == null) {

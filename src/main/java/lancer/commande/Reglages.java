@@ -167,7 +167,7 @@ public final class Reglages {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** La variante branchée dont des essais choisissent la section, absente du fichier ; {@code null} s'il n'y en a pas. */
+    /** La variante branchée, absente du fichier, dont des essais choisissent la section ; ou {@code null}. */
     public Variante getEssayee() {
         return sections.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
                 && !getSectionsProposees(variante).isEmpty()).findFirst().orElse(null);
