@@ -134,7 +134,10 @@ public final class Lancer {
             Rayon initial = camera.getRayon(xe, ye);
             Couleur vue = scene.getCouleurVue(initial, null, profondeur);
             equipe.obeir();
-            return PixelFautif.verifier(vue, xe, ye);
+            return PixelFautif.exigerFinie(vue, xe, ye);
+        } catch (CancellationException | OutOfMemoryError e) {
+            // ni un arrêt ni le manque de mémoire n'est un échec du pixel
+            throw e;
         } catch (RuntimeException | Error e) {
             return fautes.noter(e, xe, ye);
         }

@@ -27,7 +27,7 @@ public final class PixelFautif extends RuntimeException {
     }
 
     /** Rend cette couleur. @throws PixelFautif si elle est {@code null} ou si une composante n'est pas finie */
-    public static Couleur verifier(Couleur couleur, double xe, double ye) {
+    public static Couleur exigerFinie(Couleur couleur, double xe, double ye) {
         if (couleur == null || !couleur.estFinie()) {
             throw new PixelFautif(xe, ye,
                     new ArithmeticException("ce n'est pas une couleur aux composantes finies : " + couleur));

@@ -63,7 +63,10 @@ public final class Equipe {
             }
             acheve = true;
         } catch (ExecutionException e) {
-            relancer(e.getCause());
+            if (e.getCause() instanceof Error) {
+                throw (Error) e.getCause();
+            }
+            throw (RuntimeException) e.getCause();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CancellationException("travail interrompu");
@@ -86,13 +89,6 @@ public final class Equipe {
             ouvrier.accept(k);
             faites.incrementAndGet();
         }
-    }
-
-    private static void relancer(Throwable cause) {
-        if (cause instanceof Error) {
-            throw (Error) cause;
-        }
-        throw (RuntimeException) cause;
     }
 
     /** Attend la fin de ces fils, une seconde au plus ; l'interruption du fil appelant est gardée pour la suite. */

@@ -1,7 +1,6 @@
 package lancer.fils;
 
 import java.util.BitSet;
-import java.util.concurrent.CancellationException;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -31,15 +30,9 @@ public final class Fautes {
      * Note l'échec d'un point de l'écran.
      *
      * @return la couleur à sa place
-     * @throws PixelFautif si les échecs ne sont pas tolérés ; un arrêt et le manque de mémoire ne le sont jamais
+     * @throws PixelFautif si les échecs ne sont pas tolérés
      */
     public synchronized Couleur noter(Throwable e, double xe, double ye) {
-        if (e instanceof CancellationException) {
-            throw (CancellationException) e;
-        }
-        if (e instanceof OutOfMemoryError) {
-            throw (OutOfMemoryError) e;
-        }
         PixelFautif faute = e instanceof PixelFautif ? (PixelFautif) e : new PixelFautif(xe, ye, e);
         if (!tolerees) {
             throw faute;

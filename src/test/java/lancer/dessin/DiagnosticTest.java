@@ -82,7 +82,7 @@ class DiagnosticTest {
     void uneCouleurFausseDUnEchantillonnageNArrivePasALImageEtSaLigneEstDite() {
         for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
             String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
-                PixelFautif.verifier(fausse, 2.5, 1.5);
+                PixelFautif.exigerFinie(fausse, 2.5, 1.5);
                 return 0;
             }));
             assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse

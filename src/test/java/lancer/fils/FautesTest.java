@@ -2,13 +2,20 @@ package lancer.fils;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import lancer.Camera;
 import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import org.junit.jupiter.api.Test;
@@ -54,12 +61,28 @@ class FautesTest {
     }
 
     @Test
-    void unEchecQuiNEstPasTolereUnArretEtLeManqueDeMemoireArretentLeDessin() {
+    void unEchecQuiNEstPasTolereArreteLeDessin() {
         RuntimeException cause = new Repete(true);
         assertEquals(cause, assertThrows(PixelFautif.class, () -> fautes.noter(cause, 1.5, 1.5)).getCause());
-        fautes.tolerer();
-        assertThrows(CancellationException.class, () -> fautes.noter(new CancellationException(), 1.5, 1.5));
-        assertThrows(OutOfMemoryError.class, () -> fautes.noter(new OutOfMemoryError(), 1.5, 1.5));
-        assertTrue(fautes.getPremiere() == null);
+        assertNull(fautes.getPremiere());
+    }
+
+    /** Même si les échecs sont tolérés. */
+    @Test
+    void niUnArretNiLeManqueDeMemoireNEstUnEchecDuPixel() {
+        for (Throwable arret : new Throwable[] {new CancellationException(), new OutOfMemoryError()}) {
+            Modele modele = new Modele();
+            modele.setAtmosphere((vue, distance) -> {
+                if (arret instanceof Error) {
+                    throw (Error) arret;
+                }
+                throw (RuntimeException) arret;
+            });
+            Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele),
+                    new Camera(4, 3));
+            lancer.getFautes().tolerer();
+            assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerPixels((couleur, i, j) -> { }, 0, 2)));
+            assertNull(lancer.getFautes().enMots());
+        }
     }
 }
