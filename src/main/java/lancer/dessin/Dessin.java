@@ -22,7 +22,6 @@ import lancer.commande.Options;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
 import lancer.fils.Equipe;
 import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
@@ -163,7 +162,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
         Preparation.choisir(scene, camera, options.simple, this);
-        preparationNs = System.nanoTime() - debut - scene.getModele().getConstructionNs();
+        preparationNs = System.nanoTime() - debut;
         image = vierge;
         lancer = new Lancer(scene, camera);
         return lancer;
@@ -268,8 +267,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        Recherche recherche = scene.getModele().getRecherche();
-        return recherche == null ? null : recherche.getEcart();
+        return null;
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
@@ -310,11 +308,11 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
-                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
+                + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
                 c.pixelsRaffines, lectureNs / NS_PAR_MS,
-                (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
+                preparationNs / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 
