@@ -1,7 +1,10 @@
 package lancer.rapide;
 
+import java.util.List;
 import java.util.function.DoubleConsumer;
 import lancer.Camera;
+import lancer.Lampe;
+import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -20,6 +23,15 @@ public final class Preparation {
 
     /** Nombre d'objets jusqu'auquel les structures sont des masques. */
     static final int PEU = 40;
+
+    /** Nombre d'objets par pixel au-delà duquel il n'y a pas de carte. */
+    private static final int OBJETS_PAR_PIXEL = 8;
+
+    /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis. */
+    private static final int PLACES_PAR_OBJET = 26;
+    private static final int PLACES_TOUJOURS = 1 << 20;
+    private static final int CASES_PAR_OBJET = 8;
+    private static final int CASES_TOUJOURS = 1 << 18;
 
     final Scene scene;
     final Camera camera;
@@ -56,7 +68,25 @@ public final class Preparation {
 
     private Recherche construire(DoubleConsumer suivi) {
         Enveloppes enveloppes = new Enveloppes(scene.getObjets());
-        return new Masques(this, enveloppes);
+        if (enveloppes.objets.length <= PEU) {
+            return new Masques(this, enveloppes);
+        }
+        List<Lampe> lampes = scene.getLampes();
+        Carte[] cartes = new Carte[lampes.size()];
+        Arbre arbre = new Arbre(enveloppes);
+        int n = enveloppes.bornes.length;
+        long places = Math.max(PLACES_TOUJOURS, (long) n * PLACES_PAR_OBJET) / (1 + cartes.length);
+        long cases = Math.min(Math.max(CASES_TOUJOURS, (long) n * CASES_PAR_OBJET) / (1 + cartes.length),
+                (long) n * CASES_PAR_OBJET);
+        boolean utiles = n <= OBJETS_PAR_PIXEL * pixels && cases >= n / 16;
+        for (int l = 0; utiles && l < cartes.length; l++) {
+            Point p = lampes.get(l).getPosition();
+            if (Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
+                cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, (int) cases), enveloppes, (int) places);
+            }
+        }
+        PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, (int) Math.min(cases, pixels)) : null;
+        return new Foule(this, enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, (int) places), cartes);
     }
 
     /** La recherche d'un fil pour les mêmes objets, qui ont bougé. */
