@@ -22,11 +22,13 @@ import lancer.commande.Options;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
 import lancer.fils.Equipe;
 import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
+import lancer.rapide.Regard;
 import lancer.scene.SceneLue;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -56,6 +58,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
     private String vue;
     private ImageMemoire reference;
     private volatile Lancer lancer;
+    private volatile Regard regard;
     private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
@@ -161,11 +164,19 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         avancement = 0;
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-        Preparation.choisir(scene, camera, options.simple, this);
+        regard = Preparation.choisir(scene, camera, options.simple, this);
         preparationNs = System.nanoTime() - debut;
         image = vierge;
         lancer = new Lancer(scene, camera);
         return lancer;
+    }
+
+    /** Dessine tous les pixels avec ce lancer, une deuxième fois si la recherche cachait un objet. */
+    public void tracer(Lancer sien, Toile toile, int profondeur, int fils) {
+        sien.TracerPixels(regard.sur(toile), profondeur, fils);
+        if (regard.cachait(sien, profondeur)) {
+            sien.TracerPixels(toile, profondeur, fils);
+        }
     }
 
     /** Exécute ce travail dans un autre fil. Ce qui y dure dix secondes est nommé une fois, et continue. */
@@ -267,7 +278,12 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        return null;
+        return regard == null ? null : regard.getEcart();
+    }
+
+    /** Le regard sur ce que la recherche pourrait cacher ; {@code null} avant la préparation. */
+    public Regard getRegard() {
+        return regard;
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */

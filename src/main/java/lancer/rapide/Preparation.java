@@ -28,8 +28,8 @@ public final class Preparation {
     private static final int OBJETS_PAR_PIXEL = 8;
 
     /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis. */
-    private static final int PLACES_PAR_OBJET = 26;
-    private static final int PLACES_TOUJOURS = 1 << 20;
+    private static final int PLACES_PAR_OBJET = 32;
+    private static final int PLACES_TOUJOURS = 1 << 22;
     private static final int CASES_PAR_OBJET = 8;
     private static final int CASES_TOUJOURS = 1 << 18;
 
@@ -43,9 +43,15 @@ public final class Preparation {
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
-    /** Choisit la recherche de cette scène pour une image. @param simple vrai pour proposer tous les objets */
-    public static void choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+    /**
+     * Choisit la recherche de cette scène pour une image.
+     *
+     * @param simple vrai pour proposer tous les objets
+     * @return le regard sur ce que cette recherche pourrait cacher ; voir {@link Regard#cachait}
+     */
+    public static Regard choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
         scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : pour(scene, camera, suivi));
+        return new Regard(scene, camera);
     }
 
     /** Dit si les structures, construction comprise, sont plus rapides pour cette image que de demander tous les objets. */
