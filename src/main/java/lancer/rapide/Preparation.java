@@ -32,14 +32,21 @@ public final class Preparation {
     private static final int PLACES_TOUJOURS = 1 << 22;
     private static final int CASES_PAR_OBJET = 8;
     private static final int CASES_TOUJOURS = 1 << 18;
+    private static final int CASES_MAX = 1 << 19;
+
+    /** Parts approchées de la préparation faites après la copie des enveloppes, puis après l'arbre. */
+    private static final double PART_ENVELOPPES = 0.1;
+    private static final double PART_ARBRE = 0.5;
 
     final Scene scene;
     final Camera camera;
     final long pixels;
+    private final DoubleConsumer suivi;
 
-    private Preparation(Scene scene, Camera camera) {
+    Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
         this.scene = scene;
         this.camera = camera;
+        this.suivi = suivi;
         pixels = (long) camera.getLargeur() * camera.getHauteur();
     }
 
@@ -69,34 +76,44 @@ public final class Preparation {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        return new Preparation(scene, camera).construire(suivi);
+        return new Preparation(scene, camera, suivi).construire();
     }
 
-    private Recherche construire(DoubleConsumer suivi) {
+    private Recherche construire() {
+        int objets = scene.getObjets().size();
+        return objets <= PEU ? masques() : foule(objets <= OBJETS_PAR_PIXEL * pixels);
+    }
+
+    /** La recherche d'une petite scène. */
+    Recherche masques() {
+        return new Masques(this, new Enveloppes(scene.getObjets()));
+    }
+
+    /** La recherche d'une foule. @param avecCartes faux pour l'arbre seul */
+    Recherche foule(boolean avecCartes) {
         Enveloppes enveloppes = new Enveloppes(scene.getObjets());
-        if (enveloppes.objets.length <= PEU) {
-            return new Masques(this, enveloppes);
-        }
         List<Lampe> lampes = scene.getLampes();
         Carte[] cartes = new Carte[lampes.size()];
+        suivi.accept(PART_ENVELOPPES);
         Arbre arbre = new Arbre(enveloppes);
-        int n = enveloppes.bornes.length;
-        long places = Math.max(PLACES_TOUJOURS, (long) n * PLACES_PAR_OBJET) / (1 + cartes.length);
-        long cases = Math.min(Math.max(CASES_TOUJOURS, (long) n * CASES_PAR_OBJET) / (1 + cartes.length),
-                (long) n * CASES_PAR_OBJET);
-        boolean utiles = n <= OBJETS_PAR_PIXEL * pixels && cases >= n / 16;
-        for (int l = 0; utiles && l < cartes.length; l++) {
+        long n = enveloppes.bornes.length;
+        int places = (int) Math.min(Math.max(PLACES_TOUJOURS, n * PLACES_PAR_OBJET) / (1 + cartes.length), Integer.MAX_VALUE / 4);
+        int cases = (int) Math.min(Math.min(Math.max(CASES_TOUJOURS, n * CASES_PAR_OBJET) / (1 + cartes.length),
+                n * CASES_PAR_OBJET), CASES_MAX);
+        boolean utiles = avecCartes && cases > n / 16;
+        for (int l = 0; l < cartes.length; l++) {
+            suivi.accept(PART_ARBRE + (1 - PART_ARBRE) * l / (1 + cartes.length));
             Point p = lampes.get(l).getPosition();
-            if (Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
-                cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, (int) cases), enveloppes, (int) places);
+            if (utiles && Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
+                cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, cases), enveloppes, places);
             }
         }
         PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, (int) Math.min(cases, pixels)) : null;
-        return new Foule(this, enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, (int) places), cartes);
+        return new Foule(this, enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, places), cartes);
     }
 
     /** La recherche d'un fil pour les mêmes objets, qui ont bougé. */
     Recherche recommencer(Compteurs compteurs) {
-        return construire(part -> { }).pourUnFil(compteurs);
+        return new Preparation(scene, camera, part -> { }).construire().pourUnFil(compteurs);
     }
 }
