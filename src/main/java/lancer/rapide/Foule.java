@@ -14,7 +14,6 @@ import lancer.contrat.Recherche;
  */
 final class Foule implements Recherche {
 
-    private final Preparation preparation;
     private final Enveloppes enveloppes;
     private final int[] libres;
     private final int nombre;
@@ -58,14 +57,7 @@ final class Foule implements Recherche {
     private int premier = -1;
 
     /** @param oeil carte de l'œil, et de chaque lampe ; {@code null} là où l'arbre la remplace */
-    Foule(Preparation preparation, Enveloppes enveloppes, Arbre arbre, Carte oeil, Carte[] cartes) {
-        this(preparation, enveloppes, arbre, oeil, cartes, preparation.scene.getLampes().toArray(new Lampe[0]),
-                new Compteurs());
-    }
-
-    private Foule(Preparation preparation, Enveloppes enveloppes, Arbre arbre, Carte oeil, Carte[] cartes, Lampe[] lampes,
-            Compteurs compteurs) {
-        this.preparation = preparation;
+    Foule(Enveloppes enveloppes, Arbre arbre, Carte oeil, Lampe[] lampes, Carte[] cartes, Compteurs compteurs) {
         this.enveloppes = enveloppes;
         this.arbre = arbre;
         this.oeil = oeil;
@@ -230,8 +222,7 @@ final class Foule implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs siens) {
-        return enveloppes.sontEnPlace() ? new Foule(preparation, enveloppes, arbre, oeil, cartes, lampes, siens)
-                : preparation.recommencer(siens);
+        return new Foule(enveloppes, arbre, oeil, lampes, cartes, siens);
     }
 
     @Override

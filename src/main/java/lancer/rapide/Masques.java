@@ -1,10 +1,10 @@
 package lancer.rapide;
 
 import java.util.List;
+import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -32,8 +32,6 @@ final class Masques implements Recherche {
     /** Les masques d'une lampe demandent n² examens, soit au plus ce nombre par pixel. */
     private static final int PAIRES_PAR_PIXEL = 4;
 
-    private final Preparation preparation;
-    private final Enveloppes enveloppes;
     private final Objet3D[] objets;
     private final double[] g;
     private final long tous;
@@ -60,15 +58,14 @@ final class Masques implements Recherche {
     private long bloqueur;
     private boolean ombre;
 
-    Masques(Preparation preparation, Enveloppes enveloppes) {
-        this.preparation = preparation;
-        this.enveloppes = enveloppes;
+    Masques(Enveloppes enveloppes, List<Lampe> siennes, Camera camera) {
         objets = enveloppes.objets;
         g = enveloppes.geometrie;
         compteurs = new Compteurs();
         int n = objets.length;
         tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
-        oeil = PointDeVue.deLOeil(preparation.camera, (int) (preparation.pixels / (TUILE * TUILE)));
+        double pixels = (double) camera.getLargeur() * camera.getHauteur();
+        oeil = PointDeVue.deLOeil(camera, (int) (pixels / (TUILE * TUILE)));
         portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee());
         parTuile = oeil == null ? null : new long[oeil.nombre];
         parDirection = new long[CUBES * n];
@@ -83,13 +80,12 @@ final class Masques implements Recherche {
                 noterDirections(a, b);
             }
         }
-        List<Lampe> siennes = preparation.scene.getLampes();
         lampes = siennes.toArray(new Lampe[0]);
         positions = siennes.stream().map(Lampe::getPosition).toArray(Point[]::new);
         longueurs = siennes.stream().map(Lampe::getPosition)
                 .mapToDouble(p -> Math.max(portee, Enveloppes.plusGrande(p.x, p.y, p.z))).toArray();
         parEclaire = new long[lampes.length][];
-        int masquees = n == 0 || preparation.pixels * PAIRES_PAR_PIXEL < (long) n * n ? 0 : MASQUES_D_OMBRES / n;
+        int masquees = n == 0 || pixels * PAIRES_PAR_PIXEL < n * n ? 0 : MASQUES_D_OMBRES / n;
         for (int l = 0; l < Math.min(masquees, lampes.length); l++) {
             Recherche.obeir();
             parEclaire[l] = eclaires(positions[l], MARGE * longueurs[l]);
@@ -97,8 +93,6 @@ final class Masques implements Recherche {
     }
 
     private Masques(Masques autre, Compteurs compteurs) {
-        preparation = autre.preparation;
-        enveloppes = autre.enveloppes;
         objets = autre.objets;
         g = autre.g;
         tous = autre.tous;
@@ -268,7 +262,7 @@ final class Masques implements Recherche {
 
     @Override
     public Recherche pourUnFil(Compteurs siens) {
-        return enveloppes.sontEnPlace() ? new Masques(this, siens) : preparation.recommencer(siens);
+        return new Masques(this, siens);
     }
 
     @Override

@@ -4,13 +4,18 @@ import java.util.List;
 import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
-/** Choix et construction de la recherche, selon la scène et l'image. */
-public final class Preparation {
+/**
+ * La recherche choisie pour une scène et une image : des {@link Masques}, ou une {@link Foule}. Elle est construite de
+ * nouveau si un objet a bougé quand un fil la demande.
+ */
+public final class Preparation implements Recherche {
 
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
     private static final int DEUX = 2;
@@ -22,12 +27,12 @@ public final class Preparation {
     private static final long VITE_FAIT = 1 << 20;
 
     /** Nombre d'objets jusqu'auquel les structures sont des masques. */
-    static final int PEU = 40;
+    private static final int PEU = 40;
 
     /** Nombre d'objets par pixel au-delà duquel il n'y a pas de carte. */
     private static final int OBJETS_PAR_PIXEL = 8;
 
-    /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis. */
+    /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis ; cases d'une carte. */
     private static final int PLACES_PAR_OBJET = 32;
     private static final int PLACES_TOUJOURS = 1 << 22;
     private static final int CASES_PAR_OBJET = 8;
@@ -38,16 +43,18 @@ public final class Preparation {
     private static final double PART_ENVELOPPES = 0.1;
     private static final double PART_ARBRE = 0.5;
 
-    final Scene scene;
-    final Camera camera;
-    final long pixels;
+    private final Scene scene;
+    private final Camera camera;
     private final DoubleConsumer suivi;
+    private Enveloppes enveloppes;
+    private Recherche recherche;
 
+    /** @param suivi reçoit la part faite, de 0 à 1, après chaque étape */
     Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
         this.scene = scene;
         this.camera = camera;
         this.suivi = suivi;
-        pixels = (long) camera.getLargeur() * camera.getHauteur();
+        construire();
     }
 
     /**
@@ -55,10 +62,12 @@ public final class Preparation {
      *
      * @param simple vrai pour proposer tous les objets
      * @return le regard sur ce que cette recherche pourrait cacher ; voir {@link Regard#cachait}
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static Regard choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : pour(scene, camera, suivi));
-        return new Regard(scene, camera);
+        Preparation preparation = simple || !estUtile(scene, camera) ? null : new Preparation(scene, camera, suivi);
+        scene.getModele().setRecherche(preparation);
+        return new Regard(scene, camera, () -> preparation == null || preparation.estEnPlace());
     }
 
     /** Dit si les structures, construction comprise, sont plus rapides pour cette image que de demander tous les objets. */
@@ -68,38 +77,33 @@ public final class Preparation {
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
     }
 
-    /**
-     * La recherche de cette scène vue de cette caméra.
-     *
-     * @param suivi reçoit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche qui donne la même image et les mêmes nombres de rayons que si tous les objets sont demandés
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     */
+    /** La recherche de cette scène vue de cette caméra. Elle donne la même image que si tous les objets sont proposés. */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        return new Preparation(scene, camera, suivi).construire();
+        return new Preparation(scene, camera, suivi);
     }
 
-    private Recherche construire() {
-        int objets = scene.getObjets().size();
-        return objets <= PEU ? masques() : foule(objets <= OBJETS_PAR_PIXEL * pixels);
+    private void construire() {
+        enveloppes = new Enveloppes(scene.getObjets());
+        suivi.accept(PART_ENVELOPPES);
+        int objets = enveloppes.objets.length;
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        recherche = objets <= PEU ? masques() : foule(objets <= OBJETS_PAR_PIXEL * pixels);
     }
 
     /** La recherche d'une petite scène. */
     Recherche masques() {
-        return new Masques(this, new Enveloppes(scene.getObjets()));
+        return new Masques(enveloppes, scene.getLampes(), camera);
     }
 
     /** La recherche d'une foule. @param avecCartes faux pour l'arbre seul */
     Recherche foule(boolean avecCartes) {
-        Enveloppes enveloppes = new Enveloppes(scene.getObjets());
         List<Lampe> lampes = scene.getLampes();
         Carte[] cartes = new Carte[lampes.size()];
-        suivi.accept(PART_ENVELOPPES);
         Arbre arbre = new Arbre(enveloppes);
         long n = enveloppes.bornes.length;
-        int places = (int) Math.min(Math.max(PLACES_TOUJOURS, n * PLACES_PAR_OBJET) / (1 + cartes.length), Integer.MAX_VALUE / 4);
-        int cases = (int) Math.min(Math.min(Math.max(CASES_TOUJOURS, n * CASES_PAR_OBJET) / (1 + cartes.length),
-                n * CASES_PAR_OBJET), CASES_MAX);
+        int places = (int) (Math.max(PLACES_TOUJOURS, n * PLACES_PAR_OBJET) / (1 + cartes.length));
+        long permises = Math.max(CASES_TOUJOURS, n * CASES_PAR_OBJET) / (1 + cartes.length);
+        int cases = (int) Math.min(Math.min(permises, n * CASES_PAR_OBJET), CASES_MAX);
         boolean utiles = avecCartes && cases > n / 16;
         for (int l = 0; l < cartes.length; l++) {
             suivi.accept(PART_ARBRE + (1 - PART_ARBRE) * l / (1 + cartes.length));
@@ -108,12 +112,41 @@ public final class Preparation {
                 cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, cases), enveloppes, places);
             }
         }
-        PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, (int) Math.min(cases, pixels)) : null;
-        return new Foule(this, enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, places), cartes);
+        PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, cases) : null;
+        return new Foule(enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, places),
+                lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 
-    /** La recherche d'un fil pour les mêmes objets, qui ont bougé. */
-    Recherche recommencer(Compteurs compteurs) {
-        return new Preparation(scene, camera, part -> { }).construire().pourUnFil(compteurs);
+    /** Dit si tous les objets sont là où ils étaient à la dernière construction. */
+    boolean estEnPlace() {
+        return enveloppes.sontEnPlace();
+    }
+
+    @Override
+    public synchronized Recherche pourUnFil(Compteurs compteurs) {
+        if (!estEnPlace()) {
+            construire();
+        }
+        return recherche.pourUnFil(compteurs);
+    }
+
+    @Override
+    public void commencer(Point P, Vecteur V, Objet3D depart) {
+        recherche.commencer(P, V, depart);
+    }
+
+    @Override
+    public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
+        recherche.commencerOmbre(lampe, P, V, distance, eclaire);
+    }
+
+    @Override
+    public int suivant(double auPlus) {
+        return recherche.suivant(auPlus);
+    }
+
+    @Override
+    public String toString() {
+        return recherche.toString();
     }
 }

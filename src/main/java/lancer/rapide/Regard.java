@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
@@ -30,8 +31,8 @@ import lancer.contrat.Toile;
  */
 public final class Regard implements Toile {
 
-    private static final String CACHE = "un objet répond hors de son enveloppe, ou selon l'ordre des questions : ce sont les "
-            + "boucles sur tous les objets qui dessinent";
+    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : ce sont "
+            + "les boucles sur tous les objets qui dessinent";
     private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
 
     /** Nombre de rayons avant le dessin ; nombre d'objets que demandent les boucles, avant puis après lui, à peu près. */
@@ -46,13 +47,19 @@ public final class Regard implements Toile {
     private final int pixels;
     private final Random hasard = new Random(1);
     private final Map<Integer, Couleur> dessines = new ConcurrentHashMap<>();
+    private final BooleanSupplier enPlace;
     private Toile toile;
     private String ecart;
 
-    /** Compare la recherche de cette scène à toutes les réponses de ses objets, et l'ôte du modèle si elle en cache une. */
-    Regard(Scene scene, Camera camera) {
+    /**
+     * Compare la recherche de cette scène à toutes les réponses de ses objets, et l'ôte du modèle si elle en cache une.
+     *
+     * @param enPlace dit si les objets sont là où elle les croit
+     */
+    Regard(Scene scene, Camera camera, BooleanSupplier enPlace) {
         this.camera = camera;
         pixels = camera.getLargeur() * camera.getHauteur();
+        this.enPlace = enPlace;
         if (scene.getModele().getRecherche() != null && cache(scene)) {
             oter(scene);
         }
@@ -181,6 +188,10 @@ public final class Regard implements Toile {
      */
     public boolean cachait(Lancer acheve, int profondeur) {
         Scene scene = acheve.getScene();
+        if (scene.getModele().getRecherche() != null && !enPlace.getAsBoolean()) {
+            oter(scene);
+            return true;
+        }
         List<Integer> tous = new ArrayList<>(dessines.keySet());
         Modele modele = scene.getModele();
         Modele simple = sansRecherche(modele);

@@ -62,12 +62,16 @@ public final class TraceurNaif implements Vue {
         Couleur couleur = new Couleur();
         for (Lampe lampe : lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-            if (N.dot(versLampe) > 0 && !cachee(lampe, contact, contact.objet)) {
-                couleur = couleur.add(contact.objet.getKd().mul(N.dot(versLampe.normalized()), lampe.getCouleur()));
+            Vecteur L = versLampe.normalized();
+            // comme le cours, la question part de la lampe
+            Point vise = lampe.getPosition().add(versLampe.norme(), L.neg());
+            if (N.dot(versLampe) > 0 && !cachee(lampe, vise, contact.objet)) {
+                couleur = couleur.add(contact.objet.getKd().mul(N.dot(L), lampe.getCouleur()));
             }
         }
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        return profondeur == 0 ? couleur : couleur.add(contact.objet.getKs().mul(vue(new Rayon(contact, R), profondeur - 1)));
+        Couleur Ks = contact.objet.getKs();
+        return profondeur == 0 ? couleur : couleur.add(Ks.mul(vue(new Rayon(contact, R, Ks), profondeur - 1)));
     }
 
     /** N'exclut rien : ce qui est à plus d'epsilon compte. */

@@ -19,7 +19,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
-import lancer.contrat.TousLesObjets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -154,16 +153,16 @@ class ComptesTest {
     @Test
     void unFilInterrompuSArreteDansUnPixel() {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
+        Recherche rapide = Preparation.pour(scene, new Camera(2, 2), part -> { });
         for (Recherche recherche : new Recherche[] {null,
-            Preparation.pour(scene, new Camera(2, 2), part -> { }),
+            rapide,
             new Preparation(scene, CAMERA, part -> { }).foule(false)}) {
             scene.getModele().setRecherche(recherche);
             Lancer lancer = new Lancer(scene.avec(scene.getModele()), CAMERA);
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
-                scene.getModele().setRecherche(new TousLesObjets(20_000));
-                assertThrows(CancellationException.class, () -> new Regard(scene, CAMERA));
+                assertThrows(CancellationException.class, () -> new Regard(scene, CAMERA, () -> true));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
             }
