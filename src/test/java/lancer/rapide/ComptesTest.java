@@ -162,6 +162,7 @@ class ComptesTest {
             Thread.currentThread().interrupt();
             try {
                 assertThrows(CancellationException.class, () -> lancer.getCouleurPixel(40, 30, 5));
+                scene.getModele().setRecherche(rapide);
                 assertThrows(CancellationException.class, () -> new Regard(scene, CAMERA, () -> true));
             } finally {
                 assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
