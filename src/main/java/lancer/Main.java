@@ -85,7 +85,11 @@ public class Main implements Toile {
         suivi.accept(dessin);
         dessin.lancer.getFautes().tolerer();
         try {
-            dessin.lancer.TracerImage(dans(dessin.image), demande.reglages.getProfondeur(), options.fils);
+            int profondeur = demande.reglages.getProfondeur();
+            dessin.lancer.TracerImage(dans(dessin.image), profondeur, options.fils);
+            if (dessin.estARefaire(dessin.lancer, profondeur)) {
+                dessin.lancer.TracerPixels(this, profondeur, options.fils);
+            }
         } catch (PixelFautif e) {
             throw demande.nommer(e);
         }

@@ -12,10 +12,10 @@ import lancer.commande.Messages;
 import lancer.commande.Reglages;
 import lancer.contrat.Compteurs;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
+import lancer.rapide.Regard;
 
 /** Ce qui est dessiné d'une demande : l'image, et le lancer qui la dessine, avec compteurs, temps et fautes. */
 public final class Dessin {
@@ -30,6 +30,7 @@ public final class Dessin {
     public final Lancer lancer;
     /** Le temps de la préparation, en nanosecondes. */
     private final long preparationNs;
+    private final Regard regard;
     private volatile boolean brouillonFait;
 
     /** Prépare le dessin de cette demande. @throws CancellationException si ce fil est interrompu */
@@ -44,7 +45,8 @@ public final class Dessin {
         this.image = image;
         long debut = System.nanoTime();
         lancer = lancer(demande.getScene(), image.largeur, image.hauteur, demande.reglages.isSimple());
-        preparationNs = System.nanoTime() - debut - lancer.getScene().getModele().getConstructionNs();
+        preparationNs = System.nanoTime() - debut;
+        regard = new Regard(lancer.getScene(), lancer.getCamera());
     }
 
     private Dessin(Dessin prepare, Demande demande, ImageMemoire image) {
@@ -52,6 +54,7 @@ public final class Dessin {
         this.image = image;
         lancer = prepare.lancer.avec(demande.reglages.getModele());
         preparationNs = 0;
+        regard = prepare.regard;
     }
 
     /** Le dessin de la même scène, déjà préparée, avec ces autres réglages, dans une nouvelle image. */
@@ -88,13 +91,17 @@ public final class Dessin {
         return brouillonFait;
     }
 
-    /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
+    /** Une phrase, si la recherche cachait une réponse, ou si une réponse change ; {@code null} sinon. */
     public String getEcart() {
-        Recherche recherche = lancer.getScene().getModele().getRecherche();
-        return recherche == null ? null : recherche.getEcart();
+        return regard.getEcart();
     }
 
-    /** Avertit si une réponse de la recherche rapide diffère de celle des classes du cours. */
+    /** Dit si l'image, que ce lancer a achevée, est à dessiner de nouveau. Voir {@link Regard#cachait}. */
+    public boolean estARefaire(Lancer acheve, int profondeur) {
+        return regard.cachait(acheve, image, profondeur);
+    }
+
+    /** Avertit de {@link #getEcart}. */
     public void direEcart(PrintStream erreur) {
         if (getEcart() != null) {
             Messages.avertir(Collections.singletonList(getEcart()), erreur);
@@ -121,11 +128,11 @@ public final class Dessin {
         double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
-                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
+                + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
                 c.pixelsRaffines, demande.lecture.dureeNs / NS_PAR_MS,
-                (preparationNs + lancer.getScene().getModele().getConstructionNs()) / NS_PAR_MS,
+                preparationNs / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 }

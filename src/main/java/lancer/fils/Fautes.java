@@ -48,12 +48,6 @@ public final class Fautes {
         return faute.y * largeur + faute.x;
     }
 
-    /** Oublie les échecs : le dessin est recommencé. */
-    public synchronized void oublier() {
-        pixels.clear();
-        premiere = null;
-    }
-
     /** Repeint les pixels fautifs de ce pavé : un échantillonnage a pu mêler leur couleur à des couleurs justes. */
     public synchronized void peindre(Pave pave, Toile toile) {
         for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {

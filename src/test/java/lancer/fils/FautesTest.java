@@ -46,8 +46,6 @@ class FautesTest {
         fautes.noter(new Repete(true), 9.5, 3.5);
         assertEquals("2, 1", fautes.getPremiere().x + ", " + fautes.getPremiere().y);
         assertEquals("4 pixels n'ont pu être calculés", fautes.enMots());
-        fautes.oublier();
-        assertNull(fautes.enMots());
     }
 
     @Test

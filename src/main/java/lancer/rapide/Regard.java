@@ -1,0 +1,199 @@
+package lancer.rapide;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Random;
+import java.util.concurrent.CancellationException;
+import java.util.stream.Collectors;
+import lancer.Camera;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
+import lancer.contrat.Pave;
+import lancer.image.ImageMemoire;
+
+/**
+ * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui bouge,
+ * une réponse qui change d'un appel à l'autre. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas vue. Rien
+ * n'en est compté dans les statistiques.
+ */
+public final class Regard {
+
+    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : "
+            + "ce sont les boucles sur tous les objets qui dessinent";
+    private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
+
+    /** Nombre de rayons avant le dessin, et d'objets demandés, à peu près, avant lui, puis après lui. */
+    private static final int RAYONS = 300;
+    private static final int EXAMENS = 1 << 17;
+
+    /** Nombre de pixels demandés de nouveau après le dessin, et par pavé, au plus. */
+    private static final int PIXELS = 200;
+    private static final int PIXELS_PAR_PAVE = 8;
+
+    private final Random hasard = new Random(1);
+    private String ecart;
+
+    /** Compare la recherche de cette scène préparée à toutes les réponses de ses objets, et l'ôte si elle en cache une. */
+    public Regard(Scene scene, Camera camera) {
+        if (scene.getModele().getRecherche() != null && cache(scene, camera)) {
+            oter(scene);
+        }
+    }
+
+    /** Une phrase, si la recherche cachait une réponse, ou si une réponse change ; {@code null} sinon. */
+    public String getEcart() {
+        return ecart;
+    }
+
+    private void oter(Scene scene) {
+        scene.getModele().setRecherche(null);
+        ecart = CACHE;
+    }
+
+    private static Modele sansRecherche(Modele modele) {
+        Modele simple = modele.avec(modele.getEchantillonnage(), modele.getSeuil());
+        simple.setRecherche(null);
+        return simple;
+    }
+
+    private boolean cache(Scene scene, Camera camera) {
+        // les objets de chaque classe, pour autant de rayons
+        List<List<Objet3D>> classes = new ArrayList<>(scene.getObjets().stream()
+                .filter(objet -> objet.getEnveloppe() != null).collect(Collectors.groupingBy(Object::getClass)).values());
+        Scene toutes = scene.avec(sansRecherche(scene.getModele()));
+        Scene cherchee = scene.avec(scene.getModele());
+        try {
+            boolean cache = false;
+            for (int k = 0; k < RAYONS && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
+                Objet3D depart = classes.isEmpty() || k % 3 != 2 ? null : tirer(classes.get(k % classes.size()));
+                Objet3D cible = classes.isEmpty() ? null : tirer(classes.get(k % classes.size()));
+                Lampe lampe = scene.getLampes().isEmpty() ? null : tirer(scene.getLampes());
+                Rayon rayon = rayon(camera, k % 3 == 1 ? lampe : null, depart, cible);
+                cache = rayon != null && (deborde(cible, rayon) || differe(toutes, cherchee, rayon, depart, lampe));
+            }
+            return cache;
+        } catch (CancellationException | OutOfMemoryError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            // le dessin nommera le pixel qui échoue
+            return false;
+        }
+    }
+
+    private <T> T tirer(List<T> liste) {
+        return liste.get(hasard.nextInt(liste.size()));
+    }
+
+    /** Un rayon de la lampe ou de l'enveloppe de {@code depart} vers celle de {@code cible}, ou un rayon de l'écran. */
+    private Rayon rayon(Camera camera, Lampe lampe, Objet3D depart, Objet3D cible) {
+        if (cible == null || lampe == null && depart == null) {
+            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(), camera.getHauteur() * hasard.nextDouble());
+        }
+        Point P = lampe != null ? lampe.getPosition() : dans(depart, 1);
+        Vecteur V = new Vecteur(P, dans(cible, hasard.nextDouble()));
+        return V.norme() > 0 && V.norme() <= Double.MAX_VALUE ? new Rayon(P, V) : null;
+    }
+
+    /** Un point de l'enveloppe de cet objet, à cette part de son rayon. */
+    private Point dans(Objet3D objet, double part) {
+        Vecteur direction = new Vecteur(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+        Sphere enveloppe = objet.getEnveloppe();
+        return enveloppe.getCentre().add(part * enveloppe.getRayon(), direction.normalized());
+    }
+
+    /** Dit si ce rayon rencontre cet objet hors de son enveloppe. */
+    private static boolean deborde(Objet3D objet, Rayon rayon) {
+        double d = objet == null ? Double.POSITIVE_INFINITY : objet.getIntersectionDistance(rayon);
+        if (!(d < Double.POSITIVE_INFINITY)) {
+            return false;
+        }
+        Sphere enveloppe = objet.getEnveloppe();
+        Point c = enveloppe.getCentre();
+        double marge = 1e-6 * (Math.abs(d) + Enveloppes.plusGrande(c.x, c.y, c.z) + enveloppe.getRayon());
+        return new Vecteur(c, rayon.getP().add(d, rayon.getV())).norme() > enveloppe.getRayon() + marge;
+    }
+
+    /** Dit si la recherche et les boucles sur tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
+    private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart, Lampe lampe) {
+        Rayon autre = Rayon.dOmbre(rayon.getP(), rayon.getV());
+        long avant = toutes.getCompteurs().testsSpheres;
+        PointContact attendu = toutes.getClosestIntersection(rayon, depart);
+        // les boucles peuvent demander un objet que la scène ne donne pas à la recherche
+        if (toutes.getCompteurs().testsSpheres - avant > toutes.getObjets().size()
+                || !Objects.equals(attendu, cherchee.getClosestIntersection(autre, depart))
+                || autre.getObjet() != rayon.getObjet()) {
+            return true;
+        }
+        Vecteur versLampe = attendu == null || lampe == null ? new Vecteur() : new Vecteur(attendu, lampe.getPosition());
+        if (attendu == null || !(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
+            return false;
+        }
+        Vecteur L = versLampe.normalized();
+        return toutes.estCachee(lampe, attendu, L, versLampe.norme(), attendu.objet)
+                != cherchee.estCachee(lampe, attendu, L, versLampe.norme(), attendu.objet);
+    }
+
+    /**
+     * Demande de nouveau quelques pixels d'une image achevée. Si la recherche en cachait une réponse, elle est ôtée du
+     * modèle.
+     *
+     * @param acheve le lancer qui a dessiné l'image
+     * @return vrai si l'image est à dessiner de nouveau, par les boucles sur tous les objets
+     */
+    public boolean cachait(Lancer acheve, ImageMemoire image, int profondeur) {
+        Scene scene = acheve.getScene();
+        Modele modele = scene.getModele();
+        if (modele.getRecherche() instanceof Preparation && !((Preparation) modele.getRecherche()).estEnPlace()) {
+            oter(scene);
+            return true;
+        }
+        if (acheve.getFautes().getPremiere() != null) {
+            return false;
+        }
+        if (differe(acheve, modele, image, profondeur, PIXELS)) {
+            ecart = CHANGE;
+            return false;
+        }
+        double parPixel = (double) acheve.getCompteurs().rayons() / image.largeur / image.hauteur;
+        int quelques = (int) Math.min(PIXELS, EXAMENS / (1 + parPixel * scene.getObjets().size()));
+        if (modele.getRecherche() == null || !differe(acheve, sansRecherche(modele), image, profondeur, quelques)) {
+            return false;
+        }
+        oter(scene);
+        return true;
+    }
+
+    /** Dit si, pour ce modèle, l'un de quelques pixels n'est pas celui de l'image. @param combien à peu près, au plus */
+    private boolean differe(Lancer acheve, Modele modele, ImageMemoire image, int profondeur, int combien) {
+        Camera camera = acheve.getCamera();
+        int paves = Pave.nombre(image.largeur, image.hauteur, Pave.COTE);
+        Echantillonnage choisi = modele.getEchantillonnage() == null ? null
+                : modele.getEchantillonnage().pour(acheve.getScene().getObjets(), camera);
+        boolean[] differe = new boolean[1];
+        Echantillonnage quelques = (pave, voulus, vue, toile) -> {
+            for (int k = 0; k < PIXELS_PAR_PAVE && hasard.nextInt(paves) < combien - k * paves; k++) {
+                int i = pave.i0 + hasard.nextInt(pave.i1 - pave.i0);
+                int j = pave.j0 + hasard.nextInt(pave.j1 - pave.j0);
+                if (choisi == null) {
+                    toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
+                } else {
+                    choisi.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, toile);
+                }
+            }
+            return 0;
+        };
+        new Lancer(acheve.getScene().avec(modele), camera).TracerPixels(quelques,
+                (couleur, i, j) -> differe[0] |= !image.contient(couleur, i, j), profondeur, 1);
+        return differe[0];
+    }
+}
