@@ -67,8 +67,6 @@ final class Bandeau extends JTextArea {
         texte.setFocusable(false);
         texte.setLineWrap(true);
         texte.setWrapStyleWord(true);
-        // un fichier déposé sur ce texte doit aller à la fenêtre
-        texte.setTransferHandler(null);
         texte.setCursor(Cursor.getDefaultCursor());
     }
 

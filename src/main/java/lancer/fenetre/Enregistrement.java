@@ -10,6 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.stream.Collectors;
 import lancer.SceneFautive;
+import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
@@ -17,10 +18,11 @@ import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
-/** Copie l'image achevée dans le presse-papiers, ou l'enregistre en PNG comme {@code --image}. */
+/** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
 final class Enregistrement {
 
     private final Controleur controleur;
+    private final Prise prise;
     private final Bandeau bandeau;
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
@@ -29,16 +31,17 @@ final class Enregistrement {
     private File dossier = new File("").getAbsoluteFile();
     private File echoue;
 
-    Enregistrement(Controleur controleur, Bandeau bandeau) {
+    Enregistrement(Controleur controleur, Prise prise) {
         this.controleur = controleur;
-        this.bandeau = bandeau;
+        this.prise = prise;
+        bandeau = controleur.panneau.bandeau;
     }
 
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = Pixels.de(image.codes, image.largeur, false);
+            BufferedImage copie = PanneauImage.deJava(image, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {
@@ -59,11 +62,10 @@ final class Enregistrement {
         }
     }
 
-    /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
+    /** Copie les sections de variantes à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     void copierReglages() {
-        String sections = controleur.etat.getReglages().getSectionsChangees().stream()
-                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + controleur.etat.choix.scene.getChanges(controleur.etat.lecture.getLue());
+        String sections = controleur.demande.reglages.getSectionsChangees().stream()
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         bandeau.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
         bandeau.dire(Sujet.AVIS, "réglages copiés : "
@@ -72,11 +74,11 @@ final class Enregistrement {
 
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = controleur.etat.getImageEntiere();
+        ImageMemoire image = controleur.getImageEntiere();
         String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : controleur.etat.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : controleur.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return faute == null ? image : null;
@@ -87,22 +89,21 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.etat.montre.fichier;
+        String scene = controleur.montre.demande.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(controleur.panneau,
-                echoue != null ? echoue : new File(dossier, nom));
+        File cible = Dialogues.choisirImage(controleur.panneau, echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
             return;
         }
         dossier = cible.getParentFile();
-        Controleur.confier(disque, () -> ecrire(image, cible, scene), echec -> {
-            echoue = cible;
-            bandeau.dire(Sujet.AVIS, "");
-            bandeau.dire(Sujet.DISQUE, echec);
+        echoue = cible;
+        confier(() -> ecrire(image, cible, scene), () -> {
+            echoue = null;
+            return "enregistrée : " + Texte.echappe(cible.getName());
         });
     }
 
-    private void ecrire(ImageMemoire image, File cible, String scene) {
+    private static void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
             ecriture.epargner(FichierScene.trouver(scene), "la scène elle-même");
@@ -110,11 +111,6 @@ final class Enregistrement {
             // le fichier de la scène a été effacé depuis sa lecture
         }
         ecriture.ecrire(image, new FichierPng());
-        EventQueue.invokeLater(() -> {
-            echoue = null;
-            bandeau.dire(Sujet.DISQUE, "");
-            bandeau.dire(Sujet.AVIS, "enregistrée : " + Texte.echappe(cible.getName()));
-        });
     }
 
     void terminer(Runnable fin) {

@@ -11,6 +11,7 @@ import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -23,12 +24,13 @@ import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.text.DefaultFormatterFactory;
 import lancer.commande.Etape;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -53,18 +55,21 @@ final class PanneauReglages extends JScrollPane {
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avec(etape), null, false));
+        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape)));
+        etapes.setToolTipText("F6 à F9");
         poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
         JSpinner reflexions = new JSpinner(new SpinnerNumberModel(0, 0, Options.REFLETS_MAX, 1));
-        reflexions.addChangeListener(e -> changer(reglages().avec((Integer) reflexions.getValue(),
-                reglages().getSeuil()), reflexions, false));
+        reflexions.setToolTipText("touches + et −");
+        JFormattedTextField nombre = ((JSpinner.DefaultEditor) reflexions.getEditor()).getTextField();
+        nombre.setFormatterFactory(new DefaultFormatterFactory(new Saisie("nombre de réflexions impossible : ",
+                "un entier de 0 à " + Options.REFLETS_MAX, PanneauReglages::entier)));
+        reflexions.addChangeListener(e -> changer(reglages().avecReflets((Integer) reflexions.getValue())));
         poser("réflexions", reflexions, null, () -> reflexions.setValue(reglages().getReflets()));
-        JFormattedTextField seuil = new JFormattedTextField(new Seuil());
+        JFormattedTextField seuil = new JFormattedTextField(new Saisie("seuil impossible : ",
+                "un nombre positif ou nul, par exemple 0.001", PanneauReglages::positif));
         seuil.setColumns(COLONNES);
-        seuil.setFocusLostBehavior(JFormattedTextField.COMMIT_OR_REVERT);
-        seuil.addPropertyChangeListener("value", e -> changer(reglages().avec(reglages().getReflets(),
-                (Double) seuil.getValue()), null, false));
-        poser("seuil", seuil, null, () -> {
+        seuil.addPropertyChangeListener("value", e -> changer(reglages().avecSeuil((Double) seuil.getValue())));
+        poser("seuil des reflets", seuil, null, () -> {
             // un texte que l'on écrit reste, tant que le seuil est le même
             if (!Double.valueOf(reglages().getSeuil()).equals(seuil.getValue())) {
                 seuil.setValue(reglages().getSeuil());
@@ -75,7 +80,7 @@ final class PanneauReglages extends JScrollPane {
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(e -> changer(reglages().avec(variante.get(), boite.isSelected()), null, false));
+            boite.addActionListener(e -> changer(reglages().avecVariante(variante.get(), boite.isSelected())));
             ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
@@ -91,27 +96,46 @@ final class PanneauReglages extends JScrollPane {
         controleur.prevenir(this::montrer);
     }
 
-    private ReglagesDessin reglages() {
-        return controleur.etat.getReglages();
+    private Reglages reglages() {
+        return controleur.reglages;
     }
 
-    /** Lecture et écriture du seuil. Un seuil impossible est dit, et laissé à corriger. */
-    private final class Seuil extends JFormattedTextField.AbstractFormatter {
+    private static Number entier(String texte) {
+        double lu = Nombre.lire(texte);
+        return lu >= 0 && lu <= Options.REFLETS_MAX && lu == Math.rint(lu) ? (int) lu : null;
+    }
 
-        @Override
-        public Object stringToValue(String texte) throws ParseException {
-            double lu = Nombre.lire(texte.trim());
-            if (lu >= 0 && lu < Double.POSITIVE_INFINITY) {
-                return lu;
-            }
-            controleur.panneau.bandeau.dire(Sujet.AVIS, "seuil impossible : " + Texte.cite(texte)
-                    + " ; attendu : un nombre positif ou nul, par exemple 0.001");
-            throw new ParseException(texte, 0);
+    private static Number positif(String texte) {
+        double lu = Nombre.lire(texte);
+        return lu >= 0 && lu < Double.POSITIVE_INFINITY ? lu : null;
+    }
+
+    /** Lecture et écriture d'un nombre. Une valeur impossible est dite, et laissée à corriger. */
+    private final class Saisie extends JFormattedTextField.AbstractFormatter {
+
+        private final String refus;
+        private final String attendu;
+        private final Function<String, Number> lecture;
+
+        Saisie(String refus, String attendu, Function<String, Number> lecture) {
+            this.refus = refus;
+            this.attendu = attendu;
+            this.lecture = lecture;
         }
 
         @Override
-        public String valueToString(Object seuil) {
-            return seuil == null ? "" : Nombre.ecrire((Double) seuil);
+        public Object stringToValue(String texte) throws ParseException {
+            Number lu = lecture.apply(texte.trim());
+            if (lu == null) {
+                controleur.panneau.bandeau.dire(Sujet.AVIS, refus + Texte.cite(texte) + " ; attendu : " + attendu);
+                throw new ParseException(texte, 0);
+            }
+            return lu;
+        }
+
+        @Override
+        public String valueToString(Object valeur) {
+            return valeur == null ? "" : Nombre.ecrire(((Number) valeur).doubleValue());
         }
     }
 
@@ -152,7 +176,7 @@ final class PanneauReglages extends JScrollPane {
             glisser(parametre.cle, section + parametre.cle, variante, parametre, parametre, 0);
         } else {
             JComboBox<String> mots = choix(parametre.mots.toArray(new String[0]),
-                    mot -> regler(variante, parametre, mot, false));
+                    mot -> regler(variante, parametre, mot));
             mots.setName(section + parametre.cle);
             poser(parametre.cle, mots, null, () -> {
                 mots.setSelectedItem(reglages().getValeur(variante.get(), parametre));
@@ -178,7 +202,7 @@ final class PanneauReglages extends JScrollPane {
         glissiere.addChangeListener(e -> {
             String[] voulus = nombres.get();
             voulus[rang] = echelle.getValeur(glissiere.getValue());
-            regler(variante, parametre, String.join(" ", voulus), glissiere.getValueIsAdjusting());
+            regler(variante, parametre, String.join(" ", voulus));
         });
         poser(nom, glissiere, nombre, () -> {
             nombre.setText(nombres.get()[rang]);
@@ -208,24 +232,22 @@ final class PanneauReglages extends JScrollPane {
         }
     }
 
-    private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
+    private void regler(Supplier<Variante> variante, Parametre parametre, String voulue) {
         Section section = reglages().getSection(variante.get());
         if (!voulue.equals(section.valeur(parametre.cle))) {
-            changer(reglages().avec(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
-                    glisse);
+            changer(reglages().avecSection(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)));
         }
     }
 
-    /** @param cause ce qui change, ou {@code null} @param glisse vrai pendant un glissement */
-    private void changer(ReglagesDessin voulus, Object cause, boolean glisse) {
-        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
-        if (!miseAJour && EventQueue.getCurrentEvent() instanceof MouseEvent) {
-            controleur.panneau.requestFocusInWindow();
-        }
-        if (miseAJour || (voulus + voulus.getOptions()).equals(reglages() + reglages().getOptions())) {
+    private void changer(Reglages voulus) {
+        if (miseAJour) {
             return;
         }
-        controleur.choisir(controleur.etat.choix.avec(voulus), cause, glisse);
+        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
+        if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
+            controleur.panneau.requestFocusInWindow();
+        }
+        controleur.regler(voulus);
     }
 
     private void montrer() {

@@ -5,9 +5,6 @@ import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.Shape;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
@@ -15,125 +12,123 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Consumer;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 
-/** Graphique des réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
+/** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
-    /** Erreur d'arrondi de l'écran, à un niveau entier. */
-    private static final double ARRONDI = 1 / Math.sqrt(12);
-
-    private static final double Y_MIN = ARRONDI / 3;
-    private static final int GAUCHE = 58;
-    private static final int DROITE = 18;
+    private static final double Y_MIN = 0.1;
+    private static final int GAUCHE = 52;
+    private static final int DROITE = 14;
     private static final int HAUT = 26;
     private static final int BAS = 42;
-    private static final int SERRE = 150;
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
 
-    private final Consumer<String> siAtteint;
-    private List<Reglage> echelle = new ArrayList<>();
-    private List<Reglage> points = new ArrayList<>();
-    private Reglage ici;
+    /** Dans l'ordre des temps. */
+    private final List<Reglage> points = new ArrayList<>();
     private Reglage choisi;
     private double xMin;
     private double xMax;
     private double yMax;
 
-    /** Un réglage dessiné : son temps, son erreur en niveaux, et l'incertitude de cette erreur à 95 %. */
+    /** Un réglage dessiné : son temps et son erreur en niveaux, chacun avec son intervalle. */
     public static class Reglage {
 
         final String nom;
-        final String texte;
-        final double secondes;
+        final boolean ici;
+        final double min;
+        final double max;
         final double erreur;
         final double incertitude;
-        /** Vrai si l'erreur peut être nulle : seule sa borne supérieure est alors écrite. */
-        final boolean borne;
+        /** Le temps où il est placé : le même pour des réglages dont les temps ne se distinguent pas. */
+        double secondes;
 
-        /** @param nom nom court @param texte le réglage en entier */
-        public Reglage(String nom, String texte, double secondes, double erreur, double incertitude) {
+        /** @param ici vrai pour le réglage de l'image montrée @param secondes le temps, puis son intervalle */
+        public Reglage(String nom, boolean ici, double[] secondes, double erreur, double incertitude) {
             this.nom = nom;
-            this.secondes = secondes;
+            this.ici = ici;
+            this.secondes = secondes[0];
+            min = secondes[1];
+            max = secondes[2];
             this.erreur = erreur;
             this.incertitude = incertitude;
-            borne = erreur - incertitude <= Y_MIN;
-            this.texte = texte + String.format(Locale.FRANCE, borne ? " : %.3f s, erreur d'au plus %.2f"
-                    : " : %.3f s, erreur de %3$.2f ± %4$.2f", secondes, erreur + incertitude, erreur, incertitude);
         }
     }
 
-    /** @param siClique appelé après un clic sur le réglage choisi @param siAtteint reçoit le texte de ce réglage */
-    public GraphiqueVitesse(Runnable siClique, Consumer<String> siAtteint) {
-        this.siAtteint = siAtteint;
+    public GraphiqueVitesse() {
         setName("vitesse.graphique");
         setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
-        MouseAdapter suiveur = new MouseAdapter() {
-            @Override
-            public void mouseMoved(MouseEvent e) {
-                choisir(sous(e));
-            }
-
-            @Override
-            public void mousePressed(MouseEvent e) {
-                requestFocusInWindow();
-                if (sous(e) != null) {
-                    choisir(sous(e));
-                    siClique.run();
-                }
-            }
-        };
-        addMouseListener(suiveur);
-        addMouseMotionListener(suiveur);
     }
 
-    /** Choisit le point qui est à cette distance dans l'échelle. */
-    public void aller(int pas) {
-        if (!echelle.isEmpty()) {
-            choisir(echelle.get(Math.max(0, Math.min(echelle.size() - 1, echelle.indexOf(choisi) + pas))));
-        }
-    }
-
-    /** Le point choisi, ou {@code null}. */
-    public Reglage getChoisi() {
-        return choisi;
-    }
-
-    private void choisir(Reglage vise) {
-        if (vise != null && vise != choisi) {
-            choisi = vise;
-            siAtteint.accept(vise.texte);
-            getAccessibleContext().setAccessibleDescription(vise.texte);
-            repaint();
-        }
-    }
-
-    /** @param ici celui de l'image montrée, de l'échelle ou non ; {@code null} s'il n'est pas mesuré */
-    public void montrer(List<? extends Reglage> dessines, Reglage ici) {
-        echelle = new ArrayList<>(dessines);
-        points = new ArrayList<>(dessines);
-        if (ici != null && !points.contains(ici)) {
-            points.add(ici);
-        }
-        this.ici = ici;
-        choisi = points.contains(choisi) ? choisi : null;
+    public void montrer(List<? extends Reglage> nouveaux) {
+        points.clear();
+        points.addAll(nouveaux);
+        points.sort(Comparator.comparingDouble(p -> p.secondes));
+        rapprocher();
         // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
-        xMin = graduation(points.stream().mapToDouble(p -> p.secondes).min().orElse(1) / 2.5);
-        xMax = graduation(points.stream().mapToDouble(p -> p.secondes).max().orElse(1) * 1.1);
+        xMin = graduation(points.stream().mapToDouble(p -> p.min).min().orElse(1) / 2.5);
+        xMax = graduation(points.stream().mapToDouble(p -> p.max).max().orElse(1) * 1.1);
         yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
         repaint();
     }
 
+    /** Place au même temps les réglages qui se suivent, tant que leurs intervalles ont un temps commun. */
+    private void rapprocher() {
+        int debut = 0;
+        double min = 0;
+        double max = Double.POSITIVE_INFINITY;
+        for (int k = 0; k <= points.size(); k++) {
+            if (k == points.size() || points.get(k).min > max || points.get(k).max < min) {
+                double commun = (min + max) / 2;
+                points.subList(debut, k).forEach(p -> p.secondes = commun);
+                debut = k;
+                min = 0;
+                max = Double.POSITIVE_INFINITY;
+            }
+            if (k < points.size()) {
+                min = Math.max(min, points.get(k).min);
+                max = Math.min(max, points.get(k).max);
+            }
+        }
+    }
+
+    /** Le réglage désigné, ou {@code null}. */
+    public Reglage getChoisi() {
+        return choisi;
+    }
+
+    /** Désigne le réglage sous ce point, s'il y en a un. */
+    public boolean choisir(java.awt.Point ou) {
+        return choisir(points.stream().filter(p -> ou.distance(x(p.secondes), y(p.erreur)) < PORTEE)
+                .min(Comparator.comparingDouble(p -> ou.distance(x(p.secondes), y(p.erreur)))).orElse(null));
+    }
+
+    /** Désigne le réglage plus rapide ({@code pas} −1) ou plus lent (1) que celui qui l'est. */
+    public boolean choisir(int pas) {
+        return choisir(points.isEmpty() ? null
+                : points.get(Math.max(0, Math.min(points.size() - 1, points.indexOf(choisi) + pas))));
+    }
+
+    private boolean choisir(Reglage vise) {
+        choisi = vise == null ? choisi : vise;
+        repaint();
+        return vise != null;
+    }
+
     private static double graduation(double min) {
         return graduations(min, Double.MAX_VALUE).findFirst().orElse(min);
+    }
+
+    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
+    private static DoubleStream graduations(double min, double max) {
+        return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
+                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
     }
 
     private double x(double temps) {
@@ -145,12 +140,6 @@ public final class GraphiqueVitesse extends JPanel {
         return getHeight() - BAS - (getHeight() - HAUT - BAS) * part;
     }
 
-    private Reglage sous(MouseEvent e) {
-        ToDoubleFunction<Reglage> distance = p -> e.getPoint().distance(x(p.secondes), y(p.erreur));
-        return points.stream().filter(p -> distance.applyAsDouble(p) < PORTEE)
-                .min(Comparator.comparingDouble(distance)).orElse(null);
-    }
-
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics;
@@ -159,7 +148,6 @@ public final class GraphiqueVitesse extends JPanel {
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
-            g.setFont(g.getFont().deriveFont(g.getFont().getSize2D() * 0.9f));
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
             peindrePoints(g);
         }
@@ -167,95 +155,61 @@ public final class GraphiqueVitesse extends JPanel {
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
         Color trame = UIManager.getColor("Panel.background");
-        g.setColor(trame);
-        g.fillRect(GAUCHE, (int) y(ARRONDI), droite - GAUCHE, bas - (int) y(ARRONDI));
         graduations(xMin, xMax).forEach(t -> {
-            trait(g, new Line2D.Double(x(t), HAUT, x(t), bas), trame);
+            g.setColor(trame);
+            g.draw(new Line2D.Double(x(t), HAUT, x(t), bas));
             ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         });
-        // sans place, les seules puissances de dix
-        graduations(Y_MIN, yMax).filter(t -> bas > SERRE || Math.log10(t) % 1 == 0).forEach(t -> {
-            trait(g, new Line2D.Double(GAUCHE, y(t), droite, y(t)), trame);
+        graduations(Y_MIN, yMax).forEach(t -> {
+            g.setColor(trame);
+            g.draw(new Line2D.Double(GAUCHE, y(t), droite, y(t)));
             ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         });
         ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur, en niveaux ; en gris, sous l'arrondi", 6, 14, 0);
+        ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
     private void peindrePoints(Graphics2D g) {
-        Color accent = UIManager.getColor("Component.accentColor") == null ? encre()
-                : UIManager.getColor("Component.accentColor");
+        Color accent = UIManager.getColor("Component.accentColor");
+        Color encre = UIManager.getColor("Tree.textForeground");
+        List<Rectangle2D> noms = new ArrayList<>();
         g.setStroke(new BasicStroke(1.5f));
-        List<Shape> traits = new ArrayList<>();
         for (Reglage p : points) {
             double x = x(p.secondes);
-            traits.add(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-            if (echelle.indexOf(p) > 0) {
-                Reglage avant = echelle.get(echelle.indexOf(p) - 1);
-                traits.add(new Line2D.Double(x(avant.secondes), y(avant.erreur), x, y(p.erreur)));
-            }
-        }
-        traits.forEach(trait -> trait(g, trait, accent));
-        for (Reglage p : points) {
-            Shape disque = disque(p, RAYON);
-            g.setColor(p.borne ? UIManager.getColor("Tree.background") : accent);
-            g.fill(disque);
-            trait(g, disque, accent);
-            traits.add(disque(p, p == ici ? 2 * RAYON : RAYON));
-            if (p == ici) {
-                trait(g, disque(p, 2 * RAYON), encre());
+            double y = y(p.erreur);
+            g.setColor(accent == null ? encre : accent);
+            g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
+            g.draw(new Line2D.Double(x(p.min), y, x(p.max), y));
+            g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
+            g.setColor(encre);
+            if (p.ici) {
+                g.draw(new Ellipse2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
             }
             if (p == choisi) {
-                trait(g, disque(p, RAYON + 3).getBounds(), encre());
+                g.draw(new Rectangle2D.Double(x - RAYON - 3, y - RAYON - 3, 2 * RAYON + 6, 2 * RAYON + 6));
             }
+            nommer(g, p, noms);
         }
-        if (ici != null) {
-            nommer(g, "ici : " + ici.nom, ici, traits);
-        }
-        echelle.stream().filter(p -> p != ici).forEach(p -> nommer(g, p.nom, p, traits));
     }
 
-    /** Écrit le nom d'un point près de lui, à la première place où il ne touche ni un trait, ni un autre nom. */
-    private void nommer(Graphics2D g, String nom, Reglage p, List<Shape> pris) {
-        double large = g.getFontMetrics().stringWidth(nom);
+    /** Écrit le nom de ce point à sa droite ou à sa gauche, sauf s'il y toucherait un autre nom. */
+    private void nommer(Graphics2D g, Reglage p, List<Rectangle2D> noms) {
+        double large = g.getFontMetrics().stringWidth(p.nom);
         double haut = g.getFontMetrics().getAscent();
-        for (int k = 0; k < 16; k++) {
-            // à droite, puis à gauche ; au-dessus, puis au-dessous ; de plus en plus loin
-            double x = x(p.secondes) + (k % 4 < 2 ? 2 * RAYON : -2 * RAYON - large);
-            double y = y(p.erreur) + (k % 2 == 0 ? -RAYON - haut * (k / 4) : RAYON + haut * (k / 4 + 1));
-            Rectangle2D place = new Rectangle2D.Double(x - 2, y - haut, large + 4, haut + 2);
-            if (x > GAUCHE && x + large < getWidth() - DROITE && y - haut > HAUT && y < getHeight() - BAS
-                    && pris.stream().noneMatch(forme -> forme.intersects(place))) {
-                ecrire(g, nom, x, y, 0);
-                pris.add(place);
+        for (double x : new double[] {x(p.secondes) + 2 * RAYON + 2, x(p.secondes) - 2 * RAYON - 2 - large}) {
+            Rectangle2D place = new Rectangle2D.Double(x, y(p.erreur) - RAYON - haut, large, haut);
+            if (x > GAUCHE && x + large < getWidth() && noms.stream().noneMatch(place::intersects)) {
+                noms.add(place);
+                ecrire(g, p.nom, x, y(p.erreur) - RAYON, 0);
                 return;
             }
         }
     }
 
-    private Ellipse2D disque(Reglage p, int rayon) {
-        return new Ellipse2D.Double(x(p.secondes) - rayon, y(p.erreur) - rayon, 2 * rayon, 2 * rayon);
-    }
-
-    private static Color encre() {
-        return UIManager.getColor("Tree.textForeground");
-    }
-
-    private static void trait(Graphics2D g, Shape forme, Color couleur) {
-        g.setColor(couleur);
-        g.draw(forme);
-    }
-
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
     private static void ecrire(Graphics2D g, String texte, double x, double y, double cale) {
-        g.setColor(encre());
+        g.setColor(UIManager.getColor("Tree.textForeground"));
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
-    }
-
-    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
-    private static DoubleStream graduations(double min, double max) {
-        return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
-                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
     }
 
     private static String nombre(double t) {
