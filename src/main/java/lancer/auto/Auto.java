@@ -4,6 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import lancer.Lancer;
+import lancer.commande.Reglages;
 import lancer.contrat.Toile;
 
 /**
@@ -18,7 +19,7 @@ public final class Auto {
     private static final int REPRISES = 2;
 
     private final Lancer prepare;
-    private final List<Echelon> echelle;
+    private final List<Reglages> echelle;
     private final double voulue;
     private final int fils;
     private final SplittableRandom hasard = new SplittableRandom(1);
@@ -31,7 +32,7 @@ public final class Auto {
     private long rayons;
 
     /** @param prepare la scène, préparée @param echelle un réglage au moins @param voulue l'erreur, en niveaux */
-    public Auto(Lancer prepare, List<Echelon> echelle, double voulue, int fils) {
+    public Auto(Lancer prepare, List<Reglages> echelle, double voulue, int fils) {
         this.prepare = prepare;
         this.echelle = echelle;
         this.voulue = voulue;
@@ -42,7 +43,7 @@ public final class Auto {
         }
         dernier = Math.min(rang + REPRISES, echelle.size() - 1);
         rayons = essai.rayons;
-        lancer = getChoisi().lancer(prepare);
+        lancer = prepare.avec(getChoisi().getModele());
     }
 
     private Echantillon tirer(int essais) {
@@ -50,7 +51,7 @@ public final class Auto {
         return new Echantillon(prepare, fils, essais, cote, hasard, tires);
     }
 
-    public Echelon getChoisi() {
+    public Reglages getChoisi() {
         return echelle.get(rang);
     }
 
@@ -76,7 +77,7 @@ public final class Auto {
         if (!fini) {
             rang++;
             rayons += lancer.getCompteurs().rayons();
-            lancer = getChoisi().lancer(prepare);
+            lancer = prepare.avec(getChoisi().getModele());
         }
         return fini;
     }
@@ -95,7 +96,7 @@ public final class Auto {
         return mesure.plus(1) <= voulue ? "erreur voulue tenue"
                 : "erreur voulue " + (mesure.plus(-1) > voulue ? "dépassée : " : "incertaine : ")
                 + (rang < echelle.size() - 1 ? "demander deux fois moins d'erreur aiderait"
-                : getChoisi().echantillonnage == null
+                : lancer.getScene().getModele().getEchantillonnage() == null
                 ? "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
                 : "il faudrait une grille plus fine, n=64 et seuil=0 au plus");
     }

@@ -7,7 +7,9 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
+import lancer.commande.Reglages;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
@@ -61,16 +63,17 @@ public final class Echantillon implements Toile {
         b = new double[doubles.length][];
         x = new double[doubles.length][];
         long graine = hasard.nextLong();
-        tracer(Echelon.PROFONDEUR, SANS_LIMITE, (pave, voulus, vue, toile) -> parcourir(pave, k -> {
+        Modele sansLimite = prepare.getScene().getModele().avec(null, SANS_LIMITE);
+        tracer(Echelle.PROFONDEUR, sansLimite, (pave, voulus, vue, toile) -> parcourir(pave, k -> {
             SplittableRandom sien = new SplittableRandom(graine + k);
             a[k] = reference(k, cote, sien, vue);
             b[k] = reference(k, cote, sien, vue);
         }));
     }
 
-    private void tracer(int reflets, double seuil, Echantillonnage visite) {
-        Lancer lancer = new Echelon(null, visite, reflets, seuil).lancer(prepare);
-        lancer.TracerPixels(this, reflets, fils);
+    private void tracer(int reflets, Modele modele, Echantillonnage visite) {
+        Lancer lancer = prepare.avec(modele);
+        lancer.TracerPixels(visite, this, reflets, fils);
         rayons += lancer.getCompteurs().rayons();
     }
 
@@ -112,15 +115,16 @@ public final class Echantillon implements Toile {
         }
     }
 
-    /** Dessine ces seuls pixels avec ce réglage, et mesure son erreur. */
-    public Mesure essayer(Echelon echelon) {
-        Echantillonnage choisi = echelon.echantillonnage != null
-                ? echelon.echantillonnage.pour(prepare.getScene().getObjets(), prepare.getCamera())
+    /** Dessine ces seuls pixels avec ces réglages, et mesure leur erreur. */
+    public Mesure essayer(Reglages reglages) {
+        Modele modele = reglages.getModele();
+        Echantillonnage sien = modele.getEchantillonnage();
+        Echantillonnage choisi = sien != null ? sien.pour(prepare.getScene().getObjets(), prepare.getCamera())
                 : (pave, lui, vue, toile) -> {
                     toile.drawPixel(vue.couleur(lui.i0 + 0.5, lui.j0 + 0.5), lui.i0, lui.j0);
                     return 0;
                 };
-        tracer(echelon.reflets, echelon.seuil, (pave, voulus, vue, toile) -> parcourir(pave, k -> {
+        tracer(reglages.getProfondeur(), modele, (pave, voulus, vue, toile) -> parcourir(pave, k -> {
             int i = doubles[k] / 2 % largeur;
             int j = doubles[k] / 2 / largeur;
             if (k == premier(doubles[k] / 2)) {

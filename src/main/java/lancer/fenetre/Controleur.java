@@ -81,6 +81,11 @@ final class Controleur {
         return moteur.options.fils;
     }
 
+    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
+    String getCommande() {
+        return demande.getCommande("");
+    }
+
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
     void ouvrir(Travail premier, String version) {
         fichier = premier.fichier;

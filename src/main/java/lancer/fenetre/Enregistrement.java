@@ -6,8 +6,10 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.io.File;
+import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
@@ -16,6 +18,7 @@ import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
+import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
@@ -89,7 +92,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.montre.demande.fichier;
+        String scene = controleur.montre.demande.lecture.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(controleur.panneau, echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
@@ -111,6 +114,34 @@ final class Enregistrement {
             // le fichier de la scène a été effacé depuis sa lecture
         }
         ecriture.ecrire(image, new FichierPng());
+    }
+
+    /** Écrit dans le fichier de la scène la place de ce qui y a été déplacé ; la surveillance le relit ensuite. */
+    void ecrireDansLaScene() {
+        SceneLue lue = prise.getLue();
+        Map<Object, String> valeurs = prise.getValeurs();
+        String scene = controleur.demande.lecture.fichier;
+        confier(() -> { }, () -> {
+            prise.oublier(lue);
+            return "écrit dans " + Texte.echappe(new File(scene).getName());
+        });
+    }
+
+    /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */
+    private void confier(Runnable ecriture, Supplier<String> reussite) {
+        disque.execute(() -> {
+            String faute = null;
+            try {
+                ecriture.run();
+            } catch (RuntimeException | Error e) {
+                faute = Messages.message(e);
+            }
+            String dite = faute;
+            EventQueue.invokeLater(() -> {
+                bandeau.dire(Sujet.DISQUE, dite == null ? "" : dite);
+                bandeau.dire(Sujet.AVIS, dite == null ? reussite.get() : "");
+            });
+        });
     }
 
     void terminer(Runnable fin) {

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
-import lancer.commande.Options;
+import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
 /**
@@ -43,13 +43,14 @@ final class Fenetre {
     boolean remplie;
 
     /** @param variantes noms des variantes présentes @param fin appelé à la fermeture, dans un autre fil */
-    Fenetre(Options options, List<String> variantes, Dessinateur dessinateur, Runnable fin) {
+    Fenetre(Moteur moteur, List<String> variantes, Runnable fin) {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
-        demandee = new Dimension(options.largeur, options.hauteur);
+        demandee = new Dimension(moteur.options.largeur, moteur.options.hauteur);
         this.fin = fin;
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
-        controleur = new Controleur(options, dessinateur, panneau, this::getTaille);
+        controleur = new Controleur(moteur, panneau, this::getTaille);
         prise = new Prise(controleur, panneau);
+        controleur.prise = prise;
         enregistrement = new Enregistrement(controleur, prise);
         onglets = new Onglets(cadre, panneau, controleur::avertir);
         onglets.ajouter("Pixel", () -> new Inspecteur(controleur));
@@ -91,8 +92,8 @@ final class Fenetre {
         cadre.addComponentListener(tailleEtPlace);
     }
 
-    /** Montre le cadre, et la scène déjà lue. @param premier son dessin, déjà commencé, ou {@code null} */
-    void montrer(Travail premier) {
+    /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} @param version celle du fichier lu */
+    void montrer(Travail premier, String version) {
         Rectangle ecran = Dialogues.ecran();
         // les bords du cadre sont alors connus ; réduit après coup, il reprend parfois sa taille d'avant
         cadre.addNotify();
@@ -103,10 +104,10 @@ final class Fenetre {
         cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth()) / 2 - ecran.width / 5),
                 ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
         if (premier == null) {
-            panneau.bandeau.dire(Bandeau.Sujet.AVIS, "Ctrl+O pour ouvrir une scène");
+            panneau.bandeau.dire(Sujet.AVIS, "Ctrl+O pour ouvrir une scène");
             EventQueue.invokeLater(this::choisirScene);
         } else {
-            controleur.commencer(premier);
+            controleur.ouvrir(premier, version);
         }
         suivre();
         cadre.setVisible(true);

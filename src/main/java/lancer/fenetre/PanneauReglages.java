@@ -97,7 +97,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private Reglages reglages() {
-        return controleur.reglages;
+        return controleur.demande.reglages;
     }
 
     private static Number entier(String texte) {

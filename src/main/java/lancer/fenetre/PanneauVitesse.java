@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -11,7 +10,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
-import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
@@ -19,12 +17,11 @@ import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
-import lancer.auto.Mesure;
 import lancer.commande.Messages;
 import lancer.commande.Reglages;
-import lancer.contrat.Section;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.fenetre.figures.Essai;
 import lancer.fenetre.figures.GraphiqueVitesse;
 
 /** Le temps et l'erreur de chaque réglage de l'échelle, mesurés si cet onglet est visible et que rien ne se dessine. */
@@ -33,10 +30,6 @@ final class PanneauVitesse extends JPanel {
 
     /** Nombre de pixels au-delà duquel l'échelle est dessinée en plus petit. */
     private static final double PIXELS = 2_000_000;
-    /** Temps de dessin qui suffit à un réglage, en nanosecondes ; nombres minimal et maximal de ses dessins. */
-    private static final long DUREE_NS = 1_500_000_000;
-    private static final int MOINS = 4;
-    private static final int PLUS = 40;
     /** Racine du nombre de rayons d'une référence. */
     private static final int COTE = 6;
     private static final int MARGE = 8;
@@ -45,10 +38,11 @@ final class PanneauVitesse extends JPanel {
     private final Controleur controleur;
     final GraphiqueVitesse graphique = new GraphiqueVitesse();
     private final JTextArea texte = Bandeau.etiquette("vitesse.etat");
-    /** Ce qui est mesuré, {@code null} avant la première image, et ce qui le mesure. */
-    private Demande mesuree;
-    private Essais essais;
+    /** Le premier dessin de l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première image. */
+    private Demande premier;
+    private List<Essai> essais = new ArrayList<>();
     private Mesureur mesureur;
+    private String etat = "";
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
@@ -92,24 +86,104 @@ final class PanneauVitesse extends JPanel {
         graphique.getActionMap().put(commande, commande);
     }
 
-    /** Un réglage, et les temps de ses dessins. */
-    private static final class Essai {
+    /** Dessine l'échelle et le réglage présent à tour de rôle, donc tous dans les mêmes conditions. */
+    private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
-        final Reglages reglages;
-        final List<Long> durees = new ArrayList<>();
-        Mesure mesure;
+        private final Demande demande;
+        private final List<Essai> siens = new ArrayList<>(essais);
 
-        Essai(Reglages reglages) {
-            this.reglages = reglages;
+        Mesureur(Demande demande) {
+            this.demande = demande;
         }
 
-        boolean suffit() {
-            return durees.size() >= PLUS || durees.size() >= MOINS
-                    && durees.stream().mapToLong(d -> d).sum() >= DUREE_NS;
+        @Override
+        protected Void doInBackground() {
+            double part = Math.min(1, Math.sqrt(PIXELS / demande.largeur / demande.hauteur));
+            Dessin prepare = new Dessin(demande.avecTaille((int) Math.ceil(part * demande.largeur),
+                    (int) Math.ceil(part * demande.hauteur)));
+            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), 2, COTE,
+                    new SplittableRandom(1), new BitSet());
+            Essai moins = suivant();
+            while (!moins.suffit()) {
+                Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
+                lancer.TracerPixels((couleur, xe, ye) -> {
+                    prepare.image.drawPixel(couleur, xe, ye);
+                    echantillon.drawPixel(couleur, xe, ye);
+                }, moins.reglages.getProfondeur(), controleur.getFils());
+                siens.set(siens.indexOf(moins), moins.avec(lancer.getDureeNs() / 1e9, echantillon.mesurer()));
+                publish(new ArrayList<>(siens));
+                moins = suivant();
+            }
+            return null;
+        }
+
+        /** Celui qui a été dessiné le moins souvent, de ceux qui ne l'ont pas été assez. */
+        private Essai suivant() {
+            return siens.stream().min(Comparator.comparing(Essai::suffit).thenComparing(Essai::getNombre)).get();
+        }
+
+        @Override
+        protected void process(List<List<Essai>> publies) {
+            if (this == mesureur) {
+                essais = publies.get(publies.size() - 1);
+                long faits = essais.stream().filter(Essai::suffit).count();
+                etat = faits == essais.size() ? "Un clic sur un point montre son image (ou flèches, et Entrée)."
+                        : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
+                graphique.montrer(essais, demande.reglages);
+                dire();
+            }
+        }
+
+        @Override
+        protected void done() {
+            try {
+                get();
+            } catch (ExecutionException e) {
+                etat = "Mesure impossible : " + Messages.message(e.getCause());
+                dire();
+            } catch (InterruptedException | CancellationException e) {
+                // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
+            }
         }
     }
 
-    /** Dessine l'échelle et le réglage présent, à tour de rôle, tous dans les mêmes conditions. */
-    private final class Mesureur extends SwingWorker<Void, List<Essai>> {
+    /** Commence, continue ou interrompt les mesures. */
+    private void suivre() {
+        boolean libre = isShowing() && controleur.getImageEntiere() != null && !controleur.enCours;
+        if (mesureur != null && !libre) {
+            mesureur.cancel(true);
+            mesureur = null;
+        }
+        if (libre && mesureur == null && controleur.direFautes() == null) {
+            Demande demande = controleur.montre.demande.avecVue(null);
+            List<Reglages> echelle = Echelle.de(demande.reglages, false, false);
+            Demande autre = demande.avecReglages(echelle.get(0));
+            if (!autre.equals(premier)) {
+                premier = autre;
+                essais.clear();
+                echelle.forEach(reglages -> essais.add(new Essai(reglages)));
+            }
+            essais.removeIf(essai -> !echelle.contains(essai.reglages));
+            if (!echelle.contains(demande.reglages)) {
+                essais.add(new Essai(demande.reglages));
+            }
+            etat = "préparation…";
+            mesureur = new Mesureur(demande);
+            mesureur.execute();
+        }
+        dire();
+    }
+
+    private void dire() {
+        Essai vise = graphique.getVise();
+        texte.setText((vise == null ? "" : Echelle.dire(vise.reglages) + " : " + vise.dire() + "\n")
+                + (controleur.enCours ? "Les mesures reprendront après ce dessin." : etat));
+    }
+
+    /** Prend le réglage désigné, et dessine son image. */
+    private void choisir() {
+        if (graphique.getVise() != null) {
+            controleur.regler(graphique.getVise().reglages);
+        }
     }
 }

@@ -8,7 +8,6 @@ import java.awt.Shape;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -31,6 +30,7 @@ import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
 import lancer.scene.SceneLue;
+import lancer.texte.Nombre;
 
 /**
  * Ce que Maj et la souris déplacent, dans le plan parallèle à l'écran : une sphère, ou l'étoile d'une lampe. Le
@@ -80,9 +80,19 @@ final class Prise extends MouseAdapter {
         return !places.isEmpty();
     }
 
-    /** Les places à écrire dans le fichier. */
-    Map<Object, Point> getPlaces() {
-        return new IdentityHashMap<>(places);
+    /** La valeur à écrire dans la section de chaque chose déplacée. */
+    Map<Object, String> getValeurs() {
+        Map<Object, String> valeurs = new IdentityHashMap<>();
+        places.forEach((chose, ou) -> valeurs.put(chose, ecrire(ou)));
+        return valeurs;
+    }
+
+    SceneLue getLue() {
+        return lue;
+    }
+
+    boolean peutDefaire() {
+        return !faits.isEmpty();
     }
 
     /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
@@ -124,10 +134,10 @@ final class Prise extends MouseAdapter {
         if (lampe.isPresent()) {
             return lampe.get();
         }
-        Scene montree = controleur.montre.getScene();
+        Scene montree = controleur.montre.lancer.getScene();
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        int rang = contact == null ? -1 : controleur.demande.lue.objets.indexOf(contact.objet);
+        int rang = contact == null ? -1 : controleur.demande.lecture.lue.objets.indexOf(contact.objet);
         if (rang < 0) {
             dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
             return null;
@@ -188,16 +198,35 @@ final class Prise extends MouseAdapter {
 
     /** Dessine la scène où cette chose a cette place. */
     private void placer(Object chose, Point ou) {
-        if (!ou.equals(getPlace(chose))) {
-            places.put(chose, ou);
-            places.values().removeIf(p -> p == null);
-            if (ou.equals(place(chose))) {
-                places.remove(chose);
-            }
-            controleur.deplacer(lue.avec(places));
-            dire(lue.origines.de(chose) + " : " + (chose instanceof Lampe ? "position=" : "centre=")
-                    + SceneLue.ecrire(ou) + (estDeplace() ? " ; Ctrl+E l'écrit dans la scène" : ""));
+        if (ou.equals(getPlace(chose))) {
+            return;
         }
+        if (ou.equals(place(chose))) {
+            places.remove(chose);
+        } else {
+            places.put(chose, ou);
+        }
+        Map<Object, Object> deplacees = new IdentityHashMap<>();
+        places.forEach((celle, la) -> deplacees.put(celle, deplacer(celle, la)));
+        controleur.deplacer(lue.remplacer(deplacees));
+        dire(lue.origines.de(chose) + " : " + (chose instanceof Lampe ? "position=" : "centre=") + ecrire(ou)
+                + (estDeplace() ? " ; Ctrl+E l'écrit dans la scène" : ""));
+    }
+
+    private static Object deplacer(Object chose, Point ou) {
+        if (chose instanceof Lampe) {
+            return new Lampe(ou, ((Lampe) chose).getCouleur());
+        }
+        Sphere sphere = (Sphere) chose;
+        Sphere deplacee = new Sphere(ou, sphere.getRayon());
+        deplacee.setKd(sphere.getKd());
+        deplacee.setKs(sphere.getKs());
+        deplacee.setNs(sphere.getNs());
+        return deplacee;
+    }
+
+    private static String ecrire(Point p) {
+        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
     }
 
     @Override
@@ -214,7 +243,7 @@ final class Prise extends MouseAdapter {
         return vu.z > 0 && vu.z < Double.POSITIVE_INFINITY ? panneau.placeDe(vu.x, vu.y) : null;
     }
 
-    /** Peint l'étoile de chaque lampe, et le cercle de la sphère qui est tirée. */
+    /** Peint l'étoile de chaque lampe. */
     private void peindre(Graphics2D g) {
         if (controleur.montre == null || panneau.montree == null || !etoiles && prise == null) {
             return;
@@ -226,12 +255,6 @@ final class Prise extends MouseAdapter {
                 Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
                         .createTransformedShape(ETOILE), LAMPE);
             }
-        }
-        if (prise instanceof Sphere) {
-            Point2D ou = aLEcran(getPlace(prise));
-            double r = ((Sphere) prise).getRayon() * getCamera().projeter(getPlace(prise)).z
-                    * panneau.getReduction(panneau.montree);
-            Figure.peindreLisere(g, new Ellipse2D.Double(ou.getX() - r, ou.getY() - r, 2 * r, 2 * r), Color.WHITE);
         }
     }
 }

@@ -60,6 +60,14 @@ public final class Origines {
         lues.set(rang, new Origine(section, autres.lues.get(rang).ligne, true));
     }
 
+    /** Les mêmes, où des choses en remplacent d'autres. */
+    Origines remplacer(Map<Object, Object> autres) {
+        Origines faites = new Origines(lecteur, avecTexte);
+        choses.forEach(chose -> faites.choses.add(autres.getOrDefault(chose, chose)));
+        faites.lues.addAll(lues);
+        return faites;
+    }
+
     void ajouter(Object chose, SectionLue section) {
         choses.add(chose);
         lues.add(new Origine(section, section.ligne, avecTexte));

@@ -85,6 +85,16 @@ public final class SceneLue {
         return faite;
     }
 
+    /** La même scène, où des objets et des lampes en remplacent d'autres, dont ils prennent la section. */
+    public SceneLue remplacer(Map<Object, Object> autres) {
+        SceneLue faite = new SceneLue(origines.remplacer(autres));
+        objets.forEach(objet -> faite.objets.add((Objet3D) autres.getOrDefault(objet, objet)));
+        lampes.forEach(lampe -> faite.lampes.add((Lampe) autres.getOrDefault(lampe, lampe)));
+        faite.variantes.putAll(variantes);
+        faite.avertissements.addAll(avertissements);
+        return faite;
+    }
+
     void ajouter(Object chose, SectionLue section) {
         if (chose instanceof Lampe) {
             lampes.add((Lampe) chose);

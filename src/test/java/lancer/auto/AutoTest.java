@@ -26,9 +26,10 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Etape;
+import lancer.commande.Reglages;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.Dessin;
@@ -51,13 +52,21 @@ class AutoTest {
     private static final Map<Variante, Section> SANS = Collections.emptyMap();
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
-    private static List<Echelon> echelle(Lancer prepare, Map<Variante, Section> variantes) {
-        return Echelon.echelle(prepare.getScene().getModele(), variantes, null, null);
+    private static Reglages reglages(Map<Variante, Section> variantes) {
+        return new Reglages().pour(variantes);
+    }
+
+    private static List<Reglages> echelle(Map<Variante, Section> variantes) {
+        return Echelle.de(reglages(variantes), false, false);
+    }
+
+    private static String dire(Auto auto) {
+        return Echelle.dire(auto.getChoisi());
     }
 
     private static Auto auto(Scene scene, int largeur, int hauteur, Map<Variante, Section> variantes, double voulue) {
         Lancer prepare = Dessin.lancer(scene, largeur, hauteur, false);
-        return new Auto(prepare, echelle(prepare, variantes), voulue, 2);
+        return new Auto(prepare, echelle(variantes), voulue, 2);
     }
 
     /** Dessine, contrôle, et reprend au besoin. @return les couleurs de la dernière image, ligne par ligne */
@@ -66,7 +75,7 @@ class AutoTest {
         Couleur[] image = new Couleur[largeur * auto.getLancer().getCamera().getHauteur()];
         do {
             auto.getLancer().TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur),
-                    auto.getChoisi().reflets, 2);
+                    auto.getChoisi().getProfondeur(), 2);
         } while (!auto.controler());
         return image;
     }
@@ -114,7 +123,7 @@ class AutoTest {
     @CsvSource({"0.5, 140, 0", "0.5, 70, 1", "0.5, 60, 2", "0.5, 5, 5", "0.5, 4, 1000", "0.2, 12, 1", "0.8, 100, 5"})
     void entreDeuxMiroirsLesRefletsSontCeuxDeLaSerie(double ks, double erreur, int reflets) {
         Auto auto = auto(entreDeuxMurs(ks), 16, 12, SANS, erreur);
-        assertEquals(reflets, auto.getChoisi().reflets);
+        assertEquals(reflets, auto.getChoisi().getProfondeur());
         dessiner(auto);
         // sous le seuil 1/1024, un reflet n'est plus suivi
         double manque = 255 * 0.9 * Math.pow(ks, Math.min(reflets, 10) + 1);
@@ -124,27 +133,34 @@ class AutoTest {
 
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
-        assertEquals("[un rayon par pixel, --reflets 7 --seuil 0.0009765625]",
-                Echelon.echelle(new Modele(), SANS, 7, null).toString());
-        List<Echelon> echelle = Echelon.echelle(new Modele(), SANS, null, 0.25);
-        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(e -> e.reflets).collect(Collectors.toList()).toString());
-        assertTrue(echelle.stream().allMatch(e -> e.seuil == 0.25));
-        assertEquals("[[Grille] n=2, --reflets 3 --seuil 0.125]",
-                Echelon.echelle(new Modele(), GrilleDEssai.seule("2"), 3, 0.125).toString());
+        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 7 --seuil 0.0009765625"),
+                dites(Echelle.de(reglages(SANS).avecReflets(7).avecSeuil(0.5), true, false)));
+        List<Reglages> echelle = Echelle.de(reglages(SANS).avecSeuil(0.25), false, true);
+        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(Reglages::getReflets).collect(Collectors.toList()).toString());
+        assertTrue(echelle.stream().allMatch(e -> e.getSeuil() == 0.25));
+        assertEquals(Collections.singletonList("[Grille] n=2, --reflets 3 --seuil 0.125"),
+                dites(Echelle.de(reglages(GrilleDEssai.seule("2")).avecReflets(3).avecSeuil(0.125), true, true)));
+        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 0 --seuil 0.0009765625"),
+                dites(Echelle.de(reglages(SANS).avecEtape(Etape.OMBRES), false, false)), "une étape sans reflets n'en essaie pas");
+    }
+
+    private static List<String> dites(List<Reglages> echelle) {
+        return echelle.stream().map(Echelle::dire).collect(Collectors.toList());
     }
 
     @Test
     void leCielNeDemandeQuUnRayonParPixel() {
         Auto auto = auto(CIEL, LARGEUR, HAUTEUR, GRILLES, 0.1);
-        assertEquals("[Grille] n=1", auto.getChoisi().section.toString());
+        assertTrue(dire(auto).startsWith("[Grille] n=1, "), dire(auto));
         dessiner(auto);
         assertTrue(auto.getMesure().incertitude >= 0.01, "jamais ± 0,00");
     }
 
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
-        assertEquals("[Grille] n=16", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 3).getChoisi().section.toString());
-        assertEquals("[Grille] n=1", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100).getChoisi().section.toString());
+        String fin = ", --reflets 1000 --seuil 0.0";
+        assertEquals("[Grille] n=16" + fin, dire(auto(damier(), LARGEUR, HAUTEUR, GRILLES, 3)));
+        assertEquals("[Grille] n=1" + fin, dire(auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100)));
     }
 
     /** Là où la base est seule, ce qui manque est nommé. */
@@ -172,17 +188,28 @@ class AutoTest {
             return 0;
         };
         Lancer prepare = Dessin.lancer(CIEL, 100, 80, false);
-        Echelon faux = new Echelon(null, trompeur, 0, 0);
-        Echelon juste = new Echelon(new SectionLue("Grille", "n", "1"), null, 0, 0);
+        Variante trompeuse = new Variante() {
+            @Override
+            public String getSection() {
+                return "Trompeuse";
+            }
+
+            @Override
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(trompeur);
+            }
+        };
+        Reglages faux = reglages(Collections.singletonMap(trompeuse, new SectionLue("Trompeuse")));
+        Reglages juste = faux.avecVariante(trompeuse, false);
         Auto repris = new Auto(prepare, Arrays.asList(faux, faux, juste, juste), 1, 2);
         dessiner(repris);
-        assertEquals(juste.toString(), repris.getChoisi().toString());
+        assertEquals(juste, repris.getChoisi());
         assertEquals("erreur voulue tenue", repris.getVerdict());
         // deux références de 16 rayons pour 600 et trois fois 1 200 pixels, un rayon d'essai par pixel, deux images remplacées
         assertEquals(2 * 16 * 4200 + 600 + 2 * 8000, repris.getRayonsDesEssais());
         Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, faux, juste), 1, 2);
         dessiner(depasse);
-        assertEquals(faux.toString(), depasse.getChoisi().toString());
+        assertEquals(faux, depasse.getChoisi());
         assertEquals("erreur voulue dépassée : demander deux fois moins d'erreur aiderait", depasse.getVerdict());
     }
 
@@ -303,7 +330,7 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 Lancer prepare = Dessin.lancer(quelquesBoules(), 80, 70, false);
-                Auto auto = new Auto(prepare, echelle(prepare, GRILLES), erreur, fils);
+                Auto auto = new Auto(prepare, echelle(GRILLES), erreur, fils);
                 dessiner(auto);
                 String choix = auto.getChoisi() + " " + auto.getMesure().erreur + " " + auto.getMesure().incertitude + " "
                         + auto.getRayonsDesEssais();
@@ -333,17 +360,14 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Map<Variante, Section> fautive = GrilleDEssai.avec(
-                Collections.singletonList(new ReglagePropose(new SectionLue("Grille", "m", "3"), 0)));
-        SceneFautive e = assertThrows(SceneFautive.class, () -> Echelon.echelle(new Modele(), fautive, null, null));
+        Map<Variante, Section> fautive = GrilleDEssai.avec(Collections.singletonMap(new SectionLue("Grille", "m", "3"), 0.0));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> auto(CIEL, 4, 3, fautive, 1));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
     @Test
     void uneVarianteSansEchelleEstNommee() {
-        Map<Variante, Section> muette = GrilleDEssai.avec(null);
-        NullPointerException e = assertThrows(NullPointerException.class,
-                () -> Echelon.echelle(new Modele(), muette, null, null));
-        assertEquals(GrilleDEssai.class.getName() + ".getReglagesProposes a rendu null", e.getMessage());
+        NullPointerException e = assertThrows(NullPointerException.class, () -> echelle(GrilleDEssai.avec(null)));
+        assertEquals(GrilleDEssai.class.getName() + ".getSectionsProposees a rendu null", e.getMessage());
     }
 }

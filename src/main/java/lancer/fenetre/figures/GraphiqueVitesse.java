@@ -1,21 +1,26 @@
 package lancer.fenetre.figures;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
+import lancer.commande.Reglages;
 
 /** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
@@ -29,36 +34,14 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
 
-    /** Dans l'ordre des temps. */
-    private final List<Reglage> points = new ArrayList<>();
-    private Reglage choisi;
+    /** Ceux qui sont dessinés, du plus rapide au plus lent, et le temps où chacun est placé. */
+    private List<Essai> points = new ArrayList<>();
+    private final Map<Essai, Double> temps = new IdentityHashMap<>();
+    private Reglages present;
+    private Reglages vise;
     private double xMin;
     private double xMax;
     private double yMax;
-
-    /** Un réglage dessiné : son temps et son erreur en niveaux, chacun avec son intervalle. */
-    public static class Reglage {
-
-        final String nom;
-        final boolean ici;
-        final double min;
-        final double max;
-        final double erreur;
-        final double incertitude;
-        /** Le temps où il est placé : le même pour des réglages dont les temps ne se distinguent pas. */
-        double secondes;
-
-        /** @param ici vrai pour le réglage de l'image montrée @param secondes le temps, puis son intervalle */
-        public Reglage(String nom, boolean ici, double[] secondes, double erreur, double incertitude) {
-            this.nom = nom;
-            this.ici = ici;
-            this.secondes = secondes[0];
-            min = secondes[1];
-            max = secondes[2];
-            this.erreur = erreur;
-            this.incertitude = incertitude;
-        }
-    }
 
     public GraphiqueVitesse() {
         setName("vitesse.graphique");
@@ -66,59 +49,59 @@ public final class GraphiqueVitesse extends JPanel {
         getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
     }
 
-    public void montrer(List<? extends Reglage> nouveaux) {
-        points.clear();
-        points.addAll(nouveaux);
-        points.sort(Comparator.comparingDouble(p -> p.secondes));
-        rapprocher();
+    /** @param celui le réglage de l'image montrée */
+    public void montrer(List<Essai> essais, Reglages celui) {
+        points = essais.stream().filter(essai -> essai.getNombre() > 0)
+                .sorted(Comparator.comparingDouble(Essai::getTemps)).collect(Collectors.toList());
+        present = celui;
+        placer();
         // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
-        xMin = graduation(points.stream().mapToDouble(p -> p.min).min().orElse(1) / 2.5);
-        xMax = graduation(points.stream().mapToDouble(p -> p.max).max().orElse(1) * 1.1);
-        yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
+        xMin = graduation(points.stream().mapToDouble(Essai::getMin).min().orElse(1) / 2.5);
+        xMax = graduation(points.stream().mapToDouble(Essai::getMax).max().orElse(1) * 1.1);
+        yMax = graduation(points.stream().mapToDouble(p -> p.mesure.erreur + p.mesure.incertitude).max().orElse(1) * 1.1);
         repaint();
     }
 
-    /** Place au même temps les réglages qui se suivent, tant que leurs intervalles ont un temps commun. */
-    private void rapprocher() {
-        int debut = 0;
-        double min = 0;
-        double max = Double.POSITIVE_INFINITY;
-        for (int k = 0; k <= points.size(); k++) {
-            if (k == points.size() || points.get(k).min > max || points.get(k).max < min) {
-                double commun = (min + max) / 2;
-                points.subList(debut, k).forEach(p -> p.secondes = commun);
-                debut = k;
-                min = 0;
-                max = Double.POSITIVE_INFINITY;
+    /** Donne le même temps à des réglages qui se suivent, tant que leurs intervalles ont un temps commun. */
+    private void placer() {
+        temps.clear();
+        for (int debut = 0; debut < points.size();) {
+            double min = points.get(debut).getMin();
+            double max = points.get(debut).getMax();
+            int fin = debut + 1;
+            while (fin < points.size() && points.get(fin).getMin() <= max && points.get(fin).getMax() >= min) {
+                min = Math.max(min, points.get(fin).getMin());
+                max = Math.min(max, points.get(fin).getMax());
+                fin++;
             }
-            if (k < points.size()) {
-                min = Math.max(min, points.get(k).min);
-                max = Math.min(max, points.get(k).max);
-            }
+            double commun = fin == debut + 1 ? points.get(debut).getTemps() : (min + max) / 2;
+            points.subList(debut, fin).forEach(p -> temps.put(p, commun));
+            debut = fin;
         }
     }
 
     /** Le réglage désigné, ou {@code null}. */
-    public Reglage getChoisi() {
-        return choisi;
+    public Essai getVise() {
+        return points.stream().filter(p -> p.reglages.equals(vise)).findFirst().orElse(null);
     }
 
-    /** Désigne le réglage sous ce point, s'il y en a un. */
-    public boolean choisir(java.awt.Point ou) {
-        return choisir(points.stream().filter(p -> ou.distance(x(p.secondes), y(p.erreur)) < PORTEE)
-                .min(Comparator.comparingDouble(p -> ou.distance(x(p.secondes), y(p.erreur)))).orElse(null));
+    /** Désigne le réglage sous ce point. @return faux s'il n'y en a pas */
+    public boolean viser(Point ou) {
+        ToDoubleFunction<Essai> distance = p -> ou.distance(x(temps.get(p)), y(p.mesure.erreur));
+        Essai proche = points.stream().min(Comparator.comparingDouble(distance)).orElse(null);
+        boolean sous = proche != null && distance.applyAsDouble(proche) < PORTEE;
+        vise = sous ? proche.reglages : vise;
+        repaint();
+        return sous;
     }
 
     /** Désigne le réglage plus rapide ({@code pas} −1) ou plus lent (1) que celui qui l'est. */
-    public boolean choisir(int pas) {
-        return choisir(points.isEmpty() ? null
-                : points.get(Math.max(0, Math.min(points.size() - 1, points.indexOf(choisi) + pas))));
-    }
-
-    private boolean choisir(Reglage vise) {
-        choisi = vise == null ? choisi : vise;
-        repaint();
-        return vise != null;
+    public void aller(int pas) {
+        if (!points.isEmpty()) {
+            int rang = Math.max(0, Math.min(points.size() - 1, points.indexOf(getVise()) + pas));
+            vise = points.get(rang).reglages;
+            repaint();
+        }
     }
 
     private static double graduation(double min) {
@@ -131,8 +114,8 @@ public final class GraphiqueVitesse extends JPanel {
                 * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
     }
 
-    private double x(double temps) {
-        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(temps / xMin) / Math.log(xMax / xMin);
+    private double x(double secondes) {
+        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(secondes / xMin) / Math.log(xMax / xMin);
     }
 
     private double y(double erreur) {
@@ -149,7 +132,8 @@ public final class GraphiqueVitesse extends JPanel {
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
-            peindrePoints(g);
+            List<Rectangle2D> noms = new ArrayList<>();
+            points.forEach(p -> peindre(g, p, noms));
         }
     }
 
@@ -169,40 +153,26 @@ public final class GraphiqueVitesse extends JPanel {
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
-    private void peindrePoints(Graphics2D g) {
+    /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
+    private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
+        double x = x(temps.get(p));
+        double y = y(p.mesure.erreur);
         Color accent = UIManager.getColor("Component.accentColor");
-        Color encre = UIManager.getColor("Tree.textForeground");
-        List<Rectangle2D> noms = new ArrayList<>();
-        g.setStroke(new BasicStroke(1.5f));
-        for (Reglage p : points) {
-            double x = x(p.secondes);
-            double y = y(p.erreur);
-            g.setColor(accent == null ? encre : accent);
-            g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-            g.draw(new Line2D.Double(x(p.min), y, x(p.max), y));
-            g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
-            g.setColor(encre);
-            if (p.ici) {
-                g.draw(new Ellipse2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
-            }
-            if (p == choisi) {
-                g.draw(new Rectangle2D.Double(x - RAYON - 3, y - RAYON - 3, 2 * RAYON + 6, 2 * RAYON + 6));
-            }
-            nommer(g, p, noms);
+        g.setColor(accent == null ? UIManager.getColor("Tree.textForeground") : accent);
+        g.draw(new Line2D.Double(x, y(p.mesure.erreur - p.mesure.incertitude), x,
+                y(p.mesure.erreur + p.mesure.incertitude)));
+        g.draw(new Line2D.Double(x(p.getMin()), y, x(p.getMax()), y));
+        g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
+        if (p.reglages.equals(vise)) {
+            g.draw(new Rectangle2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
         }
-    }
-
-    /** Écrit le nom de ce point à sa droite ou à sa gauche, sauf s'il y toucherait un autre nom. */
-    private void nommer(Graphics2D g, Reglage p, List<Rectangle2D> noms) {
-        double large = g.getFontMetrics().stringWidth(p.nom);
-        double haut = g.getFontMetrics().getAscent();
-        for (double x : new double[] {x(p.secondes) + 2 * RAYON + 2, x(p.secondes) - 2 * RAYON - 2 - large}) {
-            Rectangle2D place = new Rectangle2D.Double(x, y(p.erreur) - RAYON - haut, large, haut);
-            if (x > GAUCHE && x + large < getWidth() && noms.stream().noneMatch(place::intersects)) {
-                noms.add(place);
-                ecrire(g, p.nom, x, y(p.erreur) - RAYON, 0);
-                return;
-            }
+        String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
+        double large = g.getFontMetrics().stringWidth(nom);
+        double gauche = Math.min(x + 2 * RAYON, getWidth() - large - 2);
+        Rectangle2D place = new Rectangle2D.Double(gauche, y - 3 * RAYON, large, 2 * RAYON);
+        if (noms.stream().noneMatch(place::intersects)) {
+            noms.add(place);
+            ecrire(g, nom, gauche, y - RAYON, 0);
         }
     }
 

@@ -20,7 +20,8 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
-import lancer.auto.Echelon;
+import lancer.auto.Echelle;
+import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
@@ -80,7 +81,7 @@ public final class MesureAuto {
     static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        List<Echelon> echelle = echelle(prepare);
+        List<Reglages> echelle = echelle();
         double[][] dessines = echelle.stream().map(e -> dessiner(e, prepare, gabarit, taille)).toArray(double[][]::new);
         Circonstances c = new Circonstances();
         List<String> lignes = new ArrayList<>();
@@ -91,11 +92,11 @@ public final class MesureAuto {
             double secondes = secondes() - debut;
             int mieux = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).boxed()
                     .min(Comparator.comparingDouble(k -> dessines[k][1])).orElse(-1);
-            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.getChoisi(), Releve.reel(erreur(image, gabarit)),
+            lignes.add(FichierCsv.ligne(nom, taille, voulue, Echelle.dire(auto.getChoisi()), Releve.reel(erreur(image, gabarit)),
                     Releve.reel(auto.getMesure().erreur), Releve.reel(auto.getMesure().incertitude),
                     auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
                     Releve.reel((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
-                    Releve.reel((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : echelle.get(mieux),
+                    Releve.reel((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : Echelle.dire(echelle.get(mieux)),
                     mieux < 0 ? "" : Releve.reel(dessines[mieux][1]), Releve.reel(secondes),
                     mieux < 0 ? "" : Releve.reel(dessines[mieux][2]), c.commit, c.date));
         }
@@ -106,16 +107,15 @@ public final class MesureAuto {
         return Intervalle.deLaRacine(gabarit.carres(image)).valeur;
     }
 
-    private static List<Echelon> echelle(Lancer prepare) {
-        return Echelon.echelle(prepare.getScene().getModele(), Collections.singletonMap(new Antialias(), new SectionLue("Antialias")),
-                null, null);
+    private static List<Reglages> echelle() {
+        return Echelle.de(new Reglages().pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
     }
 
     /** L'erreur de l'image de cet échelon, ses rayons de toutes sortes par pixel, son temps de processeur en secondes. */
-    private static double[] dessiner(Echelon echelon, Lancer prepare, Gabarit gabarit, Taille taille) {
+    private static double[] dessiner(Reglages echelon, Lancer prepare, Gabarit gabarit, Taille taille) {
         double debut = secondes();
-        Lancer lancer = echelon.lancer(prepare);
-        ImageLineaire image = ImageLineaire.de(lancer, echelon.reflets, taille.fils);
+        Lancer lancer = prepare.avec(echelon.getModele());
+        ImageLineaire image = ImageLineaire.de(lancer, echelon.getProfondeur(), taille.fils);
         double secondes = secondes() - debut;
         return new double[] {erreur(image, gabarit), (double) lancer.getCompteurs().rayons() / taille.pixels(), secondes};
     }
@@ -127,9 +127,9 @@ public final class MesureAuto {
 
     static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        Auto auto = new Auto(prepare, echelle(prepare), voulue, taille.fils);
+        Auto auto = new Auto(prepare, echelle(), voulue, taille.fils);
         do {
-            auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().reflets, taille.fils);
+            auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().getProfondeur(), taille.fils);
         } while (!auto.controler());
         return auto;
     }
