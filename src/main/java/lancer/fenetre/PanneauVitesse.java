@@ -17,6 +17,7 @@ import javax.swing.SwingWorker;
 import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
+import lancer.auto.Mesure;
 import lancer.commande.Messages;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
@@ -110,7 +111,9 @@ final class PanneauVitesse extends JPanel {
                     prepare.image.drawPixel(couleur, xe, ye);
                     echantillon.drawPixel(couleur, xe, ye);
                 }, moins.reglages.getProfondeur(), controleur.getFils());
-                siens.set(siens.indexOf(moins), moins.avec(lancer.getDureeNs() / 1e9, echantillon.mesurer()));
+                Mesure mesure = echantillon.mesurer();
+                siens.set(siens.indexOf(moins),
+                        moins.avec(lancer.getDureeNs() / 1e9, mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));
                 moins = suivant();
             }

@@ -104,9 +104,9 @@ class FenetreFautesTest extends EssaiInspecteur {
         })));
         banc.attendreMessage("pixel ");
         assertTrue(banc.message().contains(" : ce calcul dure depuis dix secondes (lancer."), banc.message());
-        assertTrue(surFilEvenements(() -> banc.controleur.etat.enCours), "rien d'autre n'est fait");
+        assertTrue(surFilEvenements(() -> banc.controleur.enCours), "rien d'autre n'est fait");
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.etat.enCours);
+        attendre("Échap l'arrête", () -> !banc.controleur.enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);
@@ -114,18 +114,18 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("");
         fin.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
+        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }
 
     @Test
     void ouToutEchoueLeDessinSArreteApresMilleEssais() throws Exception {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
         ouvrirAvecUnMur(true);
-        attendre("il est fini", () -> !banc.controleur.etat.enCours);
+        attendre("il est fini", () -> !banc.controleur.enCours);
         banc.attendreMessage("1");
         assertTrue(banc.message().matches("10\\d\\d pixels n'ont pu être calculés, et aucun n'a pu l'être ; le premier : pixel .*boum.*"),
                 banc.message());
-        assertNull(surFilEvenements(() -> banc.controleur.etat.getImageEntiere()));
+        assertNull(surFilEvenements(() -> banc.controleur.getImageEntiere()));
         banc.frapperCtrl('s');
         attendre("et ne s'enregistre pas", () -> banc.panneau.bandeau.getText().contains("\nImage non enregistrée : 1"));
         attendre("d'un message plus haut que l'image, le début se lit",
@@ -161,7 +161,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
-        assertFalse(surFilEvenements(() -> banc.controleur.etat.enCours));
-        assertEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
+        assertFalse(surFilEvenements(() -> banc.controleur.enCours));
+        assertEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }
 }

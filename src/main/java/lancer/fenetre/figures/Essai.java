@@ -2,7 +2,6 @@ package lancer.fenetre.figures;
 
 import java.util.Arrays;
 import java.util.Locale;
-import lancer.auto.Mesure;
 import lancer.commande.Reglages;
 import lancer.contrat.Section;
 
@@ -17,28 +16,31 @@ public final class Essai {
     private static final double NORMALE = 1.96;
 
     public final Reglages reglages;
-    public final Mesure mesure;
+    /** En niveaux, avec leur intervalle à 95 %. */
+    final double erreur;
+    final double incertitude;
     private final double[] secondes;
     /** La seconde moitié des temps, du plus petit au plus grand : comme par {@code --repeter}. */
     private final double[] gardes;
 
-    private Essai(Reglages reglages, Mesure mesure, double[] secondes) {
+    private Essai(Reglages reglages, double erreur, double incertitude, double... secondes) {
         this.reglages = reglages;
-        this.mesure = mesure;
+        this.erreur = erreur;
+        this.incertitude = incertitude;
         this.secondes = secondes;
         gardes = Arrays.stream(secondes).skip(secondes.length / 2).sorted().toArray();
     }
 
     /** Un réglage qui n'est pas encore dessiné. */
     public Essai(Reglages reglages) {
-        this(reglages, null, new double[0]);
+        this(reglages, 0, 0);
     }
 
     /** Le même, dessiné une fois de plus. */
-    public Essai avec(double duree, Mesure sienne) {
+    public Essai avec(double duree, double sonErreur, double sonIncertitude) {
         double[] suite = Arrays.copyOf(secondes, secondes.length + 1);
         suite[secondes.length] = duree;
-        return new Essai(reglages, sienne, suite);
+        return new Essai(reglages, sonErreur, sonIncertitude, suite);
     }
 
     public int getNombre() {
@@ -69,8 +71,8 @@ public final class Essai {
 
     /** Le temps et l'erreur, avec leurs intervalles. */
     public String dire() {
-        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), erreur de %.2f ± %.2f niveaux", getTemps(),
-                getMin(), getMax(), mesure.erreur, mesure.incertitude);
+        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + (erreur > 0 ? "erreur de %.2f ± %.2f niveaux"
+                : "aucun écart vu"), getTemps(), getMin(), getMax(), erreur, incertitude);
     }
 
     /** Le nom court de ce réglage. */

@@ -58,7 +58,7 @@ public final class GraphiqueVitesse extends JPanel {
         // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
         xMin = graduation(points.stream().mapToDouble(Essai::getMin).min().orElse(1) / 2.5);
         xMax = graduation(points.stream().mapToDouble(Essai::getMax).max().orElse(1) * 1.1);
-        yMax = graduation(points.stream().mapToDouble(p -> p.mesure.erreur + p.mesure.incertitude).max().orElse(1) * 1.1);
+        yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
         repaint();
     }
 
@@ -87,7 +87,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Désigne le réglage sous ce point. @return faux s'il n'y en a pas */
     public boolean viser(Point ou) {
-        ToDoubleFunction<Essai> distance = p -> ou.distance(x(temps.get(p)), y(p.mesure.erreur));
+        ToDoubleFunction<Essai> distance = p -> ou.distance(x(temps.get(p)), y(p.erreur));
         Essai proche = points.stream().min(Comparator.comparingDouble(distance)).orElse(null);
         boolean sous = proche != null && distance.applyAsDouble(proche) < PORTEE;
         vise = sous ? proche.reglages : vise;
@@ -156,11 +156,11 @@ public final class GraphiqueVitesse extends JPanel {
     /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
     private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
         double x = x(temps.get(p));
-        double y = y(p.mesure.erreur);
+        double y = y(p.erreur);
         Color accent = UIManager.getColor("Component.accentColor");
         g.setColor(accent == null ? UIManager.getColor("Tree.textForeground") : accent);
-        g.draw(new Line2D.Double(x, y(p.mesure.erreur - p.mesure.incertitude), x,
-                y(p.mesure.erreur + p.mesure.incertitude)));
+        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x,
+                y(p.erreur + p.incertitude)));
         g.draw(new Line2D.Double(x(p.getMin()), y, x(p.getMax()), y));
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
         if (p.reglages.equals(vise)) {
