@@ -57,34 +57,22 @@ final class PanneauVitesse extends JPanel {
         MouseAdapter souris = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                graphique.viser(e.getPoint());
-                dire();
+                dire(graphique.sous(e.getPoint()));
             }
 
             @Override
             public void mousePressed(MouseEvent e) {
-                graphique.requestFocusInWindow();
-                if (graphique.viser(e.getPoint())) {
-                    choisir();
+                Essai choisi = graphique.sous(e.getPoint());
+                if (choisi != null) {
+                    // son image se dessine, et F2 montre ce réglage
+                    controleur.regler(choisi.reglages);
                 }
             }
         };
         graphique.addMouseListener(souris);
         graphique.addMouseMotionListener(souris);
-        lier("LEFT", () -> graphique.aller(-1));
-        lier("RIGHT", () -> graphique.aller(1));
-        lier("ENTER", this::choisir);
         controleur.prevenir(this::suivre);
         addHierarchyListener(e -> suivre());
-    }
-
-    private void lier(String touche, Runnable effet) {
-        Commande commande = new Commande(null, touche, () -> true, () -> {
-            effet.run();
-            dire();
-        });
-        graphique.getInputMap().put(commande.getTouche(), commande);
-        graphique.getActionMap().put(commande, commande);
     }
 
     /** Dessine l'échelle et le réglage présent à tour de rôle, donc tous dans les mêmes conditions. */
@@ -130,10 +118,10 @@ final class PanneauVitesse extends JPanel {
             if (this == mesureur) {
                 essais = publies.get(publies.size() - 1);
                 long faits = essais.stream().filter(Essai::suffit).count();
-                etat = faits == essais.size() ? "Un clic sur un point montre son image (ou flèches, et Entrée)."
+                etat = faits == essais.size() ? "La souris dit un point, et un clic montre son image."
                         : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
                 graphique.montrer(essais, demande.reglages);
-                dire();
+                dire(null);
             }
         }
 
@@ -143,7 +131,7 @@ final class PanneauVitesse extends JPanel {
                 get();
             } catch (ExecutionException e) {
                 etat = "Mesure impossible : " + Messages.message(e.getCause());
-                dire();
+                dire(null);
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
             }
@@ -174,19 +162,12 @@ final class PanneauVitesse extends JPanel {
             mesureur = new Mesureur(demande);
             mesureur.execute();
         }
-        dire();
+        dire(null);
     }
 
-    private void dire() {
-        Essai vise = graphique.getVise();
-        texte.setText((vise == null ? "" : Echelle.dire(vise.reglages) + " : " + vise.dire() + "\n")
-                + (controleur.enCours ? "Les mesures reprendront après ce dessin." : etat));
-    }
-
-    /** Prend le réglage désigné, et dessine son image. */
-    private void choisir() {
-        if (graphique.getVise() != null) {
-            controleur.regler(graphique.getVise().reglages);
-        }
+    /** @param vise le réglage sous la souris, ou {@code null} */
+    private void dire(Essai vise) {
+        texte.setText(vise != null ? Echelle.dire(vise.reglages) + " : " + vise.dire()
+                : controleur.enCours ? "Les mesures reprendront après ce dessin." : etat);
     }
 }

@@ -189,10 +189,15 @@ public final class Recit {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        List<Noeud> muettes = new ArrayList<>();
+        List<Noeud> muettes = segment.lampes.stream().filter(lampe -> !lampe.eclaire() && lampe.ajouts.isEmpty())
+                .map(lampe -> lampe(segment, lampe)).collect(Collectors.toList());
+        boolean nombreuses = muettes.size() > LAMPES;
+        if (nombreuses) {
+            lignes.add(dire("%d lampes n'apportent rien", muettes.size()).sur(muettes, true));
+        }
         for (Terme terme : segment.termes) {
-            if (terme.lampe != null && !terme.eclaire()) {
-                (terme.ajouts.isEmpty() ? muettes : lignes).add(lampe(segment, terme));
+            if (terme.lampe != null && !terme.eclaire() && !(nombreuses && terme.ajouts.isEmpty())) {
+                lignes.add(lampe(segment, terme));
             } else if (terme.suite != null && !terme.eclaire()) {
                 lignes.add(dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
@@ -200,11 +205,6 @@ public final class Recit {
                 lignes.add(ajout != terme.apport() ? dire("autre terme = %s", ajout)
                         : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
             }
-        }
-        if (muettes.size() > LAMPES) {
-            lignes.add(dire("%d lampes n'apportent rien", muettes.size()).sur(muettes, true));
-        } else {
-            lignes.addAll(muettes);
         }
     }
 

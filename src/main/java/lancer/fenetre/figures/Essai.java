@@ -52,21 +52,17 @@ public final class Essai {
     }
 
     /** La médiane des temps gardés, en secondes. */
-    public double getTemps() {
+    double getTemps() {
         return (gardes[(gardes.length - 1) / 2] + gardes[gardes.length / 2]) / 2;
     }
 
-    /** Rang de la borne inférieure de l'intervalle de la médiane, à 95 % s'il y a assez de temps. */
-    private int getRang() {
-        return (int) Math.max(0, Math.floor((gardes.length - NORMALE * Math.sqrt(gardes.length)) / 2));
-    }
-
+    /** Le plus petit temps de l'intervalle de la médiane, à 95 % s'il y a assez de temps gardés. */
     double getMin() {
-        return gardes[getRang()];
+        return gardes[(int) Math.max(0, (gardes.length - NORMALE * Math.sqrt(gardes.length)) / 2)];
     }
 
     double getMax() {
-        return gardes[gardes.length - 1 - getRang()];
+        return gardes[gardes.length - 1 - (int) Math.max(0, (gardes.length - NORMALE * Math.sqrt(gardes.length)) / 2)];
     }
 
     /** Le temps et l'erreur, avec leurs intervalles. */
@@ -78,9 +74,14 @@ public final class Essai {
     /** Le nom court de ce réglage. */
     String getNom() {
         if (reglages.getEssayee() == null) {
-            return reglages.getProfondeur() + (reglages.getProfondeur() > 1 ? " réflexions" : " réflexion");
+            return nombre(reglages.getProfondeur()) + (reglages.getProfondeur() > 1 ? " réflexions" : " réflexion");
         }
         Section section = reglages.getSectionEntiere(reglages.getEssayee());
         return "1".equals(section.valeur("n")) ? "un rayon" : section.valeur("methode") + " n=" + section.valeur("n");
+    }
+
+    static String nombre(double t) {
+        return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
+                : String.format(Locale.FRANCE, "%.3f", t).replaceAll(",?0+$", "");
     }
 }

@@ -7,14 +7,9 @@ import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -34,18 +29,16 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int RAYON = 5;
     private static final int PORTEE = 12;
 
-    /** Ceux qui sont dessinés, du plus rapide au plus lent, et le temps où chacun est placé. */
+    /** Ceux qui sont dessinés, du plus rapide au plus lent, et l'intervalle où chacun est placé. */
     private List<Essai> points = new ArrayList<>();
-    private final Map<Essai, Double> temps = new IdentityHashMap<>();
+    private final List<double[]> places = new ArrayList<>();
     private Reglages present;
-    private Reglages vise;
     private double xMin;
     private double xMax;
     private double yMax;
 
     public GraphiqueVitesse() {
         setName("vitesse.graphique");
-        setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
     }
 
@@ -64,44 +57,22 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Donne le même temps à des réglages qui se suivent, tant que leurs intervalles ont un temps commun. */
     private void placer() {
-        temps.clear();
-        for (int debut = 0; debut < points.size();) {
-            double min = points.get(debut).getMin();
-            double max = points.get(debut).getMax();
-            int fin = debut + 1;
-            while (fin < points.size() && points.get(fin).getMin() <= max && points.get(fin).getMax() >= min) {
-                min = Math.max(min, points.get(fin).getMin());
-                max = Math.min(max, points.get(fin).getMax());
-                fin++;
+        places.clear();
+        double[] commun = {0, 0};
+        for (Essai p : points) {
+            if (p.getMin() > commun[1] || p.getMax() < commun[0]) {
+                commun = new double[] {p.getMin(), p.getMax()};
             }
-            double commun = fin == debut + 1 ? points.get(debut).getTemps() : (min + max) / 2;
-            points.subList(debut, fin).forEach(p -> temps.put(p, commun));
-            debut = fin;
+            commun[0] = Math.max(commun[0], p.getMin());
+            commun[1] = Math.min(commun[1], p.getMax());
+            places.add(commun);
         }
     }
 
-    /** Le réglage désigné, ou {@code null}. */
-    public Essai getVise() {
-        return points.stream().filter(p -> p.reglages.equals(vise)).findFirst().orElse(null);
-    }
-
-    /** Désigne le réglage sous ce point. @return faux s'il n'y en a pas */
-    public boolean viser(Point ou) {
-        ToDoubleFunction<Essai> distance = p -> ou.distance(x(temps.get(p)), y(p.erreur));
-        Essai proche = points.stream().min(Comparator.comparingDouble(distance)).orElse(null);
-        boolean sous = proche != null && distance.applyAsDouble(proche) < PORTEE;
-        vise = sous ? proche.reglages : vise;
-        repaint();
-        return sous;
-    }
-
-    /** Désigne le réglage plus rapide ({@code pas} −1) ou plus lent (1) que celui qui l'est. */
-    public void aller(int pas) {
-        if (!points.isEmpty()) {
-            int rang = Math.max(0, Math.min(points.size() - 1, points.indexOf(getVise()) + pas));
-            vise = points.get(rang).reglages;
-            repaint();
-        }
+    /** Le réglage sous ce point, ou {@code null}. */
+    public Essai sous(Point ou) {
+        return points.stream().filter(p -> ou.distance(x(p), y(p.erreur)) < PORTEE)
+                .min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p.erreur)))).orElse(null);
     }
 
     private static double graduation(double min) {
@@ -112,6 +83,11 @@ public final class GraphiqueVitesse extends JPanel {
     private static DoubleStream graduations(double min, double max) {
         return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
                 * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
+    }
+
+    private double x(Essai p) {
+        double[] place = places.get(points.indexOf(p));
+        return x((place[0] + place[1]) / 2);
     }
 
     private double x(double secondes) {
@@ -127,13 +103,11 @@ public final class GraphiqueVitesse extends JPanel {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics;
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
-            List<Rectangle2D> noms = new ArrayList<>();
-            points.forEach(p -> peindre(g, p, noms));
+            points.forEach(p -> peindre(g, p));
         }
     }
 
@@ -142,48 +116,34 @@ public final class GraphiqueVitesse extends JPanel {
         graduations(xMin, xMax).forEach(t -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(x(t), HAUT, x(t), bas));
-            ecrire(g, nombre(t), x(t), bas + 15, 0.5);
+            ecrire(g, Essai.nombre(t), x(t), bas + 15, 0.5);
         });
         graduations(Y_MIN, yMax).forEach(t -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(GAUCHE, y(t), droite, y(t)));
-            ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
+            ecrire(g, Essai.nombre(t), GAUCHE - 6, y(t) + 4, 1);
         });
         ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
-    /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
-    private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
-        double x = x(temps.get(p));
+    /** Peint ce réglage, ses deux intervalles et son nom. */
+    private void peindre(Graphics2D g, Essai p) {
+        double x = x(p);
         double y = y(p.erreur);
-        Color accent = UIManager.getColor("Component.accentColor");
-        g.setColor(accent == null ? UIManager.getColor("Tree.textForeground") : accent);
-        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x,
-                y(p.erreur + p.incertitude)));
+        g.setColor(new Color(0x2675BF));
+        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
         g.draw(new Line2D.Double(x(p.getMin()), y, x(p.getMax()), y));
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
-        if (p.reglages.equals(vise)) {
-            g.draw(new Rectangle2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
-        }
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
-        double large = g.getFontMetrics().stringWidth(nom);
-        double gauche = Math.min(x + 2 * RAYON, getWidth() - large - 2);
-        Rectangle2D place = new Rectangle2D.Double(gauche, y - 3 * RAYON, large, 2 * RAYON);
-        if (noms.stream().noneMatch(place::intersects)) {
-            noms.add(place);
-            ecrire(g, nom, gauche, y - RAYON, 0);
-        }
+        // à droite, s'il y a la place
+        boolean droite = x + 2 * RAYON + g.getFontMetrics().stringWidth(nom) < getWidth();
+        ecrire(g, nom, droite ? x + 2 * RAYON : x - 2 * RAYON, y - RAYON, droite ? 0 : 1);
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
     private static void ecrire(Graphics2D g, String texte, double x, double y, double cale) {
         g.setColor(UIManager.getColor("Tree.textForeground"));
         g.drawString(texte, (float) (x - cale * g.getFontMetrics().stringWidth(texte)), (float) y);
-    }
-
-    private static String nombre(double t) {
-        return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
-                : String.format(Locale.FRANCE, "%.3f", t).replaceAll(",?0+$", "");
     }
 }
