@@ -249,8 +249,8 @@ final class Controleur {
         if (echec instanceof SceneFautive && !celui.estLue()) {
             refuser(Messages.message(echec));
         } else if (fautes != null && !(echec instanceof Error)) {
-            panneau.bandeau.dire(Sujet.DESSIN, fautes + (echec == null ? "" : ", et aucun n'a pu l'être")
-                    + " ; le premier : " + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
+            panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
+                    + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
