@@ -17,7 +17,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.scene.Services;
+import lancer.scene.LecteurSections;
 import lancer.texte.Texte;
 
 /** Réglages d'une scène lue : étape, réflexions, seuil, et chaque variante, branchée ou non. Immuable. */
@@ -57,7 +57,7 @@ public final class ReglagesDessin {
     /** @throws Echec si {@code --sans} nomme une variante qui n'existe pas */
     void verifier(Options options) {
         for (String type : options.sans) {
-            if (!Services.varianteConnue(type)
+            if (!LecteurSections.varianteConnue(type)
                     && lues.keySet().stream().noneMatch(presente -> presente.getSection().equalsIgnoreCase(type))) {
                 throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");

@@ -1,6 +1,7 @@
 package lancer.fenetre;
 
 import lancer.dessin.ReglagesDessin;
+import lancer.scene.Deplacement;
 import lancer.scene.SceneLue;
 
 /** Ce que l'on choisit dans la fenêtre et que Ctrl+Z défait : les déplacements, les réglages, la vue. Immuable. */
@@ -37,6 +38,7 @@ final class Choix {
     /** Les mêmes choix pour une scène qui vient d'être relue, ou pour une autre, dont rien n'est déplacé. */
     Choix pour(Choix relu, boolean malgreLeFichier) {
         return relu.lue == lue ? this : new Choix(relu.fichier, relu.lue, relu.fichier.equals(fichier)
-                ? relu.lue.reporter(lue, scene, malgreLeFichier) : relu.lue, reglages.pour(relu.reglages), vue);
+                ? Deplacement.reporter(relu.lue, lue, scene, malgreLeFichier) : relu.lue,
+                reglages.pour(relu.reglages), vue);
     }
 }

@@ -20,6 +20,7 @@ import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
+import lancer.scene.Deplacement;
 import lancer.scene.Surveillance;
 
 /**
@@ -271,7 +272,7 @@ final class Controleur {
             return;
         }
         List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
-        boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
+        boolean defait = courant.litLaSceneDe(etat.lecture) && !Deplacement.getChanges(courant.choix.scene,
                 etat.choix.pour(courant.getLu(), true).scene).isEmpty();
         if (defait) {
             avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"

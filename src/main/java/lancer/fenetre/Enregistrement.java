@@ -14,6 +14,7 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
+import lancer.scene.Deplacement;
 import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
@@ -63,7 +64,7 @@ final class Enregistrement {
     void copierReglages() {
         String sections = controleur.etat.getReglages().getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + controleur.etat.choix.scene.getChanges(controleur.etat.lecture.getLue());
+                + Deplacement.getChanges(controleur.etat.choix.scene, controleur.etat.lecture.getLue());
         bandeau.getToolkit().getSystemClipboard().setContents(
                 new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
         bandeau.dire(Sujet.AVIS, "réglages copiés : "

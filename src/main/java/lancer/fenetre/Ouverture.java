@@ -15,7 +15,7 @@ import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Options;
 import lancer.dessin.Dessin;
-import lancer.scene.Services;
+import lancer.scene.LecteurSections;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
@@ -61,7 +61,7 @@ public final class Ouverture {
         try {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
-                List<String> variantes = Services.nomsDesVariantes();
+                List<String> variantes = LecteurSections.nomsDesVariantes();
                 ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
                 new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);

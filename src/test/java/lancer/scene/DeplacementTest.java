@@ -3,7 +3,6 @@ package lancer.scene;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
@@ -11,18 +10,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collections;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
-import lancer.contrat.Forme;
-import lancer.contrat.Section;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,7 +43,7 @@ class DeplacementTest {
     @Test
     void uneBouleDeplaceeGardeToutesLesClesDeSaSection() throws IOException {
         SceneLue lue = lire(SCENE);
-        SceneLue changee = lue.avec(0, "centre", "1 2 6.5");
+        SceneLue changee = Deplacement.avec(lue, 0, "centre", "1 2 6.5");
         Sphere boule = (Sphere) changee.objets.get(0);
         assertEquals(new Point(1, 2, 6.5), boule.getCentre());
         assertEquals(1, boule.getRayon());
@@ -68,55 +63,8 @@ class DeplacementTest {
         assertEquals("[SPHERE a]", origines.getNom(0));
         assertEquals("[Lampe] ligne 10", origines.getNom(1));
         assertEquals("[Sphere é]", origines.getNom(2));
-        assertEquals("0 0.2 6", origines.getSection(0).valeur("centre"));
-        assertEquals(new Point(-4, 6, -3), Deplacement.place(origines.getSection(1)));
-    }
-
-    /** Une boule à soi, avec une clé à elle. */
-    static final class Bulle extends Sphere {
-        final double eclat;
-
-        Bulle(Point centre, double rayon, double eclat) {
-            super(centre, rayon);
-            this.eclat = eclat;
-        }
-    }
-
-    static final class FormeBulle implements Forme {
-        @Override
-        public String getSection() {
-            return "Bulle";
-        }
-
-        @Override
-        public String[] getCles() {
-            return new String[] {"centre", "rayon", "eclat", "position"};
-        }
-
-        @Override
-        public Objet3D lire(Section valeurs) {
-            return new Bulle(valeurs.point("centre"), valeurs.longueur("rayon"), valeurs.reel("eclat", 0, 0, 9));
-        }
-    }
-
-    @Test
-    void uneFormeASoiResteDeSaClasseAvecSesCles() {
-        LecteurSections lecteur = new LecteurSections(Collections.singletonMap("bulle", new FormeBulle()));
-        SectionLue section = new SectionLue("s.ini", "bulle 1", 4, lecteur.cles("bulle"));
-        section.ajouter("eclat", "3", 5);
-        section.ajouter("centre", "0 0 6", 6);
-        section.ajouter("rayon", "1", 7);
-        section.ajouter("position", "assise", 8);
-        SceneLue lue = new SceneLue(new Origines(lecteur, true));
-        lue.ajouter(lecteur.lire(section), section);
-        assertEquals(new Point(0, 0, 6), Deplacement.place(lue.origines.getSection(0)));
-        Bulle bulle = (Bulle) lue.avec(0, "rayon", "2").avec(0, "Kd", "1 0 0").objets.get(0);
-        assertEquals(2, bulle.getRayon());
-        assertEquals(3, bulle.eclat);
-        assertEquals(new Couleur(1, 0, 0), bulle.getKd());
-        section = new SectionLue("s.ini", "Bulle 2", 9, lecteur.cles("bulle"));
-        section.ajouter("position", "assise", 10);
-        assertNull(Deplacement.place(section), "cette position n'est pas une place");
+        assertEquals("0 0.2 6", Deplacement.section(origines, 0).valeur("centre"));
+        assertEquals(new Point(-4, 6, -3), Deplacement.place(Deplacement.section(origines, 1)));
     }
 
     @ParameterizedTest
@@ -132,7 +80,7 @@ class DeplacementTest {
         "1|rayon|1|[Lampe], rayon : clé inconnue ; attendu : position, couleur"})
     void uneValeurQuUneSceneRefuseraitEstRefuseeParLaMemePhrase(int rang, String cle, String valeur, String phrase) throws IOException {
         SceneLue lue = lire(SCENE);
-        SceneFautive refus = assertThrows(SceneFautive.class, () -> lue.avec(rang, cle, valeur));
+        SceneFautive refus = assertThrows(SceneFautive.class, () -> Deplacement.avec(lue, rang, cle, valeur));
         assertEquals("valeur refusée, " + phrase, refus.getMessage());
     }
 
@@ -145,13 +93,14 @@ class DeplacementTest {
     @Test
     void lesSectionsChangeesMisesALaPlaceDesAutresDonnentLaMemeScene() throws IOException {
         SceneLue lue = lire(SCENE);
-        SceneLue changee = lue.avec(0, "centre", "0.25 0.2 6").avec(1, "position", "3 3 0").avec(0, "Kd", "0.1 0.2 1")
-                .avec(2, "Ks", "0.1 0 0");
-        String sections = changee.getChanges(lue);
+        SceneLue ailleurs = Deplacement.avec(lue, 1, "position", "3 3 0");
+        SceneLue changee = Deplacement.avec(Deplacement.avec(ailleurs, 0, "centre", "0.25 0.2 6"), 0, "Kd", "0.1 0.2 1");
+        changee = Deplacement.avec(changee, 2, "Ks", "0.1 0 0");
+        String sections = Deplacement.getChanges(changee, lue);
         assertEquals("[SPHERE a]\nCentre=0.25 0.2 6\nrayon=1\nKD=0.1 0.2 1\nKr=0.3 0.3 0.3\nns=40\n\n[Lampe]\nposition=3 3 0\n"
                 + "couleur=0.9 0.9 0.85\n\n[Sphere é]\ncentre=1 1 7\nrayon=.5\nKs=0.1 0 0\n\n", sections);
         assertArrayEquals(dessiner(changee), dessiner(lire(sections)));
-        assertEquals("", lue.avec(1, "position", "3 3 0").avec(1, "position", "-4 6 -3").getChanges(lue),
+        assertEquals("", Deplacement.getChanges(Deplacement.avec(ailleurs, 1, "position", "-4 6 -3"), lue),
                 "une valeur remise n'est plus un changement");
         assertNotSame(lue.lampes.get(0), changee.lampes.get(0));
     }
@@ -164,7 +113,7 @@ class DeplacementTest {
 
     @Test
     void uneLampeChangeeEstLueCommeUneAutre() throws IOException {
-        Lampe lampe = lire(SCENE).avec(1, "couleur", "0 0 1e6").lampes.get(0);
+        Lampe lampe = Deplacement.avec(lire(SCENE), 1, "couleur", "0 0 1e6").lampes.get(0);
         assertEquals(new Couleur(0, 0, 1e6), lampe.getCouleur());
         assertEquals(new Point(-4, 6, -3), lampe.getPosition());
     }
