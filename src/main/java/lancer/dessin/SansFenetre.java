@@ -209,8 +209,7 @@ public final class SansFenetre implements Runnable {
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
-            Ecriture.ecrire(options.vue == null ? comparaison.getDifferences() : comparaison.peindreLesEcarts(
-                    new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
+            Ecriture.ecrire(comparaison.peindreLesEcarts(new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
                     fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);

@@ -4,9 +4,9 @@ import java.io.FileInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
@@ -77,18 +77,12 @@ public final class FichierScene {
         try {
             chemin.toRealPath();
         } catch (IOException e) {
-            String faute = pourquoi(e, ErreurSysteme.raison(e));
-            if (chemin.isAbsolute() || !faute.equals(ErreurSysteme.INTROUVABLE)) {
-                return faute;
+            if (chemin.isAbsolute() || !(e instanceof NoSuchFileException)) {
+                return ErreurSysteme.raison(e);
             }
         }
         String ici = Paths.get("").toAbsolutePath().toString();
-        return ErreurSysteme.INTROUVABLE + " dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS
+        return "fichier introuvable dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS
                 + " dossiers au-dessus" + ErreurSysteme.horsLangue(ici);
-    }
-
-    /** Raison pour laquelle un fichier ne peut être lu, ou {@code sinon}. */
-    static String pourquoi(IOException e, String sinon) {
-        return e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }
 }

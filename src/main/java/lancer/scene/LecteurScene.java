@@ -73,8 +73,7 @@ public final class LecteurScene {
             throw new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
                     "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
         } catch (IOException e) {
-            throw FichierScene.inutilisable(fichier,
-                    FichierScene.pourquoi(e, "lecture impossible (" + ErreurSysteme.raison(e) + ")"), e);
+            throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
         sections.variantes.forEach((type, presente) -> {
             SectionLue donnee = sectionsVariantes.get(type);
@@ -163,17 +162,12 @@ public final class LecteurScene {
     /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */
     private SceneFautive illisible(String texte) {
         String cite = " : " + Texte.cite(texte);
-        int crochet = texte.indexOf(']');
-        if (!texte.startsWith("[")) {
-            return courante == null ? refus("texte avant toute section" + cite,
-                    "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
-                    "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
+        if (texte.startsWith("[")) {
+            return refus("section illisible" + cite, "par exemple [Sphere 1], seule sur sa ligne");
         }
-        if (crochet >= 0 && crochet < texte.length() - 1) {
-            return refus("du texte après le crochet" + cite,
-                    "[Section] seule sur sa ligne, un commentaire sur la sienne");
-        }
-        return refus((crochet < 0 ? "crochet non fermé" : "section sans nom") + cite, "par exemple [Sphere 1]");
+        return courante == null ? refus("texte avant toute section" + cite,
+                "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
+                "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
     /** Refuse la ligne en cours. Elle appartient à la section en cours, sauf si elle en commence une autre. */

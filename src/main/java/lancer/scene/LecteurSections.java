@@ -113,10 +113,6 @@ public final class LecteurSections {
     /** Réserve un type de section à cette classe, la seule qui le lit. @return ce type, en minuscules */
     private String prendre(String type, Class<?> lecteur) {
         String classe = lecteur.getName();
-        if (type == null || type.isEmpty() || type.indexOf(' ') >= 0) {
-            throw new SceneFautive(classe + " : type de section impossible : " + Texte.cite(String.valueOf(type))
-                    + " ; attendu : un mot");
-        }
         String deja = preneurs.putIfAbsent(Texte.minuscules(type), classe);
         if (deja != null) {
             throw new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type) + "] : " + deja + " et "
@@ -152,28 +148,19 @@ public final class LecteurSections {
         if (forme == null) {
             return new Lampe(section.point("position"), section.couleur("couleur", LUMIERE_MAX));
         }
-        Objet3D objet = lireForme(section, forme);
-        lireMatiere(section, objet);
-        return objet;
-    }
-
-    /** Lit l'objet de la section, sans sa matière. Une exception de la forme devient un refus de la section. */
-    private static Objet3D lireForme(SectionLue section, Forme forme) {
         try {
             Objet3D objet = forme.lire(section);
             if (objet == null || objet == forme) {
                 throw new IllegalStateException("lire n'a pas rendu un objet neuf");
             }
+            lireMatiere(section, objet);
             return objet;
         } catch (SceneFautive e) {
             throw e;
         } catch (RuntimeException e) {
             String classe = forme.getClass().getName();
-            boolean refus = e.getMessage() != null
-                    && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
             throw section.fautive(section.ligne, null, "section que " + classe + " ne sait pas lire : "
-                    + (refus ? Texte.cite(e.getMessage()) : Pile.cause(e, Pattern.quote(classe) + ".*")),
-                    "des valeurs qui lui conviennent");
+                    + Pile.cause(e, Pattern.quote(classe) + ".*"), "des valeurs qui lui conviennent");
         }
     }
 

@@ -19,7 +19,7 @@ import lancer.texte.Texte;
  */
 final class Lignes extends Reader {
 
-    /** Longueur maximale d'une ligne, en octets et en caractères : {@code /dev/zero} n'a pas de fin de ligne. */
+    /** Longueur maximale d'une ligne, en octets : {@code /dev/zero} n'a pas de fin de ligne. */
     static final int LIGNE_MAX = 1 << 23;
 
     /** Le fichier, où chaque octet est un caractère. */
@@ -96,10 +96,7 @@ final class Lignes extends Reader {
         for (char c : ligne.toCharArray()) {
             s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
         }
-        ligne = numero == 1 && ligne.startsWith("\uFEFF") ? s.substring(1) : s.toString();
-        if (ligne.length() > LIGNE_MAX) {
-            throw new LigneTropLongue();
-        }
+        ligne = s.substring(numero == 1 && ligne.startsWith("\uFEFF") ? 1 : 0);
     }
 
     @Override

@@ -8,9 +8,6 @@ import java.nio.file.InvalidPathException;
 /** Erreurs du système et de Java à propos d'un fichier, dites en français. */
 public final class ErreurSysteme {
 
-    /** La raison d'un fichier qui n'existe pas. */
-    public static final String INTROUVABLE = "fichier introuvable";
-
     /** Traduction des messages du système et de Java. */
     private static final String[][] CONNUES = {{"No space left on device", "disque plein"},
         {"Aucun espace disponible sur le périphérique", "disque plein"},
@@ -20,7 +17,7 @@ public final class ErreurSysteme {
         {"Read-only file system", "système de fichiers en lecture seule"}, {"Is a directory", "c'est un dossier"},
         {"Device or resource busy", "c'est un point de montage, que rien ne remplace"},
         {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
-        {"NoSuchFileException", INTROUVABLE}, {"AccessDeniedException", "accès interdit"}};
+        {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
 
     private ErreurSysteme() {
     }

@@ -109,22 +109,18 @@ class FormesRefuseesTest extends EssaiFormes {
     }
 
     @ParameterizedTest
-    @CsvSource({"Panneau plat, « Panneau plat »", "'', «  »"})
-    void unTypeQuOnNePourraitEcrireEstRefuse(String type, String cite) throws IOException {
-        refuser("lancer.Panneau : type de section impossible : " + cite + " ; attendu : un mot",
-                executer(inscrire(SERVICE, panneau("Panneau", '"' + type + '"')), "[Sphere 1]", "centre=0 0 6", "rayon=1"));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"return panneau;, return null;, lire n'a pas rendu un objet neuf",
-        "return panneau;, return this;, lire n'a pas rendu un objet neuf",
-        "valeurs.point(\"point\"), valeurs.point(\"depart\"), getCles ne nomme pas la clé depart",
-        "return panneau;, throw new IllegalArgumentException(\"un panneau\\npenché\");, un panneau\\npenché"})
+    @CsvSource({"return panneau;, return null;, IllegalStateException: lire n'a pas rendu un objet neuf",
+        "return panneau;, return this;, IllegalStateException: lire n'a pas rendu un objet neuf",
+        "valeurs.point(\"point\"), valeurs.point(\"depart\"), IllegalStateException: getCles ne nomme pas la clé depart",
+        "return panneau;, throw new IllegalArgumentException(\"un panneau\\npenché\");, IllegalArgumentException: un panneau\\npenché"})
     void uneFormeQuiEchoueEstNommeeAvecLaSection(String bonne, String fautive, String dit) throws IOException {
         assertTrue(panneau.contains(bonne));
         Path classes = inscrire(SERVICE, panneau.replace(bonne, fautive));
-        refuser(scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : « " + dit
-                + " » ; attendu : des valeurs qui lui conviennent", executer(classes, MUR));
+        Essai e = executer(classes, MUR);
+        String ou = e.erreur.replaceAll(" \\(lancer\\.Panneau\\.lire, Panneau\\.java:\\d+\\)", "");
+        assertEquals("lancer : " + scene + ", ligne 1, [Panneau mur] : section que lancer.Panneau ne sait pas lire : java.lang."
+                + dit + " ; attendu : des valeurs qui lui conviennent" + System.lineSeparator(), ou);
+        assertEquals(2, e.code);
     }
 
     @Test

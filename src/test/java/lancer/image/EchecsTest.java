@@ -120,7 +120,7 @@ class EchecsTest extends EssaiProcessus {
         commande = new ArrayList<>(sansPouvoir);
         commande.addAll(java("", "--image=a.png", "--taille=4x4", "s.ini"));
         assertEquals(2, statut(preparer(commande)), erreur());
-        assertTrue(erreur().matches("lancer : s.ini : lecture interdite ; attendu : .+\n"), erreur());
+        assertTrue(erreur().matches("lancer : s.ini : lecture impossible \\(accès interdit\\) ; attendu : .+\n"), erreur());
 
         assertTrue(Files.write(dossier.resolve("i.png"), AVANT).toFile().setReadable(false, false));
         commande = new ArrayList<>(sansPouvoir);
