@@ -80,10 +80,6 @@ public final class LecteurSections {
         for (Variante variante : inscrites(Variante.class)) {
             variantes.put(prendre(variante.getSection(), variante.getClass()), variante);
         }
-        for (String connue : VARIANTES_CONNUES) {
-            String type = Texte.minuscules(connue);
-            preneurs.putIfAbsent(type, "la variante " + type);
-        }
         for (Forme forme : inscrites(Forme.class)) {
             ajouter(forme, forme.getClass());
         }
@@ -168,7 +164,7 @@ public final class LecteurSections {
     private void lireMatiere(SectionLue section, Objet3D lu) {
         lu.setKd(commune(section.couleur("Kd", lu.getKd(), 1)));
         if (section.contient("Ks") && section.contient("Kr")) {
-            throw section.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
+            throw section.fautive("Kr", "donnée en même temps que Ks, son synonyme", "Ks ou Kr, pas les deux");
         }
         lu.setKs(commune(section.couleur(section.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
         lu.setNs(section.reel("ns", lu.getNs(), 0, NS_MAX));

@@ -1,13 +1,11 @@
 package lancer.scene;
 
-import java.io.BufferedReader;
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
 import lancer.texte.Texte;
@@ -22,10 +20,20 @@ final class Lignes extends Reader {
     /** Longueur maximale d'une ligne, en octets : {@code /dev/zero} n'a pas de fin de ligne. */
     static final int LIGNE_MAX = 1 << 23;
 
-    /** Le fichier, où chaque octet est un caractère. */
-    private final BufferedReader octets;
+    /** Ce que rend {@link #suivant} à la fin du fichier. */
+    private static final int FIN = Integer.MAX_VALUE;
+
+    private final InputStream entree;
+    private final long aLire;
+    private final DoubleConsumer suivi;
+    /** Tampon ; nombre d'octets qu'il contient, et de ceux qui ont servi. */
+    private final byte[] tampon = new byte[1 << 14];
+    private int lus;
+    private int servis;
+    private long total;
+    /** Les octets de la ligne en cours, son texte, et le nombre de ses caractères qui sont rendus, LF compris. */
+    private byte[] octets = new byte[1 << 8];
     private String ligne = "";
-    /** Le nombre de caractères de la ligne qui sont rendus, LF compris. */
     private int rendus = 1;
     private int numero;
 
@@ -34,8 +42,9 @@ final class Lignes extends Reader {
      * @param suivi reçoit la part lue, de 0 à 1
      */
     Lignes(InputStream entree, long aLire, DoubleConsumer suivi) {
-        octets = new BufferedReader(new InputStreamReader(new Suivi(entree, aLire, suivi),
-                StandardCharsets.ISO_8859_1));
+        this.entree = entree;
+        this.aLire = aLire;
+        this.suivi = suivi;
     }
 
     int getNumero() {
@@ -64,34 +73,39 @@ final class Lignes extends Reader {
     /** Passe à la ligne suivante, qui finit par CR, LF ou CRLF. */
     private boolean avancer() throws IOException {
         numero++;
-        String brute = octets.readLine();
-        if (brute == null) {
+        int n = 0;
+        boolean ordinaire = true;
+        int c = suivant();
+        if (c == FIN) {
             return false;
         }
-        ligne = brute;
-        if (!estOrdinaire(brute)) {
-            decoder(brute.getBytes(StandardCharsets.ISO_8859_1));
+        for (; c != FIN && c != '\n' && c != '\r'; c = suivant()) {
+            if (n == octets.length) {
+                if (n == LIGNE_MAX) {
+                    throw new LigneTropLongue();
+                }
+                octets = Arrays.copyOf(octets, 2 * n);
+            }
+            // un octet négatif est celui d'un caractère qui n'est pas de l'ASCII
+            ordinaire &= c >= ' ' || c == '\t';
+            octets[n++] = (byte) c;
+        }
+        int apres = c == '\r' ? suivant() : FIN;
+        if (apres != FIN && apres != '\n') {
+            servis--;
+        }
+        ligne = new String(octets, 0, n, StandardCharsets.UTF_8);
+        if (!ordinaire) {
+            StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(octets, 0, n));
+            coder();
         }
         String mots = ligne.trim();
         rendus = mots.startsWith(";") || mots.startsWith("#") ? ligne.length() : 0;
         return true;
     }
 
-    /** Dit si cette ligne n'a que des lettres sans accent, des blancs et des signes. */
-    private static boolean estOrdinaire(String brute) {
-        for (int k = 0; k < brute.length(); k++) {
-            char c = brute.charAt(k);
-            if (c >= 0x7F || c < ' ' && c != '\t') {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** @throws java.nio.charset.CharacterCodingException si ces octets ne sont pas de l'UTF-8 */
-    private void decoder(byte[] codes) throws IOException {
-        ligne = new String(codes, StandardCharsets.UTF_8);
-        StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(codes));
+    /** Ôte la marque UTF-8 du fichier, et remplace les caractères de contrôle. */
+    private void coder() {
         StringBuilder s = new StringBuilder();
         for (char c : ligne.toCharArray()) {
             s.append(c >= ' ' || c == '\t' ? String.valueOf(c) : Texte.echappe(String.valueOf(c)));
@@ -99,47 +113,26 @@ final class Lignes extends Reader {
         ligne = s.substring(numero == 1 && ligne.startsWith("\uFEFF") ? 1 : 0);
     }
 
+    /** L'octet suivant du fichier. */
+    private int suivant() throws IOException {
+        if (servis == lus) {
+            if (Thread.currentThread().isInterrupted()) {
+                throw new CancellationException("lecture interrompue");
+            }
+            lus = Math.max(0, entree.read(tampon));
+            servis = 0;
+            total += lus;
+            suivi.accept(Math.min(1, (double) total / Math.max(1, aLire)));
+        }
+        return servis < lus ? tampon[servis++] : FIN;
+    }
+
     @Override
     public void close() throws IOException {
-        octets.close();
+        entree.close();
     }
 
     static final class LigneTropLongue extends IOException {
         private static final long serialVersionUID = 1;
-    }
-
-    /** Les octets du fichier, dont la lecture se dit, s'interrompt, et refuse une ligne sans fin. */
-    private static final class Suivi extends FilterInputStream {
-
-        private final long aLire;
-        private final DoubleConsumer suivi;
-        private long lus;
-        /** Le nombre d'octets lus depuis la dernière fin de ligne. */
-        private int sansFin;
-
-        Suivi(InputStream entree, long aLire, DoubleConsumer suivi) {
-            super(entree);
-            this.aLire = aLire;
-            this.suivi = suivi;
-        }
-
-        @Override
-        public int read(byte[] cible, int position, int nombre) throws IOException {
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("lecture interrompue");
-            }
-            int n = super.read(cible, position, nombre);
-            int depuis = 0;
-            while (depuis < n && cible[position + n - 1 - depuis] != '\n' && cible[position + n - 1 - depuis] != '\r') {
-                depuis++;
-            }
-            sansFin = depuis < n ? depuis : sansFin + depuis;
-            if (sansFin > LIGNE_MAX) {
-                throw new LigneTropLongue();
-            }
-            lus += Math.max(0, n);
-            suivi.accept(Math.min(1, (double) lus / Math.max(1, aLire)));
-            return n;
-        }
     }
 }

@@ -183,15 +183,6 @@ public final class SectionLue extends Section {
     }
 
     @Override
-    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
-        boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
-        Entree premiere = entree(dansLOrdre ? cle : autre);
-        Entree seconde = entree(dansLOrdre ? autre : cle);
-        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
-                attendu);
-    }
-
-    @Override
     public String ecrire(String separateur) {
         StringBuilder texte = new StringBuilder("[" + nom + "]");
         for (Entree entree : entrees) {

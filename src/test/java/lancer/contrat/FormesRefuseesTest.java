@@ -85,8 +85,7 @@ class FormesRefuseesTest extends EssaiFormes {
     }
 
     @ParameterizedTest
-    @CsvSource({"Boule, Sphere, lancer.Sphere", "Spot, lampe, lancer.Lampe", "MaBrume, BRUME, la variante brume",
-        "Flou, Antialias, la variante antialias", "Eclat, blinn, la variante blinn"})
+    @CsvSource({"Boule, Sphere, lancer.Sphere", "Spot, lampe, lancer.Lampe"})
     void unTypeDejaPrisEstRefuseEnNommantLesDeux(String classe, String section, String preneur) throws IOException {
         Path classes = inscrire(SERVICE, panneau(classe, '"' + section + '"'));
         refuser("deux classes veulent les sections [" + section + "] : " + preneur + " et lancer." + classe + " ; attendu : un type de "
