@@ -96,10 +96,9 @@ public final class Deplacement {
         Object nouvelle = lue.origines.lecteur.lire(section);
         SceneLue autre = new SceneLue(lue.chemin, new Origines(lue.origines.lecteur, true));
         autre.somme = lue.somme;
-        autre.origines.choses.addAll(lue.origines.choses);
-        autre.origines.choses.set(rang, nouvelle);
         autre.origines.lues.addAll(lue.origines.lues);
-        autre.origines.lues.set(rang, new Origine(section.nom, lue.origines.lues.get(rang).ligne, texte(section)));
+        autre.origines.lues.set(rang,
+                new Origine(nouvelle, section.nom, lue.origines.lues.get(rang).ligne, texte(section)));
         autre.objets.addAll(lue.objets);
         autre.lampes.addAll(lue.lampes);
         autre.objets.replaceAll(objet -> objet == ancienne ? (Objet3D) nouvelle : objet);

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
@@ -14,7 +13,7 @@ import lancer.SceneFautive;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
-/** Recherche du fichier d'une scène. */
+/** Le fichier d'une scène : où il est, comment il s'ouvre, s'il a changé. */
 public final class FichierScene {
 
     /** Nombre de dossiers parents où une scène est aussi cherchée. */
@@ -50,7 +49,10 @@ public final class FichierScene {
             trouve = Paths.get("..").resolve(trouve);
         }
         if (!Files.exists(trouve)) {
-            throw inutilisable(fichier, absente(chemin), null);
+            String ici = Paths.get("").toAbsolutePath().toString();
+            String ou = " dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS + " dossiers au-dessus"
+                    + ErreurSysteme.horsLangue(ici);
+            throw inutilisable(fichier, "fichier introuvable" + (chemin.isAbsolute() ? "" : ou), null);
         }
         if (Files.isDirectory(trouve)) {
             throw inutilisable(trouve.equals(chemin) ? fichier : trouve.toString(), "c'est un dossier", null);
@@ -70,19 +72,5 @@ public final class FichierScene {
 
     static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
         return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
-    }
-
-    /** Raison pour laquelle ce chemin ne mène à rien, et dossier de départ. */
-    private static String absente(Path chemin) {
-        try {
-            chemin.toRealPath();
-        } catch (IOException e) {
-            if (chemin.isAbsolute() || !(e instanceof NoSuchFileException)) {
-                return ErreurSysteme.raison(e);
-            }
-        }
-        String ici = Paths.get("").toAbsolutePath().toString();
-        return "fichier introuvable dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS
-                + " dossiers au-dessus" + ErreurSysteme.horsLangue(ici);
     }
 }

@@ -70,8 +70,7 @@ public final class LecteurScene {
             throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
-            throw new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
-                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
+            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne");
         } catch (IOException e) {
             throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
@@ -87,7 +86,7 @@ public final class LecteurScene {
     /** Découpage par ini4j, sans échappements, et traitement de chaque ligne. */
     private final class Decoupage extends IniParser implements IniHandler {
 
-        /** Configure ini4j sans sa recherche de sections. */
+        /** Configure ini4j sans sa recherche de services. */
         Decoupage() {
             Config config = new Config();
             config.setInclude(false);

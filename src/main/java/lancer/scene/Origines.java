@@ -10,7 +10,6 @@ import java.util.stream.IntStream;
 /** Les objets et les lampes d'un fichier, dans son ordre, chacun avec sa section. */
 public final class Origines {
 
-    final List<Object> choses = new ArrayList<>();
     final List<Origine> lues = new ArrayList<>();
     /** Pour la fenêtre. */
     final LecteurSections lecteur;
@@ -18,13 +17,15 @@ public final class Origines {
     /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
     private Map<Object, Integer> rangs;
 
-    /** Une section : son nom, sa ligne dans le fichier et, pour la fenêtre, son texte, ou {@code null}. */
+    /** Une chose et sa section : son nom, sa ligne et, pour la fenêtre, son texte, ou {@code null}. */
     static final class Origine {
+        final Object chose;
         final String nom;
         final int ligne;
         final byte[] texte;
 
-        Origine(String nom, int ligne, byte[] texte) {
+        Origine(Object chose, String nom, int ligne, byte[] texte) {
+            this.chose = chose;
             this.nom = nom;
             this.ligne = ligne;
             this.texte = texte;
@@ -49,23 +50,22 @@ public final class Origines {
 
     void ajouter(Object chose, SectionLue section) {
         byte[] texte = avecTexte ? section.ecrire("\n").getBytes(StandardCharsets.UTF_8) : null;
-        choses.add(chose);
-        lues.add(new Origine(section.nom, section.ligne, texte));
+        lues.add(new Origine(chose, section.nom, section.ligne, texte));
     }
 
     public int getNombre() {
-        return choses.size();
+        return lues.size();
     }
 
     public Object getChose(int rang) {
-        return choses.get(rang);
+        return lues.get(rang).chose;
     }
 
     /** Le rang de cet objet ou de cette lampe dans le fichier ; −1 s'il n'en vient pas. */
     public synchronized int getRang(Object chose) {
         if (rangs == null) {
-            rangs = new IdentityHashMap<>(choses.size());
-            IntStream.range(0, choses.size()).forEach(k -> rangs.putIfAbsent(choses.get(k), k));
+            rangs = new IdentityHashMap<>(lues.size());
+            IntStream.range(0, lues.size()).forEach(k -> rangs.putIfAbsent(lues.get(k).chose, k));
         }
         return rangs.getOrDefault(chose, -1);
     }
