@@ -9,7 +9,6 @@ import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
-import lancer.scene.SpheresConfondues;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y rencontre (cours, « Scène de sphères »). Une scène appartient à un seul
@@ -35,7 +34,7 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(LecteurScene.lire(nomFichier, false, part -> { }));
+        this(LecteurScene.lire(nomFichier, part -> { }));
     }
 
     private Scene(SceneLue lue) {
@@ -44,7 +43,7 @@ public final class Scene {
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this.objets = Collections.unmodifiableList(SpheresConfondues.sans(objets));
+        this.objets = Collections.unmodifiableList(SceneLue.sansConfondues(objets));
         this.lampes = lampes.toArray(new Lampe[0]);
         modele = new Modele();
     }

@@ -121,7 +121,7 @@ final class Enregistrement {
         SceneLue lue = prise.getLue();
         Map<Object, String> valeurs = prise.getValeurs();
         String scene = controleur.demande.lecture.fichier;
-        confier(() -> { }, () -> {
+        confier(() -> new Ecriture(FichierScene.trouver(scene).toString()).ecrire(lue.deplacer(valeurs)), () -> {
             prise.oublier(lue);
             return "écrit dans " + Texte.echappe(new File(scene).getName());
         });

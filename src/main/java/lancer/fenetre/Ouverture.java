@@ -19,7 +19,7 @@ import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Lecture;
 import lancer.scene.FichierScene;
-import lancer.scene.Services;
+import lancer.scene.LecteurSections;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
@@ -62,7 +62,7 @@ public final class Ouverture {
                     // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
                     premier.execute();
                 }
-                ouverte[0] = new Fenetre(moteur, Services.nomsDesVariantes(), fin);
+                ouverte[0] = new Fenetre(moteur, LecteurSections.nomsDesVariantes(), fin);
                 ouverte[0].montrer(premier, version);
             });
         } catch (InvocationTargetException e) {

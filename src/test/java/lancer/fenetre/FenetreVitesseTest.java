@@ -7,10 +7,10 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.JSpinner;
 import javax.swing.JTextArea;
-import lancer.commande.Reglages;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -28,66 +28,62 @@ class FenetreVitesseTest extends EssaiFenetre {
     }
 
     private void attendreLaFin() throws Exception {
-        attendre("tout est mesuré", () -> etat.getText().contains("Un clic sur un point montre son image"));
+        attendre("tout est mesuré", () -> etat.getText().equals("La souris dit un point, et un clic montre son image."));
     }
 
-    /** Désigne le réglage le plus rapide, et rend son texte. */
-    private String plusRapide() throws Exception {
-        banc.frapper(KeyEvent.VK_RIGHT);
-        attendre("un point se dit", () -> graphique.getVise() != null);
-        for (int k = 0; k < 6; k++) {
-            banc.frapper(KeyEvent.VK_LEFT);
-        }
-        banc.robot.waitForIdle();
+    /** Met la souris sur le point le plus à gauche, et rend son texte. */
+    private String viserLePlusRapide() throws Exception {
+        Point ou = surFilEvenements(() -> {
+            for (int k = 0; k < graphique.getWidth() * graphique.getHeight(); k++) {
+                Point la = new Point(k / graphique.getHeight() + 3, k % graphique.getHeight());
+                if (graphique.sous(la) != null) {
+                    return la;
+                }
+            }
+            return null;
+        });
+        banc.viser(graphique, ou.x - 1, ou.y);
+        banc.viser(graphique, ou.x, ou.y);
+        attendre("le point se dit", () -> etat.getText().contains(" --reflets "));
         return surFilEvenements(etat::getText);
     }
 
     @Test
-    void chaquePointDitSonTempsEtSonErreurAvecLeursIntervallesEtEntreeDessineSonReglage() throws Exception {
+    void chaquePointDitSonTempsEtSonErreurAvecLeursIntervallesEtUnClicDessineSonReglage() throws Exception {
         ouvrirLePanneau("--reflets=7");
         attendreLaFin();
-        attendre("F3 mène à la figure", graphique::isFocusOwner);
-        String dit = plusRapide();
+        String dit = viserLePlusRapide();
         assertTrue(dit.matches("(?s)un rayon par pixel, --reflets \\d+ --seuil 0\\.0009765625 : \\d,\\d{3} s \\(de \\d,\\d{3} à "
-                + "\\d,\\d{3}\\), erreur de \\d+,\\d\\d ± \\d+,\\d\\d niveaux\n.*"), dit);
-        Reglages vise = surFilEvenements(() -> graphique.getVise().reglages);
-        banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreCodes("son image", attendue("--reflets=" + vise.getReflets()));
-        assertEquals(vise, surFilEvenements(() -> banc.controleur.demande.reglages));
+                + "\\d,\\d{3}\\), erreur de \\d+,\\d\\d ± \\d+,\\d\\d niveaux"), dit);
+        int reflets = Integer.parseInt(dit.replaceFirst(".* --reflets (\\d+) .*", "$1"));
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        banc.attendreCodes("son image", attendue("--reflets=" + reflets));
         banc.frapper(KeyEvent.VK_F2);
-        assertEquals(vise.getReflets(), surFilEvenements(composant("réflexions", JSpinner.class)::getValue));
+        assertEquals(reflets, surFilEvenements(composant("réflexions", JSpinner.class)::getValue));
     }
 
     @Test
     void lesPointsRestentPendantUnDessinEtSeRetrouventSansEtreMesuresDeNouveau() throws Exception {
         ouvrirLePanneau();
         attendreLaFin();
-        String avant = plusRapide();
+        String avant = viserLePlusRapide();
         banc.main.lent = true;
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("le texte le dit", () -> etat.getText().endsWith("Les mesures reprendront après ce dessin."));
-        String pendant = surFilEvenements(etat::getText);
-        assertEquals(avant.split("\n")[0], pendant.split("\n")[0]);
+        attendre("le texte le dit", () -> etat.getText().equals("Les mesures reprendront après ce dessin."));
+        assertEquals(avant, viserLePlusRapide(), "ils restent");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap l'arrête", () -> !banc.controleur.enCours);
-        assertEquals(avant.split("\n")[0], surFilEvenements(etat::getText).split("\n")[0], "ils restent");
+        assertEquals(avant, viserLePlusRapide(), "après Échap aussi");
         banc.main.lent = false;
-        banc.frapper(KeyEvent.VK_F9);
         banc.frapper(KeyEvent.VK_ADD);
         banc.imageAchevee();
         attendreLaFin();
-        assertEquals(avant.split("\n")[0], surFilEvenements(etat::getText).split("\n")[0], "aucun n'est mesuré de nouveau");
-    }
-
-    @Test
-    void uneAutreSceneSeMesureDeNouveauEtUneLampeDeplaceeAussi() throws Exception {
-        ouvrirLePanneau();
-        attendreLaFin();
-        String avant = plusRapide();
+        assertEquals(avant, viserLePlusRapide(), "aucun n'est mesuré de nouveau");
         ecrire(BLEUE);
         banc.attendreCodes("elle est bleue", attendue(L, H));
         attendreLaFin();
-        attendre("les temps sont d'autres", () -> !etat.getText().split("\n")[0].equals(avant.split("\n")[0]));
+        assertFalse(viserLePlusRapide().equals(avant), "une autre scène est mesurée");
     }
 
     @Test
@@ -96,8 +92,8 @@ class FenetreVitesseTest extends EssaiFenetre {
         ecrire("[Sphere loin]\ncentre=0 50 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
         ouvrirLePanneau();
         attendreLaFin();
-        String dit = plusRapide();
-        assertTrue(dit.contains("), aucun écart vu\n"), dit);
+        String dit = viserLePlusRapide();
+        assertTrue(dit.endsWith("), aucun écart vu"), dit);
     }
 
     @Test

@@ -51,8 +51,8 @@ class EssaiTest {
         int[] places = new int[essais.size()];
         for (int x = 0; x < 420; x++) {
             for (int y = 0; y < 400; y++) {
-                if (graphique.viser(new Point(x, y))) {
-                    places[essais.indexOf(graphique.getVise())] = x;
+                if (graphique.sous(new Point(x, y)) != null) {
+                    places[essais.indexOf(graphique.sous(new Point(x, y)))] = x;
                 }
             }
         }
