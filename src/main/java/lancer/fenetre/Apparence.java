@@ -1,12 +1,8 @@
 package lancer.fenetre;
 
 import java.awt.Color;
-import java.awt.Graphics;
 import java.awt.Toolkit;
-import java.awt.event.FocusEvent;
-import java.awt.event.FocusListener;
 import java.util.Locale;
-import javax.swing.JComponent;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.plaf.InputMapUIResource;
@@ -45,28 +41,5 @@ final class Apparence {
     static Color couleur(String nom, String partout) {
         Color couleur = UIManager.getColor(nom);
         return couleur == null ? UIManager.getColor(partout) : couleur;
-    }
-
-    /** Fait repeindre ce composant quand le clavier lui vient ou le quitte. */
-    static void montrerClavier(JComponent composant) {
-        composant.addFocusListener(new FocusListener() {
-            @Override
-            public void focusGained(FocusEvent e) {
-                composant.repaint();
-            }
-
-            @Override
-            public void focusLost(FocusEvent e) {
-                composant.repaint();
-            }
-        });
-    }
-
-    /** Peint le bord de ce composant s'il a le clavier. */
-    static void entourer(JComponent composant, Graphics g) {
-        if (composant.isFocusOwner()) {
-            g.setColor(couleur("Component.focusColor", "textHighlight"));
-            g.drawRect(0, 0, composant.getWidth() - 1, composant.getHeight() - 1);
-        }
     }
 }

@@ -15,7 +15,6 @@ import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Lecture;
 import lancer.fenetre.Bandeau.Sujet;
-import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
@@ -28,8 +27,6 @@ final class Controleur {
 
     /** La plus grande image « avant » gardée, en pixels. */
     private static final int PIXELS_GARDES = 16_000_000;
-    /** Durée, en nanosecondes, avant de montrer une partie du premier brouillon. */
-    private static final long PATIENCE_NS = 300_000_000;
 
     private final Moteur moteur;
     final PanneauImage panneau;
@@ -59,8 +56,8 @@ final class Controleur {
         this.moteur = moteur;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire),
-                () -> EventQueue.invokeLater(this::direEfface));
+        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire), () -> EventQueue.invokeLater(
+                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
     }
 
     /** Appelle {@code siChange} quand l'état de la fenêtre change. */
@@ -77,13 +74,9 @@ final class Controleur {
         return entiere ? montre.image : null;
     }
 
+    /** Nombre de fils d'un dessin. */
     int getFils() {
         return moteur.options.fils;
-    }
-
-    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
-    String getCommande() {
-        return demande.getCommande("");
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
@@ -189,16 +182,13 @@ final class Controleur {
         }
     }
 
-    /** Le brouillon de ce travail est fait : il est montré, et ce qui a changé entre-temps est dessiné. */
+    /** Le dessin de ce travail est commencé, ou son brouillon est fait : il est alors montré, et ce qui a changé suit. */
     void montrer(Travail celui) {
-        if (celui == travail && !celui.isCancelled()) {
-            placer(celui);
-            dessiner();
+        if (celui != travail || celui.isCancelled()) {
+            return;
         }
-    }
-
-    private void placer(Travail celui) {
-        if (montre != celui.getDessin()) {
+        // sans image, un brouillon se montre dès son début
+        if (montre != celui.getDessin() && (montre == null || celui.aSonBrouillon())) {
             if (celui.lit) {
                 adopter(celui.getDemande());
             }
@@ -206,6 +196,9 @@ final class Controleur {
             entiere = false;
             panneau.montree = montre.image;
             avertir();
+        }
+        if (celui.aSonBrouillon()) {
+            dessiner();
         }
     }
 
@@ -218,13 +211,6 @@ final class Controleur {
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
         panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
-    }
-
-    /** Suit le travail en cours : une partie du premier brouillon, s'il est long, est déjà montrée. */
-    void observer() {
-        if (enCours && montre == null && travail.getDessin() != null && travail.getDureeNs() > PATIENCE_NS) {
-            placer(travail);
-        }
     }
 
     /** Ce travail est achevé, arrêté, ou a échoué. */
@@ -257,13 +243,10 @@ final class Controleur {
         avertir();
     }
 
-    /** Le coût d'un dessin achevé, ses réglages, ses fautes, et les sections que la lecture a ignorées. */
-    String decrire(Dessin dessin) {
+    /** Le coût d'un dessin achevé, ses réglages, ses fautes. */
+    private static String decrire(Dessin dessin) {
         String fautes = dessin.lancer.getFautes().enMots();
-        // d'un avertissement, la section seule
-        String ignorees = String.join("\n", dessin.demande.lecture.lue.avertissements)
-                .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-        return dessin.getCout() + ", " + dessin.demande.reglages + ignorees + (fautes == null ? "" : ", " + fautes);
+        return dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
     }
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
@@ -280,9 +263,5 @@ final class Controleur {
             // la lecture a interrompu le dessin de la scène d'avant : il est repris
             dessiner();
         }
-    }
-
-    private void direEfface() {
-        panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste");
     }
 }

@@ -6,7 +6,6 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.io.File;
-import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Supplier;
@@ -70,7 +69,7 @@ final class Enregistrement {
         String sections = controleur.demande.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         bandeau.getToolkit().getSystemClipboard().setContents(
-                new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
+                new StringSelection(sections + "; " + controleur.demande.getCommande("") + "\n"), null);
         bandeau.dire(Sujet.AVIS, "réglages copiés : "
                 + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
@@ -118,11 +117,11 @@ final class Enregistrement {
 
     /** Écrit dans le fichier de la scène la place de ce qui y a été déplacé ; la surveillance le relit ensuite. */
     void ecrireDansLaScene() {
-        SceneLue lue = prise.getLue();
-        Map<Object, String> valeurs = prise.getValeurs();
         String scene = controleur.demande.lecture.fichier;
-        confier(() -> new Ecriture(FichierScene.trouver(scene).toString()).ecrire(lue.deplacer(valeurs)), () -> {
-            prise.oublier(lue);
+        SceneLue ecrite = prise.getDeplacee();
+        confier(prise.getEcriture(), () -> {
+            prise.garder(ecrite);
+            controleur.avertir();
             return "écrit dans " + Texte.echappe(new File(scene).getName());
         });
     }

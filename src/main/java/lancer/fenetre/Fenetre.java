@@ -188,7 +188,6 @@ final class Fenetre {
     }
 
     private void observer() {
-        controleur.observer();
         Travail travail = controleur.travail;
         String avancement = travail == null ? "" : travail.dire();
         barre.avancer(controleur.enCours ? travail.getAvancement() : 0, avancement);

@@ -162,7 +162,10 @@ final class Inspecteur extends JPanel {
                 montree = nouvelle;
                 arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
-                dire();
+                boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
+                verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
+                        : comparer(nouvelle.getCouleur()))
+                        + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
                 vue.montrer(nouvelle);
                 controleur.panneau.superposer(figure);
             } catch (ExecutionException e) {
@@ -252,12 +255,6 @@ final class Inspecteur extends JPanel {
     }
 
     /** Compare la couleur expliquée à celle du pixel dessiné. */
-    private void dire() {
-        boolean connue = montree.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
-        verdict.setText((montree.getFaute() != null ? "Ce pixel n'a pu être calculé." : comparer(montree.getCouleur()))
-                + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
-    }
-
     private String comparer(Couleur couleur) {
         ImageMemoire image = controleur.getImageEntiere();
         if (image == null) {

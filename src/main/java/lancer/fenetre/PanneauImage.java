@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -70,7 +71,7 @@ final class PanneauImage extends JPanel {
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
-        Apparence.montrerClavier(this);
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e -> repaint());
     }
 
     /** Suit la souris. La molette règle la loupe, et un bouton tenu la déplace. */
@@ -253,7 +254,10 @@ final class PanneauImage extends JPanel {
         }
         prises.accept(g2);
         g2.dispose();
-        Apparence.entourer(this, g);
+        if (isFocusOwner()) {
+            g.setColor(Apparence.couleur("Component.focusColor", "textHighlight"));
+            g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
+        }
     }
 
     /** Peint les pixels visibles seulement : AWT ne peut peindre une image entière très agrandie. */

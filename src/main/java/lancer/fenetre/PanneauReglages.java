@@ -193,7 +193,7 @@ final class PanneauReglages extends JScrollPane {
             return valeur == null ? new String[] {"—"} : valeur.trim().split("[ \t]+");
         };
         JLabel nombre = new JLabel();
-        JSlider glissiere = new Glissiere(echelle);
+        JSlider glissiere = new JSlider(0, echelle.crans, 0);
         glissiere.setName(nomComplet);
         glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
         // sans cet écart, les flèches du clavier n'auraient pas d'effet
@@ -211,25 +211,6 @@ final class PanneauReglages extends JScrollPane {
                 glissiere.setValue(echelle.getCran(nombres.get()[rang]));
             }
         });
-    }
-
-    /** Une glissière qui donne à un lecteur d'écran la valeur du paramètre, et non le numéro du cran. */
-    private static final class Glissiere extends JSlider {
-
-        Glissiere(Parametre parametre) {
-            super(0, parametre.crans, 0);
-            accessibleContext = new AccessibleJSlider() {
-                @Override
-                public Number getCurrentAccessibleValue() {
-                    return Double.valueOf(parametre.getValeur(getValue()));
-                }
-
-                @Override
-                public Number getMaximumAccessibleValue() {
-                    return Double.valueOf(parametre.getValeur(getMaximum()));
-                }
-            };
-        }
     }
 
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue) {

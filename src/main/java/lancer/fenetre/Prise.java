@@ -11,12 +11,13 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import java.util.AbstractMap.SimpleEntry;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.Objects;
+import java.util.stream.DoubleStream;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
@@ -29,6 +30,8 @@ import lancer.Vecteur;
 import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
+import lancer.image.Ecriture;
+import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
 import lancer.texte.Nombre;
 
@@ -47,15 +50,16 @@ final class Prise extends MouseAdapter {
 
     private final Controleur controleur;
     private final PanneauImage panneau;
-    /** La scène telle que le fichier la donne, et la place de ce qui y est déplacé. */
+    /** La scène telle que le fichier la donne, et avec ses déplacements. */
     private SceneLue lue;
-    private Map<Object, Point> places = new IdentityHashMap<>();
-    /** Chaque déplacement, le dernier en tête : ce qui a bougé, et sa place d'avant. */
-    private final Deque<Map.Entry<Object, Point>> faits = new ArrayDeque<>();
-    /** Ce qui est tiré, tel que le fichier le donne ; sa place, et le point de l'image, au début du geste. */
+    private SceneLue deplacee;
+    /** La scène avant chaque déplacement, le dernier en tête. */
+    private final Deque<SceneLue> avant = new ArrayDeque<>();
+    /** Ce qui est tiré, ou {@code null} ; sa place, le point de l'image et la scène au début du geste. */
     private Object prise;
     private Point origine;
     private Point2D depart;
+    private SceneLue debut;
     private boolean etoiles;
 
     Prise(Controleur controleur, PanneauImage panneau) {
@@ -70,43 +74,60 @@ final class Prise extends MouseAdapter {
     boolean oublier(SceneLue nouvelle) {
         boolean perdu = estDeplace();
         lue = nouvelle;
-        places = new IdentityHashMap<>();
-        faits.clear();
+        deplacee = nouvelle;
+        avant.clear();
         prise = null;
         return perdu;
     }
 
     boolean estDeplace() {
-        return !places.isEmpty();
+        return deplacee != lue;
     }
 
-    /** La valeur à écrire dans la section de chaque chose déplacée. */
-    Map<Object, String> getValeurs() {
-        Map<Object, String> valeurs = new IdentityHashMap<>();
-        places.forEach((chose, ou) -> valeurs.put(chose, ecrire(ou)));
-        return valeurs;
+    SceneLue getDeplacee() {
+        return deplacee;
     }
 
-    SceneLue getLue() {
-        return lue;
+    /** Cette scène est écrite dans le fichier : rien n'y est plus à écrire. */
+    void garder(SceneLue ecrite) {
+        lue = ecrite;
+        avant.clear();
     }
 
     boolean peutDefaire() {
-        return !faits.isEmpty();
+        return !avant.isEmpty();
     }
 
     /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
     void defaire() {
-        Map.Entry<Object, Point> dernier = faits.pop();
-        placer(dernier.getKey(), dernier.getValue());
+        deplacee = avant.pop();
+        controleur.deplacer(deplacee);
+    }
+
+    /** Écrit les déplacements dans le fichier. @throws SceneFautive s'il a changé depuis sa lecture */
+    Runnable getEcriture() {
+        SceneLue celle = lue;
+        Map<Object, String> valeurs = new IdentityHashMap<>();
+        noter(lue.objets, deplacee.objets, valeurs);
+        noter(lue.lampes, deplacee.lampes, valeurs);
+        String fichier = controleur.demande.lecture.fichier;
+        return () -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(valeurs));
+    }
+
+    private static void noter(List<?> choses, List<?> deplacees, Map<Object, String> valeurs) {
+        for (int k = 0; k < choses.size(); k++) {
+            if (choses.get(k) != deplacees.get(k)) {
+                valeurs.put(choses.get(k), ecrire(place(deplacees.get(k))));
+            }
+        }
+    }
+
+    private static String ecrire(Point p) {
+        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
     }
 
     private static Point place(Object chose) {
         return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
-    }
-
-    private Point getPlace(Object chose) {
-        return places.getOrDefault(chose, place(chose));
     }
 
     private Camera getCamera() {
@@ -117,38 +138,36 @@ final class Prise extends MouseAdapter {
     public void mousePressed(MouseEvent e) {
         if (controleur.montre != null && e.isShiftDown() && SwingUtilities.isLeftMouseButton(e)) {
             depart = panneau.pointDe(e);
+            debut = deplacee;
             try {
                 prise = viser();
+                origine = prise == null ? null : place(prise);
             } catch (RuntimeException panne) {
                 dire(Messages.message(panne));
             }
-            origine = prise == null ? null : getPlace(prise);
         }
     }
 
     /** La lampe ou la sphère sous la souris ; {@code null}, et un avis, si rien n'y peut être pris. */
     private Object viser() {
         Point2D souris = panneau.placeDe(depart.getX(), depart.getY());
-        Optional<Lampe> lampe = lue.lampes.stream().filter(l -> aLEcran(getPlace(l)) != null
-                && aLEcran(getPlace(l)).distance(souris) < RAYON_ETOILE).findFirst();
-        if (lampe.isPresent()) {
-            return lampe.get();
+        for (Lampe lampe : deplacee.lampes) {
+            Point2D etoile = aLEcran(lampe.getPosition());
+            if (etoile != null && etoile.distance(souris) < RAYON_ETOILE) {
+                return lampe;
+            }
         }
         Scene montree = controleur.montre.lancer.getScene();
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        int rang = contact == null ? -1 : controleur.demande.lecture.lue.objets.indexOf(contact.objet);
-        if (rang < 0) {
+        if (contact == null || deplacee.origines.de(contact.objet) == null) {
             dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
-            return null;
+        } else if (contact.objet.getClass() != Sphere.class || estTropGrande((Sphere) contact.objet)) {
+            dire(deplacee.origines.de(contact.objet) + " ne se tire pas : ce n'est pas une sphère, ou elle dépasse l'image");
+        } else {
+            return contact.objet;
         }
-        Object vu = lue.objets.get(rang);
-        String faute = vu.getClass() != Sphere.class ? " n'est pas une sphère : elle se déplace dans le fichier"
-                : estTropGrande((Sphere) contact.objet) ? " dépasse l'image : elle se déplace dans le fichier" : "";
-        if (!faute.isEmpty()) {
-            dire(lue.origines.de(vu) + faute);
-        }
-        return faute.isEmpty() ? vu : null;
+        return null;
     }
 
     /** Dit si une sphère est derrière l'œil, ou plus large que l'image : un sol, une voûte. */
@@ -166,58 +185,37 @@ final class Prise extends MouseAdapter {
         if (prise != null) {
             Point2D ici = panneau.pointDe(e);
             Camera camera = getCamera();
+            double pixels = camera.projeter(origine).z;
             // un pixel de l'écran, agrandi comme l'est le plan de ce qui est pris
-            double fois = camera.getLargeur() / Constantes.ECHELLE / camera.projeter(origine).z;
+            double fois = camera.getLargeur() / Constantes.ECHELLE / pixels;
             Point coin = camera.getEcran(0, 0);
-            Point voulue = origine
-                    .add(new Vecteur(coin, camera.getEcran(1, 0)).mul(fois * (ici.getX() - depart.getX())))
-                    .add(new Vecteur(coin, camera.getEcran(0, 1)).mul(fois * (ici.getY() - depart.getY())));
-            placer(prise, arrondie(voulue, camera.projeter(origine).z));
+            Vecteur droite = new Vecteur(coin, camera.getEcran(1, 0)).mul(fois * (ici.getX() - depart.getX()));
+            Vecteur bas = new Vecteur(coin, camera.getEcran(0, 1)).mul(fois * (ici.getY() - depart.getY()));
+            tirer(arrondir(origine.add(droite).add(bas), pixels));
         }
     }
 
-    /** Ce point, écrit avec le moins de chiffres possible. @param pixels nombre de pixels d'une unité */
-    private static Point arrondie(Point p, double pixels) {
+    /** Ce point, à un dixième de pixel : une valeur de fichier est courte. @param pixels nombre de pixels d'une unité */
+    private static Point arrondir(Point p, double pixels) {
         int decimales = (int) Math.ceil(Math.log10(pixels / (2 * ECART)));
-        return new Point(arrondi(p.x, decimales), arrondi(p.y, decimales), arrondi(p.z, decimales));
+        double[] xyz = DoubleStream.of(p.x, p.y, p.z).map(x ->
+                new BigDecimal(x).setScale(decimales, RoundingMode.HALF_EVEN).doubleValue()).toArray();
+        return new Point(xyz[0], xyz[1], xyz[2]);
     }
 
-    private static double arrondi(double x, int decimales) {
-        return new BigDecimal(x).setScale(decimales, RoundingMode.HALF_EVEN).doubleValue();
+    private void tirer(Point ou) {
+        if (!ou.equals(place(prise))) {
+            Object ancienne = prise;
+            prise = ancienne instanceof Lampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
+                    : deplacer((Sphere) ancienne, ou);
+            deplacee = deplacee.remplacer(ancienne, prise);
+            dire(deplacee.origines.de(prise) + (prise instanceof Lampe ? " : position=" : " : centre=") + ecrire(ou)
+                    + " ; Ctrl+E l'écrit dans la scène");
+            controleur.deplacer(deplacee);
+        }
     }
 
-    @Override
-    public void mouseReleased(MouseEvent e) {
-        if (prise != null && !getPlace(prise).equals(origine)) {
-            faits.push(new SimpleEntry<>(prise, origine));
-            controleur.avertir();
-        }
-        prise = null;
-        panneau.repaint();
-    }
-
-    /** Dessine la scène où cette chose a cette place. */
-    private void placer(Object chose, Point ou) {
-        if (ou.equals(getPlace(chose))) {
-            return;
-        }
-        if (ou.equals(place(chose))) {
-            places.remove(chose);
-        } else {
-            places.put(chose, ou);
-        }
-        Map<Object, Object> deplacees = new IdentityHashMap<>();
-        places.forEach((celle, la) -> deplacees.put(celle, deplacer(celle, la)));
-        controleur.deplacer(lue.remplacer(deplacees));
-        dire(lue.origines.de(chose) + " : " + (chose instanceof Lampe ? "position=" : "centre=") + ecrire(ou)
-                + (estDeplace() ? " ; Ctrl+E l'écrit dans la scène" : ""));
-    }
-
-    private static Object deplacer(Object chose, Point ou) {
-        if (chose instanceof Lampe) {
-            return new Lampe(ou, ((Lampe) chose).getCouleur());
-        }
-        Sphere sphere = (Sphere) chose;
+    private static Sphere deplacer(Sphere sphere, Point ou) {
         Sphere deplacee = new Sphere(ou, sphere.getRayon());
         deplacee.setKd(sphere.getKd());
         deplacee.setKs(sphere.getKs());
@@ -225,8 +223,13 @@ final class Prise extends MouseAdapter {
         return deplacee;
     }
 
-    private static String ecrire(Point p) {
-        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
+    @Override
+    public void mouseReleased(MouseEvent e) {
+        if (prise != null && deplacee != debut) {
+            avant.push(debut);
+            controleur.avertir();
+        }
+        prise = null;
     }
 
     @Override
@@ -243,18 +246,13 @@ final class Prise extends MouseAdapter {
         return vu.z > 0 && vu.z < Double.POSITIVE_INFINITY ? panneau.placeDe(vu.x, vu.y) : null;
     }
 
-    /** Peint l'étoile de chaque lampe. */
+    /** Avec Maj, peint l'étoile de chaque lampe qui est devant l'œil. */
     private void peindre(Graphics2D g) {
-        if (controleur.montre == null || panneau.montree == null || !etoiles && prise == null) {
-            return;
-        }
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        for (Lampe lampe : lue.lampes) {
-            Point2D ou = aLEcran(getPlace(lampe));
-            if (ou != null) {
-                Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
-                        .createTransformedShape(ETOILE), LAMPE);
-            }
+        if (controleur.montre != null && etoiles) {
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            deplacee.lampes.stream().map(lampe -> aLEcran(lampe.getPosition())).filter(Objects::nonNull)
+                    .forEach(ou -> Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                            .createTransformedShape(ETOILE), LAMPE));
         }
     }
 }

@@ -2,10 +2,8 @@ package lancer.fenetre;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
-import lancer.SceneFautive;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.image.ImageMemoire;
@@ -81,10 +79,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
 
     private void suivre(Dessin celui) {
         dessin = celui;
-        if (celui.isBrouillonFait()) {
-            debutDuDessin = System.nanoTime();
-            publish(() -> controleur.montrer(this));
-        }
+        debutDuDessin = System.nanoTime();
+        publish(() -> controleur.montrer(this));
     }
 
     @Override
@@ -122,14 +118,13 @@ final class Travail extends SwingWorker<Void, Runnable> {
 
     /** L'échec qui a arrêté ce travail ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
     Throwable getEchec() {
-        if (!isDone() || isCancelled()) {
-            return null;
-        }
         try {
-            get();
+            if (isDone() && !isCancelled()) {
+                get();
+            }
             return null;
         } catch (ExecutionException e) {
-            return e.getCause() instanceof CancellationException ? null : e.getCause();
+            return e.getCause();
         } catch (InterruptedException e) {
             return e;
         }
@@ -139,11 +134,6 @@ final class Travail extends SwingWorker<Void, Runnable> {
         return isDone() && !isCancelled() && getEchec() == null;
     }
 
-    /** Le temps passé depuis la demande, en nanosecondes. */
-    long getDureeNs() {
-        return (fin != 0 ? fin : System.nanoTime()) - debut;
-    }
-
     /** La part faite de la lecture, ou de l'image, de 0 à 1. */
     double getAvancement() {
         return !lue ? partLue : aSonBrouillon() ? dessin.lancer.getAvancement() : 0;
@@ -151,30 +141,28 @@ final class Travail extends SwingWorker<Void, Runnable> {
 
     /** Ce que ce travail fait ou a fait, en une ligne. */
     String dire() {
-        Throwable echec = getEchec();
-        if (estAcheve()) {
-            return "terminé";
+        // le résumé d'une image donne le temps du dessin seul ; celui-ci compte aussi la lecture
+        String temps = String.format(Locale.FRANCE, " — %.2f s",
+                ((fin != 0 ? fin : System.nanoTime()) - debut) / 1e9);
+        if (isCancelled()) {
+            return direEtape() + ", arrêt" + temps;
         }
-        if (echec instanceof SceneFautive) {
-            return lit ? "scène refusée" : "réglage impossible";
+        if (isDone()) {
+            return (estAcheve() ? "terminé" : "échec") + temps;
         }
-        // le résumé de l'image donne le temps du dessin seul ; ce temps compte aussi la lecture
-        return (echec != null ? "échec" : direEtape()) + String.format(Locale.FRANCE, " — %.2f s", getDureeNs() / 1e9)
-                + direReste();
+        String vue = aSonBrouillon() && demande.vue != null ? " ; " + dessin.image.echelle : "";
+        return direEtape() + temps + direReste() + vue;
     }
 
     private String direEtape() {
-        String etape = !lue ? "lecture" : dessin == null ? "préparation" : aSonBrouillon() ? "dessin" : "brouillon";
-        String part = dessin == null && lue ? "" : " " + (int) (100 * getAvancement()) + " %";
-        String vue = aSonBrouillon() && demande.vue != null ? ", " + dessin.image.echelle : "";
-        return !isCancelled() ? etape + part + vue
-                : etape + " arrêté" + (dessin == null ? "e" : " à " + part.trim());
+        return (!lue ? "lecture" : dessin == null ? "préparation" : aSonBrouillon() ? "dessin" : "brouillon")
+                + " " + (int) (100 * getAvancement()) + " %";
     }
 
     /** Le temps qui reste au dessin, d'après ce qui en est fait ; vide tant qu'il ne peut être estimé. */
     private String direReste() {
         long passe = System.nanoTime() - debutDuDessin;
-        if (isDone() || !aSonBrouillon() || passe < RESTE_NS || getAvancement() == 0) {
+        if (!aSonBrouillon() || passe < RESTE_NS || getAvancement() == 0) {
             return "";
         }
         double s = passe * (1 - getAvancement()) / getAvancement() / 1e9;

@@ -30,11 +30,11 @@ public final class Origines {
         lues.add(new Origine(chose, section.nom, section.ligne));
     }
 
-    /** Les mêmes, où des choses en remplacent d'autres. */
-    Origines remplacer(Map<Object, Object> autres) {
+    /** Les mêmes, où une chose en remplace une autre. */
+    Origines remplacer(Object ancienne, Object nouvelle) {
         Origines faites = new Origines();
         lues.forEach(lue -> faites.lues.add(
-                new Origine(autres.getOrDefault(lue.chose, lue.chose), lue.nom, lue.ligne)));
+                lue.chose == ancienne ? new Origine(nouvelle, lue.nom, lue.ligne) : lue));
         return faites;
     }
 

@@ -56,12 +56,12 @@ public final class SceneLue {
         this.origines = origines;
     }
 
-    /** La même scène, où des objets et des lampes en remplacent d'autres, dont ils prennent la section. */
-    public SceneLue remplacer(Map<Object, Object> autres) {
-        SceneLue faite = new SceneLue(chemin, origines.remplacer(autres));
+    /** La même scène, où un objet ou une lampe en remplace un autre, dont il prend la section. */
+    public SceneLue remplacer(Object ancienne, Object nouvelle) {
+        SceneLue faite = new SceneLue(chemin, origines.remplacer(ancienne, nouvelle));
         faite.somme = somme;
-        objets.forEach(objet -> faite.objets.add((Objet3D) autres.getOrDefault(objet, objet)));
-        lampes.forEach(lampe -> faite.lampes.add((Lampe) autres.getOrDefault(lampe, lampe)));
+        objets.forEach(objet -> faite.objets.add(objet == ancienne ? (Objet3D) nouvelle : objet));
+        lampes.forEach(lampe -> faite.lampes.add(lampe == ancienne ? (Lampe) nouvelle : lampe));
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
         return faite;

@@ -134,7 +134,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ecrire("[Sphere sol]\ncentre=0 -19892.188 2099.569\nrayon=20000\nKd=0.5 0.5 0.5\n" + ROUGE);
         ouvrir();
         tirer(new Point((banc.panneau.getWidth() - L) / 2 + 300, (banc.panneau.getHeight() - H) / 2 + 235), 10, 0);
-        banc.attendreMessage("[Sphere sol] ligne 1 dépasse l'image : elle se déplace dans le fichier");
+        banc.attendreMessage("[Sphere sol] ligne 1 ne se tire pas");
         assertFalse(surFilEvenements(() -> banc.controleur.prise.estDeplace()));
     }
 
