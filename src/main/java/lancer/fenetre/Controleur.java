@@ -210,7 +210,9 @@ final class Controleur {
             avis.add("scène relue : ce qui était déplacé sans être écrit est revenu à sa place");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
-        panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+        if (!avis.isEmpty()) {
+            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+        }
     }
 
     /** Ce travail est achevé, arrêté, ou a échoué. */

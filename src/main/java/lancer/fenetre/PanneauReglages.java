@@ -11,7 +11,7 @@ import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -22,9 +22,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
-import javax.swing.JSpinner;
-import javax.swing.SpinnerNumberModel;
-import javax.swing.text.DefaultFormatterFactory;
 import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
@@ -58,23 +55,12 @@ final class PanneauReglages extends JScrollPane {
         JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape)));
         etapes.setToolTipText("F6 à F9");
         poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
-        JSpinner reflexions = new JSpinner(new SpinnerNumberModel(0, 0, Options.REFLETS_MAX, 1));
-        reflexions.setToolTipText("touches + et −");
-        JFormattedTextField nombre = ((JSpinner.DefaultEditor) reflexions.getEditor()).getTextField();
-        nombre.setFormatterFactory(new DefaultFormatterFactory(new Saisie("nombre de réflexions impossible : ",
-                "un entier de 0 à " + Options.REFLETS_MAX, PanneauReglages::entier)));
-        reflexions.addChangeListener(e -> changer(reglages().avecReflets((Integer) reflexions.getValue())));
-        poser("réflexions", reflexions, null, () -> reflexions.setValue(reglages().getReflets()));
-        JFormattedTextField seuil = new JFormattedTextField(new Saisie("seuil impossible : ",
-                "un nombre positif ou nul, par exemple 0.001", PanneauReglages::positif));
-        seuil.setColumns(COLONNES);
-        seuil.addPropertyChangeListener("value", e -> changer(reglages().avecSeuil((Double) seuil.getValue())));
-        poser("seuil des reflets", seuil, null, () -> {
-            // un texte que l'on écrit reste, tant que le seuil est le même
-            if (!Double.valueOf(reglages().getSeuil()).equals(seuil.getValue())) {
-                seuil.setValue(reglages().getSeuil());
-            }
-        });
+        saisir("réflexions", "un entier de 0 à " + Options.REFLETS_MAX + ", ou les touches + et −",
+                n -> n >= 0 && n <= Options.REFLETS_MAX && n == Math.rint(n),
+                n -> changer(reglages().avecReflets(n.intValue())), () -> (double) reglages().getReflets());
+        saisir("seuil des reflets", "un nombre positif ou nul, par exemple 0.001",
+                n -> n >= 0 && n < Double.POSITIVE_INFINITY,
+                n -> changer(reglages().avecSeuil(n)), () -> reglages().getSeuil());
         for (Variante presente : reglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
@@ -100,43 +86,35 @@ final class PanneauReglages extends JScrollPane {
         return controleur.demande.reglages;
     }
 
-    private static Number entier(String texte) {
-        double lu = Nombre.lire(texte);
-        return lu >= 0 && lu <= Options.REFLETS_MAX && lu == Math.rint(lu) ? (int) lu : null;
-    }
-
-    private static Number positif(String texte) {
-        double lu = Nombre.lire(texte);
-        return lu >= 0 && lu < Double.POSITIVE_INFINITY ? lu : null;
-    }
-
-    /** Lecture et écriture d'un nombre. Une valeur impossible est dite, et laissée à corriger. */
-    private final class Saisie extends JFormattedTextField.AbstractFormatter {
-
-        private final String refus;
-        private final String attendu;
-        private final Function<String, Number> lecture;
-
-        Saisie(String refus, String attendu, Function<String, Number> lecture) {
-            this.refus = refus;
-            this.attendu = attendu;
-            this.lecture = lecture;
-        }
-
-        @Override
-        public Object stringToValue(String texte) throws ParseException {
-            Number lu = lecture.apply(texte.trim());
-            if (lu == null) {
-                controleur.panneau.bandeau.dire(Sujet.AVIS, refus + Texte.cite(texte) + " ; attendu : " + attendu);
-                throw new ParseException(texte, 0);
+    /** Ajoute un nombre à taper. Une valeur impossible est dite, et laissée à corriger. */
+    private void saisir(String nom, String attendu, DoublePredicate possible, Consumer<Double> siChange,
+            Supplier<Double> present) {
+        JFormattedTextField champ = new JFormattedTextField(new JFormattedTextField.AbstractFormatter() {
+            @Override
+            public Object stringToValue(String texte) throws ParseException {
+                double lu = Nombre.lire(texte.trim());
+                if (!possible.test(lu)) {
+                    controleur.panneau.bandeau.dire(Sujet.AVIS, nom + " : valeur impossible, " + Texte.cite(texte)
+                            + " ; attendu : " + attendu);
+                    throw new ParseException(texte, 0);
+                }
+                return lu;
             }
-            return lu;
-        }
 
-        @Override
-        public String valueToString(Object valeur) {
-            return valeur == null ? "" : Nombre.ecrire(((Number) valeur).doubleValue());
-        }
+            @Override
+            public String valueToString(Object valeur) {
+                return valeur == null ? "" : Nombre.ecrire((Double) valeur);
+            }
+        });
+        champ.setColumns(COLONNES);
+        champ.setToolTipText(attendu);
+        champ.addPropertyChangeListener("value", e -> siChange.accept((Double) champ.getValue()));
+        poser(nom, champ, null, () -> {
+            // un texte que l'on écrit reste, tant que la valeur est la même
+            if (!present.get().equals(champ.getValue())) {
+                champ.setValue(present.get());
+            }
+        });
     }
 
     private <T> JComboBox<T> choix(T[] valeurs, Consumer<T> siChoisie) {
@@ -169,14 +147,13 @@ final class PanneauReglages extends JScrollPane {
         if (parametre.estUneCouleur()) {
             Parametre composante = Parametre.nombre(parametre.cle, null, 0, 1, 0.01);
             for (int k = 0; k < COULEURS.length; k++) {
-                String nom = parametre.cle + ", " + COULEURS[k];
-                glisser(nom, section + nom, variante, parametre, composante, k);
+                glisser(section, parametre.cle + ", " + COULEURS[k], variante, parametre, composante, k);
             }
         } else if (parametre.mots.isEmpty()) {
-            glisser(parametre.cle, section + parametre.cle, variante, parametre, parametre, 0);
+            glisser(section, parametre.cle, variante, parametre, parametre, 0);
         } else {
             JComboBox<String> mots = choix(parametre.mots.toArray(new String[0]),
-                    mot -> regler(variante, parametre, mot));
+                    mot -> regler(variante.get(), parametre, mot));
             mots.setName(section + parametre.cle);
             poser(parametre.cle, mots, null, () -> {
                 mots.setSelectedItem(reglages().getValeur(variante.get(), parametre));
@@ -186,7 +163,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     /** Ajoute une glissière pour le nombre de ce rang d'une valeur. */
-    private void glisser(String nom, String nomComplet, Supplier<Variante> variante, Parametre parametre,
+    private void glisser(String section, String nom, Supplier<Variante> variante, Parametre parametre,
             Parametre echelle, int rang) {
         Supplier<String[]> nombres = () -> {
             String valeur = reglages().getValeur(variante.get(), parametre);
@@ -194,7 +171,7 @@ final class PanneauReglages extends JScrollPane {
         };
         JLabel nombre = new JLabel();
         JSlider glissiere = new JSlider(0, echelle.crans, 0);
-        glissiere.setName(nomComplet);
+        glissiere.setName(section + nom);
         glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
         // sans cet écart, les flèches du clavier n'auraient pas d'effet
         glissiere.setMinorTickSpacing(1);
@@ -202,7 +179,7 @@ final class PanneauReglages extends JScrollPane {
         glissiere.addChangeListener(e -> {
             String[] voulus = nombres.get();
             voulus[rang] = echelle.getValeur(glissiere.getValue());
-            regler(variante, parametre, String.join(" ", voulus));
+            regler(variante.get(), parametre, String.join(" ", voulus));
         });
         poser(nom, glissiere, nombre, () -> {
             nombre.setText(nombres.get()[rang]);
@@ -213,22 +190,21 @@ final class PanneauReglages extends JScrollPane {
         });
     }
 
-    private void regler(Supplier<Variante> variante, Parametre parametre, String voulue) {
-        Section section = reglages().getSection(variante.get());
-        if (!voulue.equals(section.valeur(parametre.cle))) {
-            changer(reglages().avecSection(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)));
+    private void regler(Variante variante, Parametre parametre, String voulue) {
+        Section section = reglages().getSection(variante);
+        if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
+            changer(reglages().avecSection(variante, section.avec(parametre.cle, voulue, parametre.autre)));
         }
     }
 
     private void changer(Reglages voulus) {
-        if (miseAJour) {
-            return;
+        if (!miseAJour) {
+            // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
+            if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
+                controleur.panneau.requestFocusInWindow();
+            }
+            controleur.regler(voulus);
         }
-        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
-        if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
-            controleur.panneau.requestFocusInWindow();
-        }
-        controleur.regler(voulus);
     }
 
     private void montrer() {

