@@ -3,6 +3,7 @@ package lancer.fenetre;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
@@ -13,7 +14,9 @@ import java.io.File;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.swing.BorderFactory;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import lancer.fenetre.Bandeau.Sujet;
@@ -52,7 +55,13 @@ final class Fenetre {
         prise = new Prise(controleur, panneau);
         controleur.prise = prise;
         enregistrement = new Enregistrement(controleur, prise);
-        onglets = new Onglets(cadre, panneau, controleur::avertir);
+        // un filet autour de l'image, coloré quand elle a le clavier
+        JPanel bord = new JPanel(new BorderLayout());
+        bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
+        bord.add(panneau);
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e -> bord.setBackground(
+                panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight") : cadre.getBackground()));
+        onglets = new Onglets(cadre, bord, controleur::avertir);
         onglets.ajouter("Pixel", () -> new Inspecteur(controleur));
         onglets.ajouter("Réglages", () -> new PanneauReglages(controleur));
         onglets.ajouter("Vitesse", () -> new PanneauVitesse(controleur));

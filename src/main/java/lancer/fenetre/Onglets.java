@@ -105,7 +105,7 @@ final class Onglets extends JSplitPane {
                 cadre.setSize(cadre.getWidth() - gagne, cadre.getHeight());
             }
             cadre.validate();
-            getLeftComponent().requestFocusInWindow();
+            getLeftComponent().transferFocus();
             siChange.run();
         }
     }

@@ -5,7 +5,6 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
-import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -71,7 +70,6 @@ final class PanneauImage extends JPanel {
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e -> repaint());
     }
 
     /** Suit la souris. La molette règle la loupe, et un bouton tenu la déplace. */
@@ -254,10 +252,6 @@ final class PanneauImage extends JPanel {
         }
         prises.accept(g2);
         g2.dispose();
-        if (isFocusOwner()) {
-            g.setColor(Apparence.couleur("Component.focusColor", "textHighlight"));
-            g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
-        }
     }
 
     /** Peint les pixels visibles seulement : AWT ne peut peindre une image entière très agrandie. */
