@@ -67,18 +67,18 @@ final class BarreEtat extends JPanel {
                 + " pixels" + reduite;
     }
 
-    /** Affiche ce texte et cette couleur. @param couleur {@code null} pour aucune */
-    void dire(String texte, Color couleur) {
-        pastille.setOpaque(couleur != null);
-        pastille.setBackground(couleur);
-        pixel.setText(texte);
-    }
-
-    /** @param ou le pixel sous la souris @param brouillon vrai si sa couleur n'est pas définitive */
+    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
-        int k = ou.y * image.largeur + ou.x;
-        Color c = new Color(image.codes[k]);
-        dire(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
-                c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(), image.dire(k)), c);
+        pastille.setOpaque(ou != null);
+        pixel.setText("");
+        if (ou != null) {
+            int k = ou.y * image.largeur + ou.x;
+            Color c = new Color(image.codes[k]);
+            pastille.setBackground(c);
+            pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+                    brouillon ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(),
+                    image.dire(k)));
+        }
+        pastille.repaint();
     }
 }

@@ -59,8 +59,9 @@ final class Fenetre {
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         bord.add(panneau);
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e -> bord.setBackground(
-                panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight") : cadre.getBackground()));
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e ->
+                bord.setBackground(panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight")
+                        : cadre.getBackground()));
         onglets = new Onglets(cadre, bord, controleur::avertir);
         onglets.ajouter("Pixel", () -> new Inspecteur(controleur));
         onglets.ajouter("Réglages", () -> new PanneauReglages(controleur));
@@ -211,22 +212,17 @@ final class Fenetre {
     private void decrire() {
         ImageMemoire image = panneau.tenue != null ? panneau.tenue
                 : controleur.enCours ? null : controleur.getImageEntiere();
-        String resume = image == null ? "" : (panneau.tenue != null ? "avant : " : "")
-                + BarreEtat.resume(image, panneau.getReduction(image)) + ", " + controleur.legendes.get(image);
         if (image != null) {
+            String resume = (panneau.tenue != null ? "avant : " : "")
+                    + BarreEtat.resume(image, panneau.getReduction(image)) + ", " + controleur.legendes.get(image);
             barre.resumer(resume);
+            panneau.getAccessibleContext().setAccessibleDescription(resume);
         }
-        panneau.getAccessibleContext().setAccessibleDescription(resume);
         direPixel();
     }
 
     private void direPixel() {
         ImageMemoire image = panneau.getVisible();
-        Point pixel = panneau.getPixelSouris(image);
-        if (pixel == null) {
-            barre.dire("", null);
-        } else {
-            barre.montrerPixel(pixel, image, !controleur.legendes.containsKey(image));
-        }
+        barre.montrerPixel(panneau.getPixelSouris(image), image, !controleur.legendes.containsKey(image));
     }
 }

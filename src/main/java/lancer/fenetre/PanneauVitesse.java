@@ -22,6 +22,7 @@ import lancer.commande.Messages;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Durees;
 import lancer.fenetre.figures.Essai;
 import lancer.fenetre.figures.GraphiqueVitesse;
 
@@ -100,8 +101,8 @@ final class PanneauVitesse extends JPanel {
                     echantillon.drawPixel(couleur, xe, ye);
                 }, moins.reglages.getProfondeur(), controleur.getFils());
                 Mesure mesure = echantillon.mesurer();
-                siens.set(siens.indexOf(moins),
-                        moins.avec(lancer.getDureeNs() / 1e9, mesure.erreur, mesure.incertitude));
+                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getDureeNs()),
+                        mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));
                 moins = suivant();
             }
@@ -110,7 +111,7 @@ final class PanneauVitesse extends JPanel {
 
         /** Celui qui a été dessiné le moins souvent, de ceux qui ne l'ont pas été assez. */
         private Essai suivant() {
-            return siens.stream().min(Comparator.comparing(Essai::suffit).thenComparing(Essai::getNombre)).get();
+            return siens.stream().min(Comparator.comparing(Essai::suffit).thenComparing(e -> e.durees.getNombre())).get();
         }
 
         @Override
@@ -152,17 +153,21 @@ final class PanneauVitesse extends JPanel {
             if (!autre.equals(premier)) {
                 premier = autre;
                 essais.clear();
-                echelle.forEach(reglages -> essais.add(new Essai(reglages)));
+                echelle.forEach(reglages -> essais.add(nouveau(reglages)));
             }
             essais.removeIf(essai -> !echelle.contains(essai.reglages));
             if (!echelle.contains(demande.reglages)) {
-                essais.add(new Essai(demande.reglages));
+                essais.add(nouveau(demande.reglages));
             }
             etat = "préparation…";
             mesureur = new Mesureur(demande);
             mesureur.execute();
         }
         dire(null);
+    }
+
+    private static Essai nouveau(Reglages reglages) {
+        return new Essai(reglages, new Durees(), 0, 0);
     }
 
     /** @param vise le réglage sous la souris, ou {@code null} */

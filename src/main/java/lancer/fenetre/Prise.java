@@ -13,9 +13,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.stream.DoubleStream;
 import javax.swing.SwingUtilities;
@@ -33,7 +31,6 @@ import lancer.fenetre.figures.Figure;
 import lancer.image.Ecriture;
 import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
-import lancer.texte.Nombre;
 
 /**
  * Ce que Maj et la souris déplacent, dans le plan parallèle à l'écran : une sphère, ou l'étoile d'une lampe. Le
@@ -104,26 +101,12 @@ final class Prise extends MouseAdapter {
         controleur.deplacer(deplacee);
     }
 
-    /** Écrit les déplacements dans le fichier. @throws SceneFautive s'il a changé depuis sa lecture */
+    /** Ce qui écrit les déplacements dans le fichier. */
     Runnable getEcriture() {
         SceneLue celle = lue;
-        Map<Object, String> valeurs = new IdentityHashMap<>();
-        noter(lue.objets, deplacee.objets, valeurs);
-        noter(lue.lampes, deplacee.lampes, valeurs);
+        SceneLue voulue = deplacee;
         String fichier = controleur.demande.lecture.fichier;
-        return () -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(valeurs));
-    }
-
-    private static void noter(List<?> choses, List<?> deplacees, Map<Object, String> valeurs) {
-        for (int k = 0; k < choses.size(); k++) {
-            if (choses.get(k) != deplacees.get(k)) {
-                valeurs.put(choses.get(k), ecrire(place(deplacees.get(k))));
-            }
-        }
-    }
-
-    private static String ecrire(Point p) {
-        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
+        return () -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue));
     }
 
     private static Point place(Object chose) {
@@ -204,23 +187,15 @@ final class Prise extends MouseAdapter {
     }
 
     private void tirer(Point ou) {
+        List<?> siennes = prise instanceof Lampe ? deplacee.lampes : deplacee.objets;
+        int rang = siennes.indexOf(prise);
         if (!ou.equals(place(prise))) {
-            Object ancienne = prise;
-            prise = ancienne instanceof Lampe ? new Lampe(ou, ((Lampe) ancienne).getCouleur())
-                    : deplacer((Sphere) ancienne, ou);
-            deplacee = deplacee.remplacer(ancienne, prise);
-            dire(deplacee.origines.de(prise) + (prise instanceof Lampe ? " : position=" : " : centre=") + ecrire(ou)
-                    + " ; Ctrl+E l'écrit dans la scène");
+            deplacee = prise instanceof Lampe ? deplacee.avec((Lampe) prise, ou) : deplacee.avec((Sphere) prise, ou);
+            prise = (prise instanceof Lampe ? deplacee.lampes : deplacee.objets).get(rang);
+            dire(deplacee.origines.de(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+                    + SceneLue.ecrire(ou) + " ; Ctrl+E l'écrit dans la scène");
             controleur.deplacer(deplacee);
         }
-    }
-
-    private static Sphere deplacer(Sphere sphere, Point ou) {
-        Sphere deplacee = new Sphere(ou, sphere.getRayon());
-        deplacee.setKd(sphere.getKd());
-        deplacee.setKs(sphere.getKs());
-        deplacee.setNs(sphere.getNs());
-        return deplacee;
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,15 +15,18 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.ErreurSysteme;
+import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
 public final class SceneLue {
@@ -56,8 +60,21 @@ public final class SceneLue {
         this.origines = origines;
     }
 
-    /** La même scène, où un objet ou une lampe en remplace un autre, dont il prend la section. */
-    public SceneLue remplacer(Object ancienne, Object nouvelle) {
+    /** La même scène, où cette lampe a cette place. */
+    public SceneLue avec(Lampe lampe, Point place) {
+        return remplacer(lampe, new Lampe(place, lampe.getCouleur()));
+    }
+
+    /** La même scène, où cette sphère, qui n'est pas d'une autre classe, a ce centre. */
+    public SceneLue avec(Sphere sphere, Point centre) {
+        Sphere deplacee = new Sphere(centre, sphere.getRayon());
+        deplacee.setKd(sphere.getKd());
+        deplacee.setKs(sphere.getKs());
+        deplacee.setNs(sphere.getNs());
+        return remplacer(sphere, deplacee);
+    }
+
+    private SceneLue remplacer(Object ancienne, Object nouvelle) {
         SceneLue faite = new SceneLue(chemin, origines.remplacer(ancienne, nouvelle));
         faite.somme = somme;
         objets.forEach(objet -> faite.objets.add(objet == ancienne ? (Objet3D) nouvelle : objet));
@@ -65,6 +82,21 @@ public final class SceneLue {
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
         return faite;
+    }
+
+    /** Les octets du fichier de cette scène, où les places sont celles de la scène {@code deplacee} qui en vient. */
+    public byte[] deplacer(SceneLue deplacee) {
+        Map<Object, String> places = new IdentityHashMap<>();
+        IntStream.range(0, objets.size()).filter(k -> objets.get(k) != deplacee.objets.get(k))
+                .forEach(k -> places.put(objets.get(k), ecrire(((Sphere) deplacee.objets.get(k)).getCentre())));
+        IntStream.range(0, lampes.size()).filter(k -> lampes.get(k) != deplacee.lampes.get(k))
+                .forEach(k -> places.put(lampes.get(k), ecrire(deplacee.lampes.get(k).getPosition())));
+        return deplacer(places);
+    }
+
+    /** Cette place, comme dans un fichier. */
+    public static String ecrire(Point p) {
+        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
     }
 
     void ajouter(Object chose, SectionLue section) {

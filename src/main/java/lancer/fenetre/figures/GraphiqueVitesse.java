@@ -10,6 +10,7 @@ import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -44,13 +45,13 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** @param celui le réglage de l'image montrée */
     public void montrer(List<Essai> essais, Reglages celui) {
-        points = essais.stream().filter(essai -> essai.getNombre() > 0)
-                .sorted(Comparator.comparingDouble(Essai::getTemps)).collect(Collectors.toList());
+        points = essais.stream().filter(essai -> essai.durees.getNombre() > 0)
+                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
         present = celui;
         placer();
         // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
-        xMin = graduation(points.stream().mapToDouble(Essai::getMin).min().orElse(1) / 2.5);
-        xMax = graduation(points.stream().mapToDouble(Essai::getMax).max().orElse(1) * 1.1);
+        xMin = graduation(points.stream().mapToDouble(GraphiqueVitesse::min).min().orElse(1) / 2.5);
+        xMax = graduation(points.stream().mapToDouble(GraphiqueVitesse::max).max().orElse(1) * 1.1);
         yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
         repaint();
     }
@@ -60,13 +61,21 @@ public final class GraphiqueVitesse extends JPanel {
         places.clear();
         double[] commun = {0, 0};
         for (Essai p : points) {
-            if (p.getMin() > commun[1] || p.getMax() < commun[0]) {
-                commun = new double[] {p.getMin(), p.getMax()};
+            if (min(p) > commun[1] || max(p) < commun[0]) {
+                commun = new double[] {min(p), max(p)};
             }
-            commun[0] = Math.max(commun[0], p.getMin());
-            commun[1] = Math.min(commun[1], p.getMax());
+            commun[0] = Math.max(commun[0], min(p));
+            commun[1] = Math.min(commun[1], max(p));
             places.add(commun);
         }
+    }
+
+    private static double min(Essai p) {
+        return p.durees.getMin() / 1e9;
+    }
+
+    private static double max(Essai p) {
+        return p.durees.getMax() / 1e9;
     }
 
     /** Le réglage sous ce point, ou {@code null}. */
@@ -116,12 +125,12 @@ public final class GraphiqueVitesse extends JPanel {
         graduations(xMin, xMax).forEach(t -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(x(t), HAUT, x(t), bas));
-            ecrire(g, Essai.nombre(t), x(t), bas + 15, 0.5);
+            ecrire(g, nombre(t), x(t), bas + 15, 0.5);
         });
         graduations(Y_MIN, yMax).forEach(t -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(GAUCHE, y(t), droite, y(t)));
-            ecrire(g, Essai.nombre(t), GAUCHE - 6, y(t) + 4, 1);
+            ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
         });
         ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
@@ -133,12 +142,17 @@ public final class GraphiqueVitesse extends JPanel {
         double y = y(p.erreur);
         g.setColor(new Color(0x2675BF));
         g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-        g.draw(new Line2D.Double(x(p.getMin()), y, x(p.getMax()), y));
+        g.draw(new Line2D.Double(x(min(p)), y, x(max(p)), y));
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
         // à droite, s'il y a la place
         boolean droite = x + 2 * RAYON + g.getFontMetrics().stringWidth(nom) < getWidth();
         ecrire(g, nom, droite ? x + 2 * RAYON : x - 2 * RAYON, y - RAYON, droite ? 0 : 1);
+    }
+
+    private static String nombre(double t) {
+        return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
+                : String.format(Locale.FRANCE, "%.3f", t).replaceAll(",?0+$", "");
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */

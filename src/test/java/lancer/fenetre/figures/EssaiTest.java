@@ -8,38 +8,34 @@ import java.awt.Point;
 import java.util.Arrays;
 import java.util.List;
 import lancer.commande.Reglages;
+import lancer.dessin.Durees;
 import org.junit.jupiter.api.Test;
 
 /** Les temps d'un réglage, et la place que la figure de F3 lui donne. */
 class EssaiTest {
 
     private static Essai essai(int reflets, double erreur, double... secondes) {
-        Essai essai = new Essai(new Reglages().avecReflets(reflets));
-        for (double duree : secondes) {
-            essai = essai.avec(duree, erreur, 0.1);
-        }
-        return essai;
+        return new Essai(new Reglages().avecReflets(reflets),
+                new Durees(Arrays.stream(secondes).mapToLong(t -> Math.round(t * 1e9)).toArray()), erreur, 0.1);
     }
 
     @Test
     void unTempsEstLaMedianeDeLaSecondeMoitieAvecSonIntervalle() {
         Essai essai = essai(1, 2, 90, 80, 70, 3, 1, 2);
-        assertEquals(2, essai.getTemps());
         assertEquals("2,000 s (de 1,000 à 3,000), erreur de 2,00 ± 0,10 niveaux", essai.dire());
         assertEquals("1,000 s (de 1,000 à 1,000), aucun écart vu", essai(1, 0, 1).dire());
         double[] longs = new double[60];
         Arrays.setAll(longs, k -> k);
-        Essai souvent = essai(1, 2, longs);
-        assertEquals(44.5, souvent.getTemps());
-        assertTrue(souvent.getMin() > 38 && souvent.getMax() < 51, "l'intervalle de la médiane se resserre");
+        Durees souvent = essai(1, 2, longs).durees;
+        assertEquals(44.5e9, souvent.getMediane());
+        assertTrue(souvent.getMin() > 38e9 && souvent.getMax() < 51e9, "l'intervalle de la médiane se resserre");
     }
 
     @Test
     void unReglageEstAssezDessineApresQuatreFoisEtUneSecondeEtDemieOuQuaranteFois() {
         assertFalse(essai(1, 2, 3, 3, 3).suffit());
         assertTrue(essai(1, 2, 3, 3, 3, 3).suffit());
-        double[] courts = new double[39];
-        assertFalse(essai(1, 2, courts).suffit());
+        assertFalse(essai(1, 2, new double[39]).suffit());
         assertTrue(essai(1, 2, new double[40]).suffit());
     }
 
