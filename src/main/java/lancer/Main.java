@@ -63,7 +63,7 @@ public class Main implements Toile {
                 Main main = new Main(options, sortie, erreur);
                 return new SansFenetre(options, main::dans, sortie, erreur).faire();
             } else {
-                Ouverture.ouvrir(options, (fichier, suivi) -> Lecture.lire(fichier, true, suivi),
+                Ouverture.ouvrir(options, Lecture::lire,
                         (demande, suivi) -> new Main(options, sortie, erreur, demande, suivi)
                                 .doTracerImage(demande.largeur, demande.hauteur), erreur, () -> System.exit(0));
             }

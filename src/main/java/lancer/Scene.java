@@ -10,7 +10,6 @@ import lancer.contrat.Recherche;
 import lancer.contrat.TousLesObjets;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
-import lancer.scene.SpheresConfondues;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y rencontre (cours, « Scène de sphères »). Une scène appartient à un seul
@@ -34,7 +33,7 @@ public final class Scene {
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {
-        this(LecteurScene.lire(nomFichier, false, part -> { }));
+        this(LecteurScene.lire(nomFichier, part -> { }));
     }
 
     private Scene(SceneLue lue) {
@@ -43,7 +42,7 @@ public final class Scene {
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this.objets = SpheresConfondues.sans(objets).toArray(new Objet3D[0]);
+        this.objets = SceneLue.sansConfondues(objets).toArray(new Objet3D[0]);
         this.lampes = lampes.toArray(new Lampe[0]);
         tous = new TousLesObjets(this.objets.length);
         modele = new Modele();

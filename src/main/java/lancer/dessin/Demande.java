@@ -13,7 +13,7 @@ import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.scene.Services;
+import lancer.scene.LecteurSections;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
 
@@ -49,7 +49,7 @@ public final class Demande {
     public Demande(Lecture lecture, Options options) {
         this(lecture, options.reglages.pour(lecture.lue.variantes), options.largeur, options.hauteur, options.vue);
         for (String type : reglages.getDebranchees()) {
-            if (!Services.varianteConnue(type)
+            if (!LecteurSections.varianteConnue(type)
                     && reglages.getVariantes().stream().noneMatch(v -> v.getSection().equalsIgnoreCase(type))) {
                 throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
                         + " ; attendu : une variante, par exemple Brume");

@@ -1,7 +1,6 @@
 package lancer.dessin;
 
 import java.io.PrintStream;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
@@ -124,9 +123,7 @@ public final class Dessin {
      */
     public String statistiques(Lancer acheve, long... tracesNs) {
         Compteurs c = acheve.getCompteurs();
-        // la première moitié des dessins s'exécute avant la fin de la compilation : voir docs/etendre.md
-        double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
-        double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
+        double traceNs = new Durees(tracesNs).getMediane();
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",

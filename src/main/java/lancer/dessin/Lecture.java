@@ -28,14 +28,13 @@ public final class Lecture {
     /**
      * Lit cette scène.
      *
-     * @param avecTexte vrai pour garder le texte des sections, que la fenêtre montre et change
      * @param suivi reçoit la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si ce fil est interrompu
      */
-    public static Lecture lire(String fichier, boolean avecTexte, DoubleConsumer suivi) {
+    public static Lecture lire(String fichier, DoubleConsumer suivi) {
         long debut = System.nanoTime();
-        SceneLue lue = LecteurScene.lire(fichier, avecTexte, suivi);
+        SceneLue lue = LecteurScene.lire(fichier, suivi);
         return new Lecture(fichier, lue, System.nanoTime() - debut);
     }
 }

@@ -70,7 +70,7 @@ public final class SansFenetre {
     }
 
     private void lire() {
-        demande = new Demande(Lecture.lire(options.scene, false, part -> { }), options);
+        demande = new Demande(Lecture.lire(options.scene, part -> { }), options);
     }
 
     private void dessinerDansDesFichiers() {
@@ -196,8 +196,7 @@ public final class SansFenetre {
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
-            Ecriture.ecrire(options.vue == null ? comparaison.getDifferences() : comparaison.peindreLesEcarts(
-                    new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
+            Ecriture.ecrire(comparaison.peindreLesEcarts(new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
                     fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);

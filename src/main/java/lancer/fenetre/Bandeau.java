@@ -10,7 +10,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
-import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.border.Border;
@@ -35,16 +34,12 @@ final class Bandeau extends JTextArea {
         donnerALire(this);
         setVisible(false);
         oubli.setRepeats(false);
-        setToolTipText("cliquer pour fermer ; bouton droit pour copier");
+        setToolTipText("cliquer pour fermer ; le menu Fichier le copie");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                if (SwingUtilities.isLeftMouseButton(e)) {
-                    dits.clear();
-                    dire(Sujet.AVIS, "");
-                } else {
-                    copier();
-                }
+                dits.clear();
+                dire(Sujet.AVIS, "");
             }
         });
     }
@@ -67,8 +62,6 @@ final class Bandeau extends JTextArea {
         texte.setFocusable(false);
         texte.setLineWrap(true);
         texte.setWrapStyleWord(true);
-        // un fichier déposé sur ce texte doit aller à la fenêtre
-        texte.setTransferHandler(null);
         texte.setCursor(Cursor.getDefaultCursor());
     }
 

@@ -8,6 +8,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
 import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : l'avancement du dessin, le pixel sous la souris, un résumé de l'image. */
@@ -20,16 +21,15 @@ final class BarreEtat extends JPanel {
 
     /** Le plus long texte possible, qui fixe la largeur de la barre. */
     private final JLabel pixel = new JLabel("pixel 9999, 9999 : #FFFFFF = 255 255 255 ← 0.000 0.000 0.000");
-    private final JLabel resume = new JLabel(" ");
+    /** Deux lignes : la légende d'une vue est longue, et un écran parfois étroit. */
+    private final JTextArea resume = Bandeau.etiquette("resume");
     private final JProgressBar avancement = new JProgressBar(0, POUR_MILLE);
     private final JLabel pastille = new JLabel("    ");
 
     BarreEtat() {
         super(new BorderLayout(MARGE, 0));
         pixel.setName("pixel");
-        resume.setName("resume");
-        // un nom de fichier qui commence par <html> doit être affiché tel quel
-        resume.putClientProperty("html.disable", true);
+        resume.setRows(2);
         avancement.setName("avancement");
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
         avancement.setBorderPainted(false);
@@ -41,20 +41,21 @@ final class BarreEtat extends JPanel {
         textes.add(resume, BorderLayout.PAGE_END);
         add(avancement, BorderLayout.PAGE_START);
         add(textes, BorderLayout.CENTER);
-        // la largeur minimale est celle du texte d'un pixel : un résumé plus long est coupé
+        // sa taille ne change pas : l'image ne bouge pas quand un texte est long
         setPreferredSize(getPreferredSize());
         pixel.setText(" ");
     }
 
-    /** @param courant le dessin en cours ; {@code null} s'il n'y en a pas */
-    void avancer(Tracage courant) {
-        avancement.setValue(courant == null ? 0 : (int) (POUR_MILLE * courant.getAvancement()));
-        avancement.getAccessibleContext().setAccessibleDescription(courant == null ? "" : courant.getEtat());
+    /** @param part la part faite du travail en cours, de 0 à 1 @param texte ce travail, vide s'il n'y en a pas */
+    void avancer(double part, String texte) {
+        avancement.setValue((int) (POUR_MILLE * part));
+        avancement.getAccessibleContext().setAccessibleDescription(texte);
     }
 
     void resumer(String texte) {
-        resume.setText(texte);
-        resume.setToolTipText(texte);
+        if (!texte.equals(resume.getText())) {
+            resume.setText(texte);
+        }
     }
 
     /** La taille de l'image. @param reduction rapport de sa taille à l'écran à sa taille réelle */
@@ -66,18 +67,18 @@ final class BarreEtat extends JPanel {
                 + " pixels" + reduite;
     }
 
-    /** Affiche ce texte et cette couleur. @param couleur {@code null} pour aucune */
-    void dire(String texte, Color couleur) {
-        pastille.setOpaque(couleur != null);
-        pastille.setBackground(couleur);
-        pixel.setText(texte);
-    }
-
-    /** @param ou le pixel sous la souris @param brouillon vrai si sa couleur n'est pas définitive */
+    /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
     void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
-        int k = ou.y * image.largeur + ou.x;
-        Color c = new Color(image.codes[k]);
-        dire(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y, brouillon ? " (brouillon)" : "",
-                c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(), image.dire(k)), c);
+        pastille.setOpaque(ou != null);
+        pixel.setText("");
+        if (ou != null) {
+            int k = ou.y * image.largeur + ou.x;
+            Color c = new Color(image.codes[k]);
+            pastille.setBackground(c);
+            pixel.setText(String.format("pixel %d, %d%s : #%06X = %d %d %d %s", ou.x, ou.y,
+                    brouillon ? " (brouillon)" : "", c.getRGB() & 0xFFFFFF, c.getRed(), c.getGreen(), c.getBlue(),
+                    image.dire(k)));
+        }
+        pastille.repaint();
     }
 }

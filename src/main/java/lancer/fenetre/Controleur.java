@@ -5,85 +5,62 @@ import java.awt.EventQueue;
 import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Future;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
+import java.util.Map;
+import java.util.WeakHashMap;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Lecture;
 import lancer.fenetre.Bandeau.Sujet;
-import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
+import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
- * Suite des dessins de la fenêtre : début, fin, arrêt, échec. La scène montrée reste la même jusqu'à la première image
- * d'une autre scène. {@link Tracage} calcule dans un autre fil ; tout est appelé ici dans le fil des événements.
+ * L'état de la fenêtre, et la suite de ses dessins. Tout y est appelé dans le fil des événements ; {@link Travail}
+ * calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
 final class Controleur {
 
-    /** Durée, en nanosecondes, avant de montrer une partie du brouillon. */
-    private static final long PATIENCE_NS = 300_000_000;
-    /** Temps maximal entre deux touches, ou deux crans, d'un même geste. */
-    private static final long GESTE_NS = 1_000_000_000;
+    /** La plus grande image « avant » gardée, en pixels. */
+    private static final int PIXELS_GARDES = 16_000_000;
 
-    final int fils;
-    private final Tracage.Moteur moteur;
-    private final ExecutorService dessins;
+    private final Moteur moteur;
     final PanneauImage panneau;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Runnable> prevenus = new ArrayList<>();
-    private Object geste;
-    private long gesteNs;
 
-    /** Lu par toute la fenêtre, et remplacé ici seulement. */
-    Etat etat = Etat.VIDE;
+    /** Le fichier de la scène demandée en dernier, même fautive : celui du titre, de F5 et de la surveillance. */
+    String fichier;
+    /** Ce qui est demandé de la scène montrée ; {@code null} avant la première. */
+    Demande demande;
+    /** Le dernier travail commencé, et vrai tant qu'il n'est pas fini. */
+    Travail travail;
+    boolean enCours;
+    /** Le dessin dont l'image ou le brouillon est montré, ou {@code null}, et vrai si cette image est achevée. */
+    Dessin montre;
+    boolean entiere;
+    /** L'image achevée avant le dernier changement ; {@code null} s'il n'y en a pas, ou si elle est trop grande. */
+    ImageMemoire avant;
+    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
+    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
+    /** Ce que Maj et la souris déplacent. */
+    Prise prise;
 
-    /** @param moteur ce qui lit et dessine, dans le fil des dessins */
-    Controleur(Tracage.Moteur moteur, ExecutorService dessins, PanneauImage panneau, Supplier<Dimension> taille) {
+    /** @param taille donne la taille de l'image à dessiner */
+    Controleur(Moteur moteur, PanneauImage panneau, Supplier<Dimension> taille) {
         this.moteur = moteur;
-        this.dessins = dessins;
-        fils = moteur.options.fils;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire),
-                () -> EventQueue.invokeLater(this::direEfface));
+        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire), () -> EventQueue.invokeLater(
+                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
     }
 
-    /** Un fil unique, où les tâches attendent leur tour. Il se termine quand il n'a plus de tâche. */
-    static ExecutorService unFil(String nom) {
-        ThreadPoolExecutor seul = new ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(),
-                tache -> {
-                    Thread fil = new Thread(tache, nom);
-                    fil.setDaemon(true);
-                    return fil;
-                });
-        seul.allowCoreThreadTimeOut(true);
-        return seul;
-    }
-
-    /** Confie une tâche à ce fil. Si elle échoue, {@code siEchec} reçoit le message, dans le fil des événements. */
-    static Future<?> confier(ExecutorService fil, Runnable tache, Consumer<String> siEchec) {
-        return fil.submit(() -> {
-            try {
-                tache.run();
-            } catch (CancellationException e) {
-                // le résultat de cette tâche n'est plus demandé
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(() -> siEchec.accept(Messages.message(e)));
-            }
-        });
-    }
-
-    /** Appelle {@code siChange} quand un dessin commence, s'achève ou s'arrête, et quand une scène est lue. */
+    /** Appelle {@code siChange} quand l'état de la fenêtre change. */
     void prevenir(Runnable siChange) {
         prevenus.add(siChange);
     }
@@ -92,241 +69,201 @@ final class Controleur {
         prevenus.forEach(Runnable::run);
     }
 
-    private void poser(Etat suivant) {
-        etat = suivant;
-        avertir();
+    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
+    ImageMemoire getImageEntiere() {
+        return entiere ? montre.image : null;
     }
 
-    /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
-    String getCommande() {
-        return Messages.commande("", etat.getReglages().getOptions(), etat.lecture.fichier, taille.get().width,
-                taille.get().height);
+    /** Nombre de fils d'un dessin. */
+    int getFils() {
+        return moteur.options.fils;
     }
 
-    void commencer(Tracage tracage) {
-        etat = etat.demander(tracage.fichier).commencer(tracage);
-        if (tracage.choix != null) {
-            adopter();
-        }
-        suivre(tracage);
+    /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
+    void ouvrir(Travail premier, String version) {
+        fichier = premier.fichier;
+        surveillance.suivre(fichier, version);
+        adopter(premier.getDemande());
+        commencer(premier);
     }
 
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
-        etat = etat.demander(scene);
-        lancer(tracer(scene, null), false);
+        retenir();
+        fichier = scene;
+        commencer(new Travail(moteur, scene, demande));
     }
 
     void relire() {
-        ouvrir(etat.demande);
+        ouvrir(fichier);
     }
 
-    void dessiner(Reglages voulus) {
-        choisir(etat.choix.avec(voulus));
-    }
-
-    void choisir(Choix voulu) {
-        choisir(voulu, null, false);
-    }
-
-    /** @param cause ce qui change : le geste continue si c'était déjà cela @param tenu vrai si un bouton est tenu */
-    void choisir(Choix voulu, Object cause, boolean tenu) {
-        boolean suite = cause != null && cause == geste && (tenu || System.nanoTime() - gesteNs < GESTE_NS);
-        geste = cause;
-        gesteNs = System.nanoTime();
-        etat = etat.choisir(voulu, suite);
-        if (suite && etat.enCours && !etat.lit() && !etat.courant.isBrouillonFait()) {
-            // le geste continue : le brouillon en cours est d'abord montré
-            avertir();
-        } else {
-            redessiner(suite);
+    void regler(Reglages voulus) {
+        if (!voulus.equals(demande.reglages)) {
+            retenir();
+            demander(demande.avecReglages(voulus));
         }
     }
 
-    /** Montre cette image, déjà dessinée. */
-    void montrer(Dessin dessine) {
-        etat = etat.choisir(etat.choix.avec(dessine.demande.reglages).avec((String) null), false);
-        lancer(new Tracage(moteur, etat.lecture.initiale, etat.choix, dessine), false);
+    /** Revient aux réglages de la ligne de commande et du fichier. */
+    void revenir() {
+        regler(new Demande(demande.lecture, moteur.options).reglages);
     }
 
-    /** Défait le dernier choix ({@code sens} −1), ou le refait (1). */
-    void revenir(int sens) {
-        geste = null;
-        etat = etat.revenir(sens);
-        redessiner(false);
+    /** Montre cette vue, comparée à la même image que la précédente. @param vue {@code null} pour l'image */
+    void voir(String vue) {
+        demander(demande.avecVue(vue));
     }
 
+    /** Dessine la scène lue, avec ces déplacements. */
+    void deplacer(SceneLue deplacee) {
+        retenir();
+        demander(demande.avecLecture(new Lecture(demande.lecture.fichier, deplacee, demande.lecture.dureeNs)));
+    }
+
+    /** Suit la taille que la fenêtre donne à l'image. */
     void ajuster() {
-        Dimension voulue = taille.get();
-        if (etat.lecture != null && (voulue.width != etat.courant.largeur || voulue.height != etat.courant.hauteur)) {
-            redessiner(false);
+        if (demande != null && !taille.get().equals(new Dimension(demande.largeur, demande.hauteur))) {
+            demander(demande);
         }
     }
 
     void arreter() {
-        if (etat.enCours) {
-            etat.courant.arreter();
-            observer();
+        if (enCours) {
+            travail.cancel(true);
         }
     }
 
     void terminer() {
-        if (etat.courant != null) {
-            etat.courant.arreter();
-        }
+        arreter();
         surveillance.terminer();
-        dessins.shutdown();
     }
 
-    private void redessiner(boolean geste) {
-        // une scène en cours de lecture passe avant la scène montrée
-        if (etat.lit()) {
-            relire();
-        } else {
-            lancer(tracer(etat.lecture.fichier, etat.lecture.initiale), geste);
+    /** L'image achevée devient celle d'avant, sauf si elle est trop grande ou si c'est une vue. */
+    private void retenir() {
+        ImageMemoire image = getImageEntiere();
+        if (image != null && image.sens.equals(ImageMemoire.COULEUR)) {
+            avant = image.codes.length <= PIXELS_GARDES ? image : null;
         }
     }
 
-    private Tracage tracer(String scene, Demande initiale) {
-        Dimension voulue = taille.get();
-        return new Tracage(moteur, scene, initiale, etat.choix, etat.avant, voulue,
-                panneau.getTailleMax(voulue.width, voulue.height));
+    /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */
+    private void demander(Demande voulue) {
+        demande = voulue.avecTaille(taille.get().width, taille.get().height);
+        if (!enCours) {
+            dessiner();
+        } else if (travail.aSonBrouillon()) {
+            montrer(travail);
+        }
+        avertir();
     }
 
-    /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
-    private void lancer(Tracage tracage, boolean geste) {
-        if (dessins.isShutdown()) {
+    /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
+    private void dessiner() {
+        if (enCours ? !demande.equals(travail.getDemande()) : !entiere || !demande.equals(montre.demande)) {
+            commencer(new Travail(moteur, demande, avant));
+        }
+    }
+
+    private void commencer(Travail nouveau) {
+        arreter();
+        travail = nouveau;
+        enCours = true;
+        nouveau.diriger(this);
+        nouveau.execute();
+        avertir();
+    }
+
+    /** La scène que lit ce travail est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
+    void lue(Travail celui) {
+        if (celui == travail) {
+            surveillance.suivre(fichier, celui.getVersion());
+            panneau.bandeau.dire(Sujet.SCENE, "");
+        }
+    }
+
+    /** Le dessin de ce travail est commencé, ou son brouillon est fait : il est alors montré, et ce qui a changé suit. */
+    void montrer(Travail celui) {
+        if (celui != travail || celui.isCancelled()) {
             return;
         }
-        if (etat.courant != null) {
-            etat.courant.arreter();
-        }
-        if (geste) {
-            tracage.entracte = () -> {
-                EventQueue.invokeLater(this::observer);
-                tracage.attendreLaSuite();
-            };
-        }
-        dessins.execute(tracage);
-        suivre(tracage);
-    }
-
-    private void suivre(Tracage tracage) {
-        panneau.dire("");
-        poser(etat.commencer(tracage));
-        observer();
-    }
-
-    /** Lit l'état du dessin en cours et le montre ; à appeler souvent. */
-    void observer() {
-        Tracage courant = etat.courant;
-        Dessin dessin = courant.dessin;
-        boolean fini = courant.isDone();
-        if (panneau.peinte) {
-            courant.vue.countDown();
-        }
-        if (courant.aLire && !courant.lueDite && (courant.choix != null
-                || fini && (courant.version != null || courant.getEchec() != null))) {
-            courant.lueDite = true;
-            surveillance.suivre(etat.demande, courant.version);
-            if (courant.choix != null) {
-                // la scène n'a plus de faute, même si son image n'est pas encore montrée
-                panneau.bandeau.dire(Sujet.SCENE, "");
+        // sans image, un brouillon se montre dès son début
+        if (montre != celui.getDessin() && (montre == null || celui.aSonBrouillon())) {
+            if (celui.lit) {
+                adopter(celui.getDemande());
             }
+            montre = celui.getDessin();
+            entiere = false;
+            panneau.montree = montre.image;
+            avertir();
         }
-        ImageMemoire image = dessin == null ? null : dessin.image;
-        if (image != null && (image == panneau.montree || courant.isBrouillonFait()
-                // sans image, une partie du brouillon est montrée
-                || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
-            panneau.montree = image;
-            panneau.repaint();
-            if (etat.montre != dessin) {
-                adopter();
-                poser(etat.montrer());
-            }
-        }
-        if (panneau.apercu != courant.getApercu()) {
-            panneau.apercu = courant.getApercu();
-            panneau.repaint();
-        }
-        if (fini && etat.enCours) {
-            finir();
-        }
-        // le geste a continué pendant le brouillon
-        if (courant == etat.courant && courant.choix != null && etat.choix != null
-                && courant.choix.lue == etat.choix.lue && courant.choix != etat.choix
-                && (fini || courant.isBrouillonFait())) {
-            redessiner(true);
+        if (celui.aSonBrouillon()) {
+            dessiner();
         }
     }
 
-    /** Si ce dessin a lu une scène, elle devient la scène montrée. */
-    private void adopter() {
-        Tracage courant = etat.courant;
-        if (!courant.aLire || courant == etat.lecture) {
-            return;
-        }
-        List<String> avis = new ArrayList<>(courant.getLue().avertissements);
-        boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
-                etat.choix.pour(courant.getLu(), true).scene).isEmpty();
-        if (defait) {
-            avis.add("scène relue : son fichier a changé la place de ce qui était déplacé ;"
-                    + " Ctrl+Z le déplace de nouveau");
+    /** La scène montrée est désormais celle qui vient d'être lue. */
+    private void adopter(Demande lue) {
+        demande = demande == null ? lue : demande.avecLecture(lue.lecture);
+        List<String> avis = new ArrayList<>(lue.lecture.lue.avertissements);
+        if (prise.oublier(lue.lecture.lue)) {
+            avis.add("scène relue : ce qui était déplacé sans être écrit est revenu à sa place");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
-        panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
-        etat = etat.adopter(defait);
+        if (!avis.isEmpty()) {
+            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+        }
     }
 
-    private void finir() {
-        Tracage courant = etat.courant;
-        courant.vue.countDown();
-        Throwable echec = courant.getEchec();
-        Fautes fautes = courant.dessin == null ? null : courant.dessin.lancer.getFautes();
-        if (courant.isAcheve()) {
-            Dessin fait = courant.dessin;
-            // les sections ignorées, sans le reste de leur avertissement
-            String ignorees = String.join("\n", fait.demande.lecture.lue.avertissements)
-                    .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            panneau.legendes.put(fait.image, fait.getCout() + ", " + fait.demande.reglages + ignorees
-                    + (fautes.enMots() == null ? "" : ", " + fautes.enMots()));
-            if (fait.getEcart() != null) {
-                panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
+    /** Ce travail est achevé, arrêté, ou a échoué. */
+    void finir(Travail celui) {
+        if (celui != travail) {
+            return;
+        }
+        enCours = false;
+        if (!celui.estLue()) {
+            surveillance.suivre(fichier, celui.getVersion());
+        }
+        Dessin dessin = celui.getDessin();
+        Throwable echec = celui.getEchec();
+        String fautes = dessin == null ? null : dessin.lancer.getFautes().enMots();
+        if (celui.estAcheve()) {
+            entiere = true;
+            legendes.put(dessin.image, decrire(dessin));
+            if (dessin.getEcart() != null) {
+                panneau.bandeau.dire(Sujet.AVIS, dessin.getEcart());
             }
         }
-        poser(etat.finir());
-        if (echec instanceof SceneFautive && courant.aLire) {
+        if (echec instanceof SceneFautive && !celui.estLue()) {
             refuser(Messages.message(echec));
-        } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {
-            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + " ; le premier : "
-                    + courant.dessin.demande.nommer(fautes.getPremiere()).getMessage());
-        } else if (echec != null || courant.isAcheve()) {
+        } else if (fautes != null && !(echec instanceof Error)) {
+            panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
+                    + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
+        } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
-        if (etat.montre == null && !etat.enCours) {
-            panneau.dire("F5 pour lire la scène et la dessiner");
-        }
+        avertir();
+    }
+
+    /** Le coût d'un dessin achevé, ses réglages, ses fautes. */
+    private static String decrire(Dessin dessin) {
+        String fautes = dessin.lancer.getFautes().enMots();
+        return dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
     }
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
-        return etat.montre == null ? null : etat.montre.lancer.getFautes().enMots();
+        return montre == null ? null : montre.lancer.getFautes().enMots();
     }
 
     /** Dit la faute de la scène demandée, et de quelle scène est l'image qui reste. */
     private void refuser(String message) {
-        boolean autre = etat.lecture != null && !etat.courant.litLaSceneDe(etat.lecture);
+        boolean autre = demande != null && !demande.lecture.fichier.equals(fichier);
         panneau.bandeau.dire(Sujet.SCENE, message + (autre ? "\nl'image qui reste est celle de "
-                + new File(etat.lecture.fichier).getName() : ""));
-        if (etat.lecture != null && etat.getImageEntiere() == null) {
-            // la faute a interrompu le dessin de la scène d'avant : il est repris
-            redessiner(false);
-        }
-    }
-
-    private void direEfface() {
-        if (etat.lecture != null && etat.lecture.fichier.equals(etat.demande)) {
-            panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste");
+                + new File(demande.lecture.fichier).getName() : ""));
+        if (demande != null) {
+            // la lecture a interrompu le dessin de la scène d'avant : il est repris
+            dessiner();
         }
     }
 }

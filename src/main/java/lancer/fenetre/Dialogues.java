@@ -5,29 +5,21 @@ import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.io.File;
-import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.JDialog;
 import javax.swing.JFileChooser;
-import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
-import javax.swing.JScrollPane;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
 
-/** Les dialogues et le tableau des touches, en français quelle que soit la langue de Java. */
+/** Les dialogues, en français quelle que soit la langue de Java. */
 final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Place laissée au cadre d'un dialogue sur un petit écran. */
     private static final int BORDS = 40;
-
-    /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
-    private static boolean ouvert;
 
     private Dialogues() {
     }
@@ -36,26 +28,11 @@ final class Dialogues {
         return GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     }
 
-    /** Le tableau des touches. Il reste ouvert pendant qu'on les essaie, et laisse donc le clavier au cadre. */
-    static JScrollPane touches(JFrame cadre, Map<String, String> dites) {
-        String lignes = dites.entrySet().stream()
-                .map(ligne -> "<tr><td>" + ligne.getKey() + "<td>" + ligne.getValue()).collect(Collectors.joining());
-        JLabel table = new JLabel("<html><table>" + lignes);
+    /** Le tableau des touches. @param lignes touche, puis effet, en lignes d'un tableau HTML */
+    static void direTouches(Component parent, String lignes) {
+        JLabel table = new JLabel("<html><table cellspacing=0 cellpadding=1>" + lignes);
         table.setName("table");
-        JDialog touches = new JDialog(cadre, "Touches");
-        JScrollPane ascenseur = new JScrollPane(table);
-        Rectangle ecran = ecran();
-        int barre = ascenseur.getVerticalScrollBar().getPreferredSize().width;
-        if (table.getPreferredSize().width > ecran.width - BORDS) {
-            // sur un petit écran, les lignes sont coupées en deux
-            table.setText("<html><table width=" + (ecran.width - BORDS) + ">" + lignes);
-        }
-        touches.add(ascenseur);
-        touches.setFocusableWindowState(false);
-        touches.pack();
-        touches.setSize(Math.min(touches.getWidth() + barre, ecran.width), Math.min(touches.getHeight(), ecran.height));
-        touches.setLocation(ecran.x + ecran.width - touches.getWidth(), ecran.y);
-        return ascenseur;
+        JOptionPane.showMessageDialog(parent, table, "Touches", JOptionPane.PLAIN_MESSAGE);
     }
 
     /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
@@ -66,7 +43,8 @@ final class Dialogues {
         return choisi != null && !choisi.exists() && complet.exists() ? complet : choisi;
     }
 
-    private static File dossierDesScenes(String actuelle) {
+    /** Le dossier de cette scène ou, à défaut, celui des scènes du programme. */
+    static File dossierDesScenes(String actuelle) {
         return actuelle != null ? new File(actuelle).getAbsoluteFile().getParentFile()
                 // depuis la racine, ou depuis le dossier d'une variante
                 : Stream.of("scenes", "../scenes").map(nom -> new File(nom).getAbsoluteFile())
@@ -93,22 +71,14 @@ final class Dialogues {
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {
-        if (ouvert) {
-            return null;
-        }
-        ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(filtre);
         Dimension voulue = choix.getPreferredSize();
         choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran().width - BORDS),
                 Math.min(voulue.height, ecran().height - BORDS)));
-        try {
-            int reponse = choix.showDialog(parent, null);
-            return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
-        } finally {
-            ouvert = false;
-            // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
-            parent.requestFocus();
-        }
+        int reponse = choix.showDialog(parent, null);
+        // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
+        parent.requestFocus();
+        return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;
     }
 }

@@ -8,19 +8,23 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import lancer.SceneFautive;
+import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
+import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
-/** Copie l'image achevée dans le presse-papiers, ou l'enregistre en PNG comme {@code --image}. */
+/** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
 final class Enregistrement {
 
     private final Controleur controleur;
+    private final Prise prise;
     private final Bandeau bandeau;
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
@@ -29,16 +33,17 @@ final class Enregistrement {
     private File dossier = new File("").getAbsoluteFile();
     private File echoue;
 
-    Enregistrement(Controleur controleur, Bandeau bandeau) {
+    Enregistrement(Controleur controleur, Prise prise) {
         this.controleur = controleur;
-        this.bandeau = bandeau;
+        this.prise = prise;
+        bandeau = controleur.panneau.bandeau;
     }
 
     void copier() {
         ImageMemoire image = imageOuAvis("copiée");
         if (image != null) {
             // l'image partage le tableau des codes, qui ne change plus : copier une grande image serait long
-            BufferedImage copie = Pixels.de(image.codes, image.largeur, false);
+            BufferedImage copie = PanneauImage.deJava(image, false);
             bandeau.getToolkit().getSystemClipboard().setContents(new Transferable() {
                 @Override
                 public DataFlavor[] getTransferDataFlavors() {
@@ -59,24 +64,23 @@ final class Enregistrement {
         }
     }
 
-    /** Copie les sections à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
+    /** Copie les sections de variantes à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     void copierReglages() {
-        String sections = controleur.etat.getReglages().getSectionsChangees().stream()
-                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining())
-                + controleur.etat.choix.scene.getChanges(controleur.etat.lecture.getLue());
+        String sections = controleur.demande.reglages.getSectionsChangees().stream()
+                .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         bandeau.getToolkit().getSystemClipboard().setContents(
-                new StringSelection(sections + "; " + controleur.getCommande() + "\n"), null);
+                new StringSelection(sections + "; " + controleur.demande.getCommande("") + "\n"), null);
         bandeau.dire(Sujet.AVIS, "réglages copiés : "
                 + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = controleur.etat.getImageEntiere();
+        ImageMemoire image = controleur.getImageEntiere();
         String faute = controleur.direFautes();
         if (faute != null || image == null) {
             bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : controleur.etat.enCours ? "L'image se dessine encore : elle servira une fois achevée."
+                    : controleur.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
         return faute == null ? image : null;
@@ -87,22 +91,21 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.etat.montre.demande.lecture.fichier;
+        String scene = controleur.montre.demande.lecture.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(controleur.panneau,
-                echoue != null ? echoue : new File(dossier, nom));
+        File cible = Dialogues.choisirImage(controleur.panneau, echoue != null ? echoue : new File(dossier, nom));
         if (cible == null) {
             return;
         }
         dossier = cible.getParentFile();
-        Controleur.confier(disque, () -> ecrire(image, cible, scene), echec -> {
-            echoue = cible;
-            bandeau.dire(Sujet.AVIS, "");
-            bandeau.dire(Sujet.DISQUE, echec);
+        echoue = cible;
+        confier(() -> ecrire(image, cible, scene), () -> {
+            echoue = null;
+            return "enregistrée : " + Texte.echappe(cible.getName());
         });
     }
 
-    private void ecrire(ImageMemoire image, File cible, String scene) {
+    private static void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
             ecriture.epargner(FichierScene.trouver(scene), "la scène elle-même");
@@ -110,10 +113,33 @@ final class Enregistrement {
             // le fichier de la scène a été effacé depuis sa lecture
         }
         ecriture.ecrire(image, new FichierPng());
-        EventQueue.invokeLater(() -> {
-            echoue = null;
-            bandeau.dire(Sujet.DISQUE, "");
-            bandeau.dire(Sujet.AVIS, "enregistrée : " + Texte.echappe(cible.getName()));
+    }
+
+    /** Écrit dans le fichier de la scène la place de ce qui y a été déplacé ; la surveillance le relit ensuite. */
+    void ecrireDansLaScene() {
+        String scene = controleur.demande.lecture.fichier;
+        SceneLue ecrite = prise.getDeplacee();
+        confier(prise.getEcriture(), () -> {
+            prise.garder(ecrite);
+            controleur.avertir();
+            return "écrit dans " + Texte.echappe(new File(scene).getName());
+        });
+    }
+
+    /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */
+    private void confier(Runnable ecriture, Supplier<String> reussite) {
+        disque.execute(() -> {
+            String faute = null;
+            try {
+                ecriture.run();
+            } catch (RuntimeException | Error e) {
+                faute = Messages.message(e);
+            }
+            String dite = faute;
+            EventQueue.invokeLater(() -> {
+                bandeau.dire(Sujet.DISQUE, dite == null ? "" : dite);
+                bandeau.dire(Sujet.AVIS, dite == null ? reussite.get() : "");
+            });
         });
     }
 

@@ -4,37 +4,27 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.EventQueue;
-import java.awt.Graphics;
-import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.KeyEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
-import java.awt.image.BufferedImage;
-import java.util.HashMap;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Future;
-import java.util.stream.IntStream;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import javax.swing.BorderFactory;
-import javax.swing.Icon;
-import javax.swing.ImageIcon;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
-import javax.swing.SwingUtilities;
-import javax.swing.ToolTipManager;
+import javax.swing.SwingWorker;
+import javax.swing.UIManager;
 import javax.swing.tree.DefaultMutableTreeNode;
-import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
-import javax.swing.tree.TreePath;
+import javax.swing.tree.TreeCellRenderer;
 import lancer.Camera;
 import lancer.Couleur;
+import lancer.commande.Messages;
 import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
@@ -50,79 +40,65 @@ import lancer.texte.Nombre;
 final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
+    private static final int PASTILLE = 10;
     private static final int HAUTEUR_VUE = 100;
 
     private final Controleur controleur;
-    private final PanneauImage panneau;
     private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
+        /** Une ligne trop longue se continue au-dessous : l'arbre a la largeur de ce qui s'en voit. */
         @Override
-        public void updateUI() {
-            super.updateUI();
-            setRowHeight(getFontMetrics(getFont()).getHeight() + MARGE / 2);
-            setCellRenderer(new Rendu());
-        }
-
-        /** L'image reçoit les touches de l'arbre : les flèches déplacent le pixel. */
-        @Override
-        protected void processKeyEvent(KeyEvent e) {
-            KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(panneau, e);
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
         }
     };
-    private final JScrollPane ascenseur = new JScrollPane(arbre);
     private final JTextArea verdict = Bandeau.etiquette("verdict");
-    private final VueDeCote vue = new VueDeCote(this::isoler);
-    private final ExecutorService fil = Controleur.unFil("lancer-inspection");
-    /** Vrai si le panneau n'a pas encore montré de récit depuis qu'il est ouvert. */
-    private boolean neuf = true;
-    private Inspection enCours;
-    private Future<?> calcul;
+    private final VueDeCote vue = new VueDeCote();
+    private Explication enCours;
     private Inspection montree;
     private Point pixel;
     /** Caméra de l'image où le pixel a été choisi ; {@code null} : celle de l'image montrée. */
     private Camera camera;
     private int rang = Inspection.AU_CENTRE;
-    /** Numéro du seul rebond que montrent les figures ; 0 pour tous. */
-    int rebond;
-    private String fichier;
-    private Noeud recit;
-    /** État ouvert ou fermé de chaque nœud vu, par sujet ; vrai si les autres sont tous ouverts. */
-    private final Map<String, Boolean> ouverts = new HashMap<>();
+    /** Vrai si le détail est déplié. */
     private boolean tout;
 
-    Inspecteur(Controleur controleur, PanneauImage panneau) {
+    Inspecteur(Controleur controleur) {
         super(new BorderLayout(MARGE, MARGE));
         this.controleur = controleur;
-        this.panneau = panneau;
         setName("pixel");
         setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         verdict.setText("Un clic sur l'image dit pourquoi un pixel a sa couleur.");
         arbre.setName("recit");
         arbre.getAccessibleContext().setAccessibleName("chaîne du pixel");
-        arbre.setLargeModel(true);
-        arbre.setToggleClickCount(0);
-        ToolTipManager.sharedInstance().registerComponent(arbre);
+        arbre.setToggleClickCount(1);
+        // un clic laisse le clavier à l'image : les flèches y déplacent le pixel
+        arbre.setRequestFocusEnabled(false);
+        arbre.setRowHeight(0);
+        arbre.setCellRenderer(new Ligne());
+        arbre.addTreeSelectionListener(e -> {
+            Noeud choisi = e.isAddedPath() ? noeud(e.getPath().getLastPathComponent()) : null;
+            if (choisi != null && choisi.echantillon >= 0) {
+                rang = choisi.echantillon;
+                calculer();
+            }
+        });
+        arbre.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent e) {
+                // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
+                arbre.setCellRenderer(new Ligne());
+            }
+        });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
-        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, ascenseur, vue);
+        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(arbre), vue);
         // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
         partage.setResizeWeight(0.8);
         partage.setBorder(null);
+        partage.setFocusable(false);
         add(verdict, BorderLayout.PAGE_START);
         add(partage, BorderLayout.CENTER);
-        arbre.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mousePressed(MouseEvent e) {
-                TreePath chemin = arbre.getPathForLocation(e.getX(), e.getY());
-                if (chemin != null && enCours == null && SwingUtilities.isLeftMouseButton(e)) {
-                    suivre(chemin);
-                }
-            }
-        });
         controleur.prevenir(this::calculer);
         addHierarchyListener(e -> paraitreOuNon());
-    }
-
-    boolean aLeClavier() {
-        return arbre.isFocusOwner() && montree != null;
     }
 
     /** Va au pixel situé à cette distance. */
@@ -132,19 +108,8 @@ final class Inspecteur extends JPanel {
         }
     }
 
-    void echantillonner(int pas) {
-        if (montree != null) {
-            choisir(Math.max(0, montree.getEchantillons().indexOf(montree.getChoisi()) + pas));
-        }
-    }
-
-    void defiler(int rang) {
-        Actions.defiler(ascenseur, rang);
-    }
-
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
     void montrer(Point voulu) {
-        rebond = voulu.equals(pixel) ? rebond : 0;
         pixel = voulu;
         camera = null;
         rang = Inspection.AU_CENTRE;
@@ -152,102 +117,85 @@ final class Inspecteur extends JPanel {
     }
 
     private void paraitreOuNon() {
-        neuf |= !isShowing();
-        panneau.suivre(isShowing() ? pixel : null);
+        controleur.panneau.suivre(isShowing() ? pixel : null);
         if (!isShowing()) {
-            panneau.superposer(null, null);
+            controleur.panneau.superposer(null);
         }
         calculer();
     }
 
-    private void choisir(int voulu) {
-        rang = voulu;
-        calculer();
-    }
-
-    /** Ne montre que ce rebond dans les figures ; les montre tous si c'est déjà lui ou s'il n'existe pas. */
-    void isoler(int numero) {
-        rebond = numero == rebond ? 0 : numero;
-        calculer();
-    }
-
-    private void suivre(TreePath chemin) {
-        Noeud noeud = noeud(chemin.getLastPathComponent());
-        if (noeud.rebond > 0) {
-            isoler(noeud.rebond);
-        } else if (noeud.echantillon >= 0) {
-            choisir(noeud.echantillon);
-        } else if (arbre.isExpanded(chemin)) {
-            arbre.collapsePath(chemin);
-        } else {
-            arbre.expandPath(chemin);
-        }
-    }
-
+    /** Copie le récit, tous les chiffres écrits. */
     void copier() {
-        List<String> lignes = new Recit(montree, Double::toString, Double::toString).raconter().lignes();
-        getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
-        panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
+        if (montree != null) {
+            List<String> lignes = new Recit(montree, Double::toString, Double::toString).raconter().lignes();
+            getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
+            controleur.panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
+        }
     }
 
-    /** Explique le pixel de l'image montrée. L'explication d'avant est grisée pendant le calcul. */
+    /** Le calcul de l'explication d'un pixel. L'explication d'avant est grisée pendant ce temps. */
+    private final class Explication extends SwingWorker<Figure, Void> {
+
+        private final Inspection nouvelle;
+        private final int voulu = rang;
+        private Noeud recit;
+
+        Explication(Inspection nouvelle) {
+            this.nouvelle = nouvelle;
+        }
+
+        @Override
+        protected Figure doInBackground() {
+            nouvelle.faireOuEchouer(voulu);
+            recit = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
+            return new Figure(nouvelle);
+        }
+
+        @Override
+        protected void done() {
+            if (enCours != this) {
+                return;
+            }
+            enCours = null;
+            try {
+                Figure figure = get();
+                montree = nouvelle;
+                arbre.setModel(new DefaultTreeModel(branche(recit)));
+                ouvrir();
+                boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
+                verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
+                        : comparer(nouvelle.getCouleur()))
+                        + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
+                vue.montrer(nouvelle);
+                controleur.panneau.superposer(figure);
+            } catch (ExecutionException e) {
+                verdict.setText(Messages.message(e.getCause()));
+            } catch (InterruptedException | CancellationException e) {
+                // un autre calcul a remplacé celui-ci
+            }
+        }
+    }
+
+    /** Explique le pixel de l'image montrée. */
     private void calculer() {
-        Dessin montre = controleur.etat.montre;
         if (enCours != null) {
-            calcul.cancel(true);
+            enCours.cancel(true);
             enCours = null;
         }
+        Dessin montre = controleur.montre;
         if (!isShowing() || montre == null || pixel == null) {
             return;
-        }
-        if (!montre.demande.lecture.fichier.equals(fichier)) {
-            fichier = montre.demande.lecture.fichier;
-            recit = null;
-            rebond = 0;
         }
         // même endroit dans une image d'une autre taille
         double fois = camera == null ? 1 : (double) montre.image.largeur / camera.getLargeur();
         camera = montre.lancer.getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
-        Inspection nouvelle = new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue.origines, camera,
-                montre.demande.reglages.getProfondeur(), pixel.x, pixel.y);
-        int voulu = rang;
-        int seul = rebond;
-        enCours = nouvelle;
+        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue.origines, camera,
+                montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();
-        calcul = Controleur.confier(fil, () -> {
-            nouvelle.faireOuEchouer(voulu);
-            Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
-            int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
-            Figure figure = new Figure(nouvelle, garde);
-            EventQueue.invokeLater(() -> recevoir(nouvelle, racine, figure, garde));
-        }, verdict::setText);
-    }
-
-    private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {
-        if (nouvelle != enCours) {
-            return;
-        }
-        enCours = null;
-        montree = nouvelle;
-        rebond = seul;
-        recit = racine.depuis(recit);
-        rangs().filter(r -> !noeud(r).enfants.isEmpty()).forEach(r -> ouverts.put(noeud(r).sujet, arbre.isExpanded(r)));
-        arbre.setModel(new DefaultTreeModel(branche(recit)));
-        ouvrir();
-        boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
-        verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
-                : comparer(nouvelle.getCouleur()))
-                + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur.")
-                + (rebond == 0 ? "" : "\nLes figures ne montrent que le rebond " + rebond + " ; 0 pour tous."));
-        vue.montrer(nouvelle, rebond);
-        panneau.superposer(figure, this::isoler);
-        if (neuf) {
-            neuf = false;
-            ((Onglets) SwingUtilities.getAncestorOfClass(Onglets.class, this)).ajuster();
-        }
+        enCours.execute();
     }
 
     private static DefaultMutableTreeNode branche(Noeud noeud) {
@@ -260,65 +208,55 @@ final class Inspecteur extends JPanel {
         return (Noeud) ((DefaultMutableTreeNode) branche).getUserObject();
     }
 
-    private Noeud noeud(int ligne) {
-        return noeud(arbre.getPathForRow(ligne).getLastPathComponent());
-    }
-
-    private IntStream rangs() {
-        return IntStream.range(0, arbre.getRowCount());
-    }
-
-    /** Ouvre ou ferme chaque nœud selon son état, et sélectionne le rebond choisi. */
     private void ouvrir() {
         // ouvrir un nœud ajoute des lignes après la sienne
         for (int r = 0; r < arbre.getRowCount(); r++) {
-            if (ouverts.getOrDefault(noeud(r).sujet, tout || !noeud(r).replie)) {
+            if (tout || !noeud(arbre.getPathForRow(r).getLastPathComponent()).replie) {
                 arbre.expandRow(r);
             } else {
                 arbre.collapseRow(r);
             }
         }
-        arbre.clearSelection();
-        rangs().filter(r -> rebond > 0 && noeud(r).rebond == rebond).forEach(arbre::setSelectionRow);
     }
 
-    /** Ouvre tous les nœuds ou, s'ils sont ouverts, les remet dans leur état initial. */
+    /** Montre tout le détail ou, s'il l'est, l'essentiel. */
     void deplier() {
-        tout = rangs().noneMatch(r -> noeud(r).replie && arbre.isExpanded(r));
-        ouverts.clear();
+        tout = !tout;
         ouvrir();
     }
 
-    /** Une ligne de l'arbre : une pastille de sa couleur, son texte, et sa valeur d'avant si elle a changé. */
-    private final class Rendu extends DefaultTreeCellRenderer {
+    /** Une ligne de l'arbre : une pastille de sa couleur, et son texte, continué au-dessous s'il est long. */
+    private final class Ligne extends JTextArea implements TreeCellRenderer {
+
+        private final int retrait = UIManager.getInt("Tree.leftChildIndent") + UIManager.getInt("Tree.rightChildIndent");
+
+        Ligne() {
+            setLineWrap(true);
+            setWrapStyleWord(true);
+            setFont(arbre.getFont());
+        }
 
         @Override
         public Component getTreeCellRendererComponent(JTree tree, Object branche, boolean choisi, boolean ouvert,
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
-            setBackgroundNonSelectionColor(noeud.avant == null && (ouvert || !noeud.aChange()) ? null
-                    : Apparence.couleur("Tree.selectionInactiveBackground", "Panel.background"));
-            String texte = noeud.avant == null ? noeud.texte : noeud.texte + "   ← " + noeud.avant;
-            super.getTreeCellRendererComponent(tree, texte, choisi, ouvert, feuille, ligne, clavier);
-            Icon pastille = noeud.couleur == null ? null : pastille(noeud.couleur);
-            setIcon(pastille);
-            setDisabledIcon(pastille);
-            setToolTipText(texte);
+            setText(noeud.texte);
             setEnabled(enCours == null);
+            setBackground(UIManager.getColor(clavier ? "Tree.selectionInactiveBackground" : "Tree.background"));
+            setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(2, 0, 1, 0, getBackground()),
+                    noeud.couleur == null ? null : BorderFactory.createCompoundBorder(
+                            BorderFactory.createMatteBorder(0, PASTILLE, 0, 0, new Color(noeud.couleur.getCode())),
+                            BorderFactory.createEmptyBorder(0, MARGE, 0, 0))));
+            int niveau = ((DefaultMutableTreeNode) branche).getLevel() + 1;
+            // à cette largeur, la hauteur est celle de toutes les lignes de l'écran qu'il faut
+            setSize(Math.max(20 * PASTILLE, arbre.getWidth() - niveau * retrait), Short.MAX_VALUE);
             return this;
         }
     }
 
-    private static Icon pastille(Couleur couleur) {
-        BufferedImage carre = new BufferedImage(2 * MARGE, 2 * MARGE, BufferedImage.TYPE_INT_RGB);
-        Graphics g = carre.createGraphics();
-        g.setColor(new Color(couleur.getCode()));
-        g.fillRect(1, 1, 2 * MARGE - 2, 2 * MARGE - 2);
-        return new ImageIcon(carre);
-    }
-
+    /** Compare la couleur expliquée à celle du pixel dessiné. */
     private String comparer(Couleur couleur) {
-        ImageMemoire image = controleur.etat.getImageEntiere();
+        ImageMemoire image = controleur.getImageEntiere();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }

@@ -1,16 +1,13 @@
 package lancer.fenetre;
 
 import java.awt.AWTError;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.ExecutorService;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -21,13 +18,11 @@ import lancer.commande.Options;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Lecture;
-import lancer.scene.Services;
+import lancer.scene.FichierScene;
+import lancer.scene.LecteurSections;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
-
-    /** Temps laissé à la lecture de la première scène avant l'ouverture de la fenêtre. */
-    private static final long PATIENCE_MS = 400;
 
     private Ouverture() {
     }
@@ -44,52 +39,39 @@ public final class Ouverture {
      */
     public static Fenetre ouvrir(Options options, BiFunction<String, DoubleConsumer, Lecture> lecteur,
             BiConsumer<Demande, Consumer<Dessin>> programme, PrintStream erreur, Runnable fin) {
-        Tracage.Moteur moteur = new Tracage.Moteur(options, lecteur, programme);
+        Moteur moteur = new Moteur(options, lecteur, programme);
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
         if (manque != null) {
             if (options.scene != null) {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
-                new Demande(lecteur.apply(options.scene, part -> { }), options);
+                moteur.lire(options.scene, part -> { });
             }
             throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
-        // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
-        ExecutorService dessins = Controleur.unFil("lancer-dessin");
-        Tracage premier = options.scene == null ? null : new Tracage(moteur, options.scene, null, null, null,
-                new Dimension(options.largeur, options.hauteur),
-                PanneauImage.dans(Dialogues.ecran().getSize(), options.largeur, options.hauteur));
-        if (premier != null) {
-            // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-            premier.entracte = premier::attendreDEtreVu;
-            dessins.execute(premier);
-            premier.attendreLecture(PATIENCE_MS);
-        }
+        // pendant que la scène se lit ici
+        EventQueue.invokeLater(Apparence::preparer);
+        String version = options.scene == null ? null : FichierScene.version(options.scene);
+        Demande demande = options.scene == null ? null : moteur.lire(options.scene, part -> { });
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
-                Apparence.preparer();
-                List<String> variantes = Services.nomsDesVariantes();
-                ouverte[0] = new Fenetre(moteur, variantes, dessins, fin);
-                new Menus(ouverte[0], variantes);
-                ouverte[0].commencer(premier);
+                Travail premier = demande == null ? null : new Travail(moteur, demande, null);
+                if (premier != null) {
+                    // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+                    premier.execute();
+                }
+                ouverte[0] = new Fenetre(moteur, LecteurSections.nomsDesVariantes(), fin);
+                ouverte[0].montrer(premier, version);
             });
         } catch (InvocationTargetException e) {
             throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
             throw Echec.machine("interrompu");
         }
-        if (premier != null) {
-            try {
-                premier.attendreLecture(Long.MAX_VALUE);
-            } catch (RuntimeException | Error e) {
-                EventQueue.invokeLater(ouverte[0]::abandonner);
-                throw e;
-            }
-            if (premier.getLu() != null) {
-                Messages.avertir(premier.getLue().avertissements, erreur);
-            }
+        if (demande != null) {
+            Messages.avertir(demande.lecture.lue.avertissements, erreur);
         }
         return ouverte[0];
     }

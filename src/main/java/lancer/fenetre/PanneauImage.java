@@ -2,21 +2,22 @@ package lancer.fenetre;
 
 import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.FontMetrics;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.util.Map;
-import java.util.WeakHashMap;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
 import java.util.function.Consumer;
-import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import lancer.fenetre.figures.Figure;
@@ -31,29 +32,22 @@ final class PanneauImage extends JPanel {
 
     private static final Color GRIS = new Color(0x777777);
     private static final int LOUPE_MAX = 16;
+    /** Le plus grand écart, en points, entre le début et la fin d'un clic. */
     private static final int TREMBLEMENT = 4;
 
     final Bandeau bandeau = new Bandeau();
     /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
     ImageMemoire montree;
     ImageMemoire tenue;
-    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
-    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
-    /** Une petite image, montrée pendant le calcul du brouillon. */
-    ImageMemoire apercu;
-    /** Dessine les objets à prendre, par-dessus l'image. */
+    /** Dessine ce qui peut être pris, par-dessus l'image. */
     Consumer<Graphics2D> prises = g -> { };
-    private final Pixels pixels = new Pixels();
     private Figure dessus;
-    private IntConsumer siNumero;
     private final Runnable siBouge;
     private final Runnable siClique;
     private Point souris;
     private Point appui = new Point();
+    /** Pixel à garder en vue à la loupe, ou {@code null}. */
     private Point suivi;
-    /** Ligne de texte en haut de l'image. */
-    String ligne = "";
-    boolean peinte;
 
     /** Grossissement de la loupe, 0 sans loupe ; point de l'image au milieu, en parts de ses côtés. */
     private int loupe;
@@ -97,12 +91,9 @@ final class PanneauImage extends JPanel {
         public void mouseReleased(MouseEvent e) {
             placer(e);
             // le premier clic a pu réduire l'image : le second désignerait un autre pixel
-            boolean clic = SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
-                    && !e.isShiftDown() && e.getClickCount() <= 1;
-            int numero = clic && dessus != null ? dessus.numeroEn(souris) : 0;
-            if (numero > 0) {
-                siNumero.accept(numero);
-            } else if (clic && montree != null && getPlace(montree).contains(souris)) {
+            if (SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
+                    && !e.isShiftDown() && e.getClickCount() <= 1
+                    && montree != null && getPlace(montree).contains(souris)) {
                 siClique.run();
             }
         }
@@ -131,7 +122,7 @@ final class PanneauImage extends JPanel {
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
             placer(e);
-            if (e.getWheelRotation() != 0 && !e.isShiftDown()) {
+            if (e.getWheelRotation() != 0) {
                 grossir(e.getWheelRotation() < 0);
             }
         }
@@ -143,20 +134,8 @@ final class PanneauImage extends JPanel {
         siBouge.run();
     }
 
-    /** Peint de nouveau l'image, et ce qui dépend de la souris. */
-    void rafraichir() {
-        repaint();
-        siBouge.run();
-    }
-
-    /** Affiche une ligne en haut de l'image. @param texte vide pour l'effacer */
-    void dire(String texte) {
-        ligne = texte;
-        repaint();
-    }
-
     ImageMemoire getVisible() {
-        return tenue != null ? tenue : apercu != null ? apercu : montree;
+        return tenue != null ? tenue : montree;
     }
 
     private AffineTransform getEchelle() {
@@ -170,12 +149,9 @@ final class PanneauImage extends JPanel {
         return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
     }
 
+    /** La plus grande taille de ces proportions qui tient dans le panneau. */
     Dimension getTailleMax(int largeur, int hauteur) {
-        return dans(getLibre(), largeur, hauteur);
-    }
-
-    /** La plus grande taille de ces proportions qui tient dans cette place. */
-    static Dimension dans(Dimension libre, int largeur, int hauteur) {
+        Dimension libre = getLibre();
         double rapport = Math.min((double) libre.width / largeur, (double) libre.height / hauteur);
         return new Dimension(Math.max(1, (int) Math.round(rapport * largeur)),
                 Math.max(1, (int) Math.round(rapport * hauteur)));
@@ -241,14 +217,22 @@ final class PanneauImage extends JPanel {
     private void centrer(double x, double y) {
         centreX = Math.max(0, Math.min(1, x));
         centreY = Math.max(0, Math.min(1, y));
-        rafraichir();
+        repaint();
+        siBouge.run();
     }
 
-    /** Peint cette figure par-dessus l'image. Un clic sur un de ses numéros appelle {@code siChoisi}. */
-    void superposer(Figure figure, IntConsumer siChoisi) {
+    /** Peint cette figure par-dessus l'image ; {@code null} pour aucune. */
+    void superposer(Figure figure) {
         dessus = figure;
-        siNumero = siChoisi;
         repaint();
+    }
+
+    /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
+    static BufferedImage deJava(ImageMemoire image, boolean vides) {
+        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
+                vides ? 0xFF000000 : 0);
+        return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(image.codes, image.codes.length),
+                image.largeur, image.hauteur, image.largeur, couleurs.getMasks(), null), false, null);
     }
 
     @Override
@@ -259,30 +243,30 @@ final class PanneauImage extends JPanel {
         AffineTransform t = g2.getTransform();
         g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
                 Math.round(t.getTranslateY())));
-        ImageMemoire image = getVisible();
-        if (image != null) {
-            peinte = true;
-            pixels.peindre(g2, image, legendes.containsKey(image), getPlace(image), getPixel(image, new Point()),
-                    getPixel(image, new Point(getLibre().width, getLibre().height)));
+        if (getVisible() != null) {
+            peindre(g2, getVisible());
         }
         g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
         if (dessus != null && montree != null && tenue == null) {
             dessus.peindre(g2, getPlace(montree), getLibre());
         }
         prises.accept(g2);
-        if (!ligne.isEmpty()) {
-            ecrire(g2, ligne);
-        }
         g2.dispose();
     }
 
-    /** Écrit cette ligne en haut. */
-    void ecrire(Graphics2D g, String texte) {
-        FontMetrics m = g.getFontMetrics();
-        g.setColor(new Color(0x80000000, true));
-        g.fillRect(0, 0, getLibre().width, m.getHeight());
-        g.setColor(Color.WHITE);
-        g.drawString(texte, m.getHeight() / 2, m.getAscent());
+    /** Peint les pixels visibles seulement : AWT ne peut peindre une image entière très agrandie. */
+    private void peindre(Graphics2D g, ImageMemoire image) {
+        Rectangle place = getPlace(image);
+        Point de = getPixel(image, new Point());
+        Point a = getPixel(image, new Point(getLibre().width, getLibre().height));
+        double l = (double) place.width / image.largeur;
+        double h = (double) place.height / image.hauteur;
+        if (l < 1) {
+            g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        }
+        g.drawImage(deJava(image, true), (int) Math.round(place.x + l * de.x), (int) Math.round(place.y + h * de.y),
+                (int) Math.round(place.x + l * (a.x + 1)), (int) Math.round(place.y + h * (a.y + 1)),
+                de.x, de.y, a.x + 1, a.y + 1, null);
     }
 
     /** Le bandeau couvre le bas de l'image sans la déplacer ; s'il est trop haut, sa fin est coupée. */
@@ -306,11 +290,6 @@ final class PanneauImage extends JPanel {
         }
         Point pixel = getPixel(image, souris);
         return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
-    }
-
-    /** La partie visible de l'image montrée, en pixels de l'écran. */
-    Rectangle getCadre() {
-        return getPlace(montree).intersection(new Rectangle(getLibre()));
     }
 
     /** Position à l'écran de ce point de l'image montrée, en pixels de l'écran. */

@@ -11,6 +11,7 @@ import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -21,8 +22,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
-import javax.swing.JSpinner;
-import javax.swing.SpinnerNumberModel;
 import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
@@ -53,30 +52,21 @@ final class PanneauReglages extends JScrollPane {
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape), null, false));
+        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape)));
+        etapes.setToolTipText("F6 à F9");
         poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
-        JSpinner reflexions = new JSpinner(new SpinnerNumberModel(0, 0, Options.REFLETS_MAX, 1));
-        reflexions.addChangeListener(e -> changer(reglages().avecReflets((Integer) reflexions.getValue()), reflexions,
-                false));
-        poser("réflexions", reflexions, null, () -> reflexions.setValue(reglages().getReflets()));
-        JFormattedTextField seuil = new JFormattedTextField(new Seuil());
-        seuil.setColumns(COLONNES);
-        seuil.setFocusLostBehavior(JFormattedTextField.COMMIT_OR_REVERT);
-        seuil.addPropertyChangeListener("value", e -> changer(
-                reglages().avecSeuil((Double) seuil.getValue()), null, false));
-        poser("seuil", seuil, null, () -> {
-            // un texte que l'on écrit reste, tant que le seuil est le même
-            if (!Double.valueOf(reglages().getSeuil()).equals(seuil.getValue())) {
-                seuil.setValue(reglages().getSeuil());
-            }
-        });
+        saisir("réflexions", "un entier de 0 à " + Options.REFLETS_MAX + ", ou les touches + et −",
+                n -> n >= 0 && n <= Options.REFLETS_MAX && n == Math.rint(n),
+                n -> changer(reglages().avecReflets(n.intValue())), () -> (double) reglages().getReflets());
+        saisir("seuil des reflets", "un nombre positif ou nul, par exemple 0.001",
+                n -> n >= 0 && n < Double.POSITIVE_INFINITY,
+                n -> changer(reglages().avecSeuil(n)), () -> reglages().getSeuil());
         for (Variante presente : reglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(
-                    e -> changer(reglages().avecVariante(variante.get(), boite.isSelected()), null, false));
+            boite.addActionListener(e -> changer(reglages().avecVariante(variante.get(), boite.isSelected())));
             ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
@@ -93,27 +83,38 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private Reglages reglages() {
-        return controleur.etat.getReglages();
+        return controleur.demande.reglages;
     }
 
-    /** Lecture et écriture du seuil. Un seuil impossible est dit, et laissé à corriger. */
-    private final class Seuil extends JFormattedTextField.AbstractFormatter {
-
-        @Override
-        public Object stringToValue(String texte) throws ParseException {
-            double lu = Nombre.lire(texte.trim());
-            if (lu >= 0 && lu < Double.POSITIVE_INFINITY) {
+    /** Ajoute un nombre à taper. Une valeur impossible est dite, et laissée à corriger. */
+    private void saisir(String nom, String attendu, DoublePredicate possible, Consumer<Double> siChange,
+            Supplier<Double> present) {
+        JFormattedTextField champ = new JFormattedTextField(new JFormattedTextField.AbstractFormatter() {
+            @Override
+            public Object stringToValue(String texte) throws ParseException {
+                double lu = Nombre.lire(texte.trim());
+                if (!possible.test(lu)) {
+                    controleur.panneau.bandeau.dire(Sujet.AVIS, nom + " : valeur impossible, " + Texte.cite(texte)
+                            + " ; attendu : " + attendu);
+                    throw new ParseException(texte, 0);
+                }
                 return lu;
             }
-            controleur.panneau.bandeau.dire(Sujet.AVIS, "seuil impossible : " + Texte.cite(texte)
-                    + " ; attendu : un nombre positif ou nul, par exemple 0.001");
-            throw new ParseException(texte, 0);
-        }
 
-        @Override
-        public String valueToString(Object seuil) {
-            return seuil == null ? "" : Nombre.ecrire((Double) seuil);
-        }
+            @Override
+            public String valueToString(Object valeur) {
+                return valeur == null ? "" : Nombre.ecrire((Double) valeur);
+            }
+        });
+        champ.setColumns(COLONNES);
+        champ.setToolTipText(attendu);
+        champ.addPropertyChangeListener("value", e -> siChange.accept((Double) champ.getValue()));
+        poser(nom, champ, null, () -> {
+            // un texte que l'on écrit reste, tant que la valeur est la même
+            if (!present.get().equals(champ.getValue())) {
+                champ.setValue(present.get());
+            }
+        });
     }
 
     private <T> JComboBox<T> choix(T[] valeurs, Consumer<T> siChoisie) {
@@ -146,14 +147,13 @@ final class PanneauReglages extends JScrollPane {
         if (parametre.estUneCouleur()) {
             Parametre composante = Parametre.nombre(parametre.cle, null, 0, 1, 0.01);
             for (int k = 0; k < COULEURS.length; k++) {
-                String nom = parametre.cle + ", " + COULEURS[k];
-                glisser(nom, section + nom, variante, parametre, composante, k);
+                glisser(section, parametre.cle + ", " + COULEURS[k], variante, parametre, composante, k);
             }
         } else if (parametre.mots.isEmpty()) {
-            glisser(parametre.cle, section + parametre.cle, variante, parametre, parametre, 0);
+            glisser(section, parametre.cle, variante, parametre, parametre, 0);
         } else {
             JComboBox<String> mots = choix(parametre.mots.toArray(new String[0]),
-                    mot -> regler(variante, parametre, mot, false));
+                    mot -> regler(variante.get(), parametre, mot));
             mots.setName(section + parametre.cle);
             poser(parametre.cle, mots, null, () -> {
                 mots.setSelectedItem(reglages().getValeur(variante.get(), parametre));
@@ -163,15 +163,15 @@ final class PanneauReglages extends JScrollPane {
     }
 
     /** Ajoute une glissière pour le nombre de ce rang d'une valeur. */
-    private void glisser(String nom, String nomComplet, Supplier<Variante> variante, Parametre parametre,
+    private void glisser(String section, String nom, Supplier<Variante> variante, Parametre parametre,
             Parametre echelle, int rang) {
         Supplier<String[]> nombres = () -> {
             String valeur = reglages().getValeur(variante.get(), parametre);
             return valeur == null ? new String[] {"—"} : valeur.trim().split("[ \t]+");
         };
         JLabel nombre = new JLabel();
-        JSlider glissiere = new Glissiere(echelle);
-        glissiere.setName(nomComplet);
+        JSlider glissiere = new JSlider(0, echelle.crans, 0);
+        glissiere.setName(section + nom);
         glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
         // sans cet écart, les flèches du clavier n'auraient pas d'effet
         glissiere.setMinorTickSpacing(1);
@@ -179,7 +179,7 @@ final class PanneauReglages extends JScrollPane {
         glissiere.addChangeListener(e -> {
             String[] voulus = nombres.get();
             voulus[rang] = echelle.getValeur(glissiere.getValue());
-            regler(variante, parametre, String.join(" ", voulus), glissiere.getValueIsAdjusting());
+            regler(variante.get(), parametre, String.join(" ", voulus));
         });
         poser(nom, glissiere, nombre, () -> {
             nombre.setText(nombres.get()[rang]);
@@ -190,43 +190,21 @@ final class PanneauReglages extends JScrollPane {
         });
     }
 
-    /** Une glissière qui donne à un lecteur d'écran la valeur du paramètre, et non le numéro du cran. */
-    private static final class Glissiere extends JSlider {
-
-        Glissiere(Parametre parametre) {
-            super(0, parametre.crans, 0);
-            accessibleContext = new AccessibleJSlider() {
-                @Override
-                public Number getCurrentAccessibleValue() {
-                    return Double.valueOf(parametre.getValeur(getValue()));
-                }
-
-                @Override
-                public Number getMaximumAccessibleValue() {
-                    return Double.valueOf(parametre.getValeur(getMaximum()));
-                }
-            };
+    private void regler(Variante variante, Parametre parametre, String voulue) {
+        Section section = reglages().getSection(variante);
+        if (!miseAJour && !voulue.equals(section.valeur(parametre.cle))) {
+            changer(reglages().avecSection(variante, section.avec(parametre.cle, voulue, parametre.autre)));
         }
     }
 
-    private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
-        Section section = reglages().getSection(variante.get());
-        if (!voulue.equals(section.valeur(parametre.cle))) {
-            Section changee = section.avec(parametre.cle, voulue, parametre.autre);
-            changer(reglages().avecSection(variante.get(), changee), parametre, glisse);
+    private void changer(Reglages voulus) {
+        if (!miseAJour) {
+            // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
+            if (EventQueue.getCurrentEvent() instanceof MouseEvent) {
+                controleur.panneau.requestFocusInWindow();
+            }
+            controleur.regler(voulus);
         }
-    }
-
-    /** @param cause ce qui change, ou {@code null} @param glisse vrai pendant un glissement */
-    private void changer(Reglages voulus, Object cause, boolean glisse) {
-        // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
-        if (!miseAJour && EventQueue.getCurrentEvent() instanceof MouseEvent) {
-            controleur.panneau.requestFocusInWindow();
-        }
-        if (miseAJour || voulus.equals(reglages())) {
-            return;
-        }
-        controleur.choisir(controleur.etat.choix.avec(voulus), cause, glisse);
     }
 
     private void montrer() {

@@ -1,214 +1,178 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
-import java.awt.EventQueue;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Future;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
+import javax.swing.SwingWorker;
+import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
+import lancer.commande.Messages;
 import lancer.commande.Reglages;
-import lancer.contrat.Section;
+import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Durees;
+import lancer.fenetre.figures.Essai;
 import lancer.fenetre.figures.GraphiqueVitesse;
 
-/** L'échelle des réglages de la scène montrée, dessinée si cet onglet est visible et qu'aucun dessin n'est en cours. */
+/** Le temps et l'erreur de chaque réglage de l'échelle, mesurés si cet onglet est visible et que rien ne se dessine. */
 @SuppressWarnings("serial")
 final class PanneauVitesse extends JPanel {
 
     /** Nombre de pixels au-delà duquel l'échelle est dessinée en plus petit. */
     private static final double PIXELS = 2_000_000;
-    /** Nombre de pixels de toutes les images gardées, de 16 octets par pixel : 64 Mo. */
-    private static final int PIXELS_GARDES = 4 << 20;
-    /** Temps de dessin après lequel une image n'est plus dessinée de nouveau, en nanosecondes. */
-    private static final long DUREE_NS = 300_000_000;
-    /** Temps de dessin de plus du premier échelon, puis du premier anticrénelage : Java compile d'abord leur code. */
-    private static final long AVANT_NS = 1_000_000_000;
     /** Racine du nombre de rayons d'une référence. */
     private static final int COTE = 6;
     private static final int MARGE = 8;
-    private static final int LIGNES = 7;
+    private static final int LIGNES = 6;
 
     private final Controleur controleur;
-    private final JTextArea etat = Bandeau.etiquette("vitesse.etat");
-    /** Texte du point que désignent la souris ou les flèches. */
-    private final JTextArea point = Bandeau.etiquette("vitesse.point");
-    final GraphiqueVitesse graphique = new GraphiqueVitesse(this::montrerChoisi, point::setText);
-    private final ExecutorService fil = Controleur.unFil("lancer-vitesse");
-    private Mesures mesures = new Mesures(null);
-    private Future<?> travail;
+    final GraphiqueVitesse graphique = new GraphiqueVitesse();
+    private final JTextArea texte = Bandeau.etiquette("vitesse.etat");
+    /** Le premier dessin de l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première image. */
+    private Demande premier;
+    private List<Essai> essais = new ArrayList<>();
+    private Mesureur mesureur;
+    private String etat = "";
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
         setName("vitesse");
         this.controleur = controleur;
-        JPanel bas = new JPanel(new BorderLayout());
-        bas.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
-        bas.add(point, BorderLayout.CENTER);
-        bas.add(etat, BorderLayout.PAGE_END);
+        texte.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
         // la place du texte est fixe : le graphique ne bouge pas sous la souris
-        bas.setPreferredSize(new Dimension(0, LIGNES * point.getFontMetrics(point.getFont()).getHeight() + MARGE));
+        texte.setRows(LIGNES);
         add(graphique, BorderLayout.CENTER);
-        add(bas, BorderLayout.PAGE_END);
+        add(texte, BorderLayout.PAGE_END);
+        MouseAdapter souris = new MouseAdapter() {
+            @Override
+            public void mouseMoved(MouseEvent e) {
+                dire(graphique.sous(e.getPoint()));
+            }
+
+            @Override
+            public void mousePressed(MouseEvent e) {
+                Essai choisi = graphique.sous(e.getPoint());
+                if (choisi != null) {
+                    // son image se dessine, et F2 montre ce réglage
+                    controleur.regler(choisi.reglages);
+                }
+            }
+        };
+        graphique.addMouseListener(souris);
+        graphique.addMouseMotionListener(souris);
         controleur.prevenir(this::suivre);
         addHierarchyListener(e -> suivre());
     }
 
-    /** Un échelon dessiné, et son dessin, ou {@code null} si son image n'est plus gardée. */
-    private static final class Dessine extends GraphiqueVitesse.Reglage {
+    /** Dessine l'échelle et le réglage présent à tour de rôle, donc tous dans les mêmes conditions. */
+    private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
-        final Reglages reglages;
-        volatile Dessin dessin;
+        private final Demande demande;
+        private final List<Essai> siens = new ArrayList<>(essais);
 
-        Dessine(Dessin dessin, long dureeNs, Mesure mesure) {
-            super(nom(dessin.demande.reglages), Echelle.dire(dessin.demande.reglages),
-                    dureeNs / 1e9, mesure.erreur, mesure.incertitude);
-            reglages = dessin.demande.reglages;
-            this.dessin = dessin;
+        Mesureur(Demande demande) {
+            this.demande = demande;
         }
 
-        private static String nom(Reglages echelon) {
-            int reflets = echelon.getProfondeur();
-            if (echelon.getEssayee() == null) {
-                return reflets + (reflets > 1 ? " réflexions" : " réflexion");
-            }
-            Section section = echelon.getSectionEntiere(echelon.getEssayee());
-            return "1".equals(section.valeur("n")) ? "un rayon" : section.toString()
-                    .replaceFirst("\\[.*] ", "").replaceFirst("(.*)methode=(\\S+) ?(.*)", "$2 $1$3").trim();
-        }
-    }
-
-    /** Les mesures d'une scène, faites dans le fil des mesures, et lues dans celui des événements. */
-    private final class Mesures {
-
-        final List<Object> cle;
-        volatile String texte = "";
-        final List<Dessine> dessines = new CopyOnWriteArrayList<>();
-        volatile Dessine ici;
-        private Dessin prepare;
-        private List<Reglages> echelle;
-        private Echantillon echantillon;
-
-        Mesures(List<Object> cle) {
-            this.cle = cle;
-        }
-
-        private void dire(String nouveau) {
-            texte = nouveau;
-            EventQueue.invokeLater(PanneauVitesse.this::suivre);
-        }
-
-        /** Continue les mesures, d'abord celle de l'image montrée. @param mesurable vrai si c'en est une, sans faute */
-        void continuer(Dessin montre, boolean mesurable) {
-            if (echantillon == null) {
-                dire("préparation…");
-                preparer(montre);
-            }
-            if (ici == null || ici.dessin != montre) {
-                ici = dessines.stream().filter(d -> d.dessin == montre).findFirst().orElse(null);
-            }
-            if (ici == null && mesurable) {
-                ici = new Dessine(montre, montre.lancer.getDureeNs(), echantillon.essayer(montre.demande.reglages));
-            }
-            while (dessines.size() < echelle.size()) {
-                dire("dessin de l'échelon " + (dessines.size() + 1) + " sur " + echelle.size() + "…");
-                dessiner(echelle.get(dessines.size()));
-            }
-            dire("Un clic sur un point montre son image (ou flèches, et Entrée)."
-                    + (prepare.image.largeur == montre.image.largeur ? ""
-                    : " Images de " + prepare.image.largeur + " × " + prepare.image.hauteur + " pixels.")
-                    + (echelle.get(0).getEssayee() != null ? "" : " antialias.jar apporte d'autres réglages."));
-        }
-
-        private void preparer(Dessin montre) {
-            prepare = montre;
-            double part = Math.sqrt(PIXELS / montre.image.largeur / montre.image.hauteur);
-            if (part < 1) {
-                prepare = new Dessin(montre.demande.avecTaille((int) Math.ceil(part * montre.image.largeur),
-                        (int) Math.ceil(part * montre.image.hauteur)));
-            }
-            echelle = Echelle.de(montre.demande.reglages, false, false);
-            echantillon = new Echantillon(prepare.lancer, controleur.fils, 2, COTE, new SplittableRandom(1),
-                    new BitSet());
-        }
-
-        private void dessiner(Reglages echelon) {
-            Dessin dessin = prepare.avecReglages(echelon);
-            List<Long> durees = new ArrayList<>();
-            for (long duree = dessines.size() < 2 ? -AVANT_NS : 0; duree < DUREE_NS;
-                    duree += dessin.lancer.getDureeNs()) {
-                dessin.lancer.TracerPixels((couleur, xe, ye) -> {
-                    dessin.image.drawPixel(couleur, xe, ye);
+        @Override
+        protected Void doInBackground() {
+            double part = Math.min(1, Math.sqrt(PIXELS / demande.largeur / demande.hauteur));
+            Dessin prepare = new Dessin(demande.avecTaille((int) Math.ceil(part * demande.largeur),
+                    (int) Math.ceil(part * demande.hauteur)));
+            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), 2, COTE,
+                    new SplittableRandom(1), new BitSet());
+            Essai moins = suivant();
+            while (!moins.suffit()) {
+                Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
+                lancer.TracerPixels((couleur, xe, ye) -> {
+                    prepare.image.drawPixel(couleur, xe, ye);
                     echantillon.drawPixel(couleur, xe, ye);
-                }, echelon.getProfondeur(), controleur.fils);
-                durees.add(dessin.lancer.getDureeNs());
+                }, moins.reglages.getProfondeur(), controleur.getFils());
+                Mesure mesure = echantillon.mesurer();
+                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getDureeNs()),
+                        mesure.erreur, mesure.incertitude));
+                publish(new ArrayList<>(siens));
+                moins = suivant();
             }
-            dessin.finirBrouillon();
-            // comme --repeter : les premiers dessins ne comptent pas
-            durees.subList(0, durees.size() / 2).clear();
-            Collections.sort(durees);
-            dessines.add(new Dessine(dessin, durees.get((durees.size() - 1) / 2), echantillon.mesurer()));
-            // les premières images oubliées sont les plus rapides à dessiner de nouveau
-            int gardes = Math.max(1, PIXELS_GARDES / dessin.image.codes.length);
-            dessines.stream().limit(Math.max(0, dessines.size() - gardes)).forEach(d -> d.dessin = null);
+            return null;
+        }
+
+        /** Celui qui a été dessiné le moins souvent, de ceux qui ne l'ont pas été assez. */
+        private Essai suivant() {
+            return siens.stream().min(Comparator.comparing(Essai::suffit).thenComparing(e -> e.durees.getNombre())).get();
+        }
+
+        @Override
+        protected void process(List<List<Essai>> publies) {
+            if (this == mesureur) {
+                essais = publies.get(publies.size() - 1);
+                long faits = essais.stream().filter(Essai::suffit).count();
+                etat = faits == essais.size() ? "La souris dit un point, et un clic montre son image."
+                        : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
+                graphique.montrer(essais, demande.reglages);
+                dire(null);
+            }
+        }
+
+        @Override
+        protected void done() {
+            try {
+                get();
+            } catch (ExecutionException e) {
+                etat = "Mesure impossible : " + Messages.message(e.getCause());
+                dire(null);
+            } catch (InterruptedException | CancellationException e) {
+                // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
+            }
         }
     }
 
-    /** Ce dont dépendent les mesures : les objets, la taille, l'étape, et les variantes qu'elles ne règlent pas. */
-    private List<Object> cle(Dessin montre) {
-        Reglages reglages = montre.demande.reglages;
-        // un fichier relu sans changement garde les mesures
-        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace()
-                ? montre.demande.lecture.scene.getObjets()
-                : montre.demande.lecture.fichier + " " + controleur.etat.lecture.version, montre.image.largeur,
-                montre.image.hauteur, reglages.getEtape()));
-        reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
-                variante.equals(reglages.getEssayee()) ? variante.getSection()
-                : reglages.getSection(variante).toString()));
-        return cle;
-    }
-
-    /** Montre les mesures, et les commence, les continue ou les interrompt. */
+    /** Commence, continue ou interrompt les mesures. */
     private void suivre() {
-        Dessin montre = controleur.etat.montre;
-        boolean libre = isShowing() && montre != null && !controleur.etat.enCours
-                && controleur.etat.getImageEntiere() == montre.image;
-        if (travail != null && !libre) {
-            travail.cancel(true);
-            travail = null;
+        boolean libre = isShowing() && controleur.getImageEntiere() != null && !controleur.enCours;
+        if (mesureur != null && !libre) {
+            mesureur.cancel(true);
+            mesureur = null;
         }
-        if (libre && !cle(montre).equals(mesures.cle)) {
-            mesures = new Mesures(cle(montre));
+        if (libre && mesureur == null && controleur.direFautes() == null) {
+            Demande demande = controleur.montre.demande.avecVue(null);
+            List<Reglages> echelle = Echelle.de(demande.reglages, false, false);
+            Demande autre = demande.avecReglages(echelle.get(0));
+            if (!autre.equals(premier)) {
+                premier = autre;
+                essais.clear();
+                echelle.forEach(reglages -> essais.add(nouveau(reglages)));
+            }
+            essais.removeIf(essai -> !echelle.contains(essai.reglages));
+            if (!echelle.contains(demande.reglages)) {
+                essais.add(nouveau(demande.reglages));
+            }
+            etat = "préparation…";
+            mesureur = new Mesureur(demande);
+            mesureur.execute();
         }
-        graphique.montrer(mesures.dessines, mesures.ici);
-        etat.setText(montre == null ? "Pas encore d'image : l'échelle commencera avec elle." : mesures.texte);
-        if (libre && travail == null) {
-            Mesures celles = mesures;
-            boolean mesurable = montre.demande.vue == null && controleur.direFautes() == null;
-            travail = Controleur.confier(fil, () -> celles.continuer(montre, mesurable),
-                    panne -> etat.setText("Mesure impossible : " + panne));
-        }
+        dire(null);
     }
 
-    /** Montre l'image du point choisi si elle est gardée ; sinon, la dessine. */
-    void montrerChoisi() {
-        Dessine voulu = (Dessine) graphique.getChoisi();
-        Dessin dessin = voulu.dessin;
-        if (dessin == null || dessin.image.largeur != controleur.etat.montre.image.largeur) {
-            controleur.dessiner(voulu.reglages);
-        } else {
-            controleur.montrer(dessin);
-        }
+    private static Essai nouveau(Reglages reglages) {
+        return new Essai(reglages, new Durees(), 0, 0);
+    }
+
+    /** @param vise le réglage sous la souris, ou {@code null} */
+    private void dire(Essai vise) {
+        texte.setText(vise != null ? Echelle.dire(vise.reglages) + " : " + vise.dire()
+                : controleur.enCours ? "Les mesures reprendront après ce dessin." : etat);
     }
 }

@@ -80,21 +80,11 @@ public final class Comparaison {
         return (double) auDela / pixels <= part;
     }
 
-    /** Les différences : noir si les pixels sont pareils, puis de plus en plus clair jusqu'à huit niveaux. */
-    public ImageMemoire getDifferences() {
-        ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
-        for (int p = 0; p < pixels; p++) {
-            Couleur ecarts = new Couleur(ecart(p, 0), ecart(p, 1), ecart(p, 2)).div(BEAUCOUP);
-            image.drawPixel(ecarts, p % a.largeur, p / a.largeur);
-        }
-        return image;
-    }
-
     /** Peint en gris le plus grand écart de chaque pixel : noir s'il est nul, blanc à partir de 32 niveaux. */
     public ImageMemoire peindreLesEcarts(ImageMemoire image) {
         for (int p = 0; p < pixels; p++) {
-            double pire = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));
-            image.drawPixel(new Couleur(GROSSI * pire / 255), new Couleur(pire), p % a.largeur, p / a.largeur);
+            double max = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));
+            image.drawPixel(new Couleur(GROSSI * max / 255), new Couleur(max), p % a.largeur, p / a.largeur);
         }
         return image;
     }
@@ -102,9 +92,12 @@ public final class Comparaison {
     /** Le verdict et les écarts, une ligne {@code nom: valeur} chacun. */
     @Override
     public String toString() {
-        String verdict = sontPareilles() ? "pareilles"
-                : pire <= PEU ? "différentes, à l'arrondi près : --tolerance 1 les tient pour pareilles"
-                : "différentes";
+        String verdict = "différentes";
+        if (sontPareilles()) {
+            verdict = "pareilles";
+        } else if (pire <= PEU) {
+            verdict += ", à l'arrondi près : --tolerance 1 les tient pour pareilles";
+        }
         String permis = part > 0 ? String.format("%npixels au-delà de la tolérance: %d sur %d", auDela, pixels) : "";
         String place = pire > 0 ? " en " + ou % a.largeur + "," + ou / a.largeur : "";
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"

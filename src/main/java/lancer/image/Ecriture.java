@@ -9,7 +9,6 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.Collections;
 import java.util.Map;
 import lancer.commande.Echec;
@@ -17,8 +16,8 @@ import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
- * Un fichier d'image écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis
- * renommé. Un lien symbolique est suivi. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
+ * Un fichier écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis renommé.
+ * Un lien symbolique est suivi. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
  */
 public final class Ecriture {
 
@@ -28,9 +27,9 @@ public final class Ecriture {
 
     private final String nom;
     private final Path cible;
-
-    /** Fichier provisoire. Son nom ne dépend pas de la cible, dont le nom peut avoir la longueur maximale. */
-    private Path provisoire;
+    /** Vrai si la cible n'est pas un fichier ordinaire, et ne peut être remplacée. */
+    private final boolean directe;
+    private final Path provisoire;
 
     /** @throws Echec si l'on sait déjà que le fichier ne pourra être écrit */
     public Ecriture(String nom) {
@@ -40,12 +39,14 @@ public final class Ecriture {
         } catch (IOException | InvalidPathException e) {
             throw impossible(raison(e) + ErreurSysteme.horsLangue(nom));
         }
+        directe = estSpeciale(cible);
+        // un nom court : celui de la cible peut avoir la longueur maximale
+        provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
         if (Files.isDirectory(cible)) {
             throw impossible("c'est un dossier");
         }
-        Path dossier = cible.getParent();
-        if (!estSpecial() && !Files.isWritable(dossier)) {
-            throw impossible("écriture interdite dans le dossier " + Texte.echappe(dossier.toString()));
+        if (!directe && !Files.isWritable(cible.getParent())) {
+            throw impossible("écriture interdite dans le dossier " + Texte.echappe(cible.getParent().toString()));
         }
         if (Files.exists(cible) && !Files.isWritable(cible)) {
             throw impossible("écriture interdite");
@@ -55,7 +56,7 @@ public final class Ecriture {
     /** Le fichier que désignent les liens, qu'il existe ou non, dans son dossier réel. */
     private static Path suivre(Path chemin) throws IOException {
         // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom d'aucun fichier
-        if (Files.exists(chemin) && !Files.isRegularFile(chemin)) {
+        if (estSpeciale(chemin)) {
             return chemin;
         }
         try {
@@ -66,9 +67,8 @@ public final class Ecriture {
         }
     }
 
-    /** Dit si la cible existe et n'est pas un fichier ordinaire : elle ne peut être remplacée. */
-    private boolean estSpecial() {
-        return Files.exists(cible) && !Files.isRegularFile(cible);
+    private static boolean estSpeciale(Path chemin) {
+        return Files.exists(chemin) && !Files.isRegularFile(chemin);
     }
 
     /** Le fichier qui sera écrit, liens suivis. */
@@ -93,56 +93,45 @@ public final class Ecriture {
         }
     }
 
-    /** Écrit l'image dans ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
+    /** Remplace le contenu du fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
+    public void ecrire(byte[] octets) {
+        ecrire(null, (sansImage, sortie) -> sortie.write(octets));
+    }
+
+    /** Écrit l'image dans ce fichier. @throws Echec comme {@link #ecrire(byte[])} */
     public void ecrire(ImageMemoire image, Format format) {
         ecrire(image, Collections.singletonMap(this, format));
     }
 
-    /** Écrit l'image dans tous ces fichiers ou dans aucun. @throws Echec qui nomme les fichiers déjà remplacés */
+    /** Écrit l'image dans tous ces fichiers ou dans aucun. @throws Echec si une écriture échoue */
     public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
-        String ecrits = "";
         Ecriture enCours = null;
         try {
-            for (Map.Entry<Ecriture, Format> fichier : fichiers.entrySet()) {
-                enCours = fichier.getKey();
-                try (OutputStream sortie = enCours.ouvrir()) {
-                    fichier.getValue().ecrire(image, sortie);
+            for (Ecriture fichier : fichiers.keySet()) {
+                enCours = fichier;
+                // le fichier provisoire disparaît même si Ctrl+C interrompt l'écriture
+                fichier.provisoire.toFile().deleteOnExit();
+                Path ecrit = fichier.directe ? fichier.cible : fichier.provisoire;
+                try (OutputStream sortie = Files.newOutputStream(ecrit)) {
+                    fichiers.get(fichier).ecrire(image, sortie);
                 }
             }
             for (Ecriture fichier : fichiers.keySet()) {
                 enCours = fichier;
-                if (fichier.provisoire != null) {
-                    // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme pourrait le voir absent
+                if (!fichier.directe) {
+                    // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme le verrait absent
                     Files.move(fichier.provisoire, fichier.cible, StandardCopyOption.ATOMIC_MOVE);
                 }
-                ecrits += " ; " + Texte.echappe(fichier.nom) + " est écrit";
             }
         } catch (IOException e) {
-            throw enCours.impossible(enCours.raison(e) + ecrits);
+            throw enCours.impossible(raison(e));
         } finally {
-            for (Ecriture fichier : fichiers.keySet()) {
-                if (fichier.provisoire != null) {
-                    fichier.provisoire.toFile().delete();
-                }
-            }
+            fichiers.keySet().forEach(fichier -> fichier.provisoire.toFile().delete());
         }
     }
 
-    private OutputStream ouvrir() throws IOException {
-        if (estSpecial()) {
-            provisoire = null;
-            return Files.newOutputStream(cible);
-        }
-        provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-        // le fichier provisoire disparaît même si Ctrl+C interrompt l'écriture
-        provisoire.toFile().deleteOnExit();
-        return Files.newOutputStream(provisoire, StandardOpenOption.CREATE_NEW);
-    }
-
-    private String raison(Exception e) {
-        return !(e instanceof NoSuchFileException) ? ErreurSysteme.raison(e)
-                : cible != null && Files.isDirectory(cible.getParent()) ? "création refusée dans ce dossier"
-                : "le dossier n'existe pas";
+    private static String raison(Exception e) {
+        return e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
     }
 
     private Echec impossible(String raison) {

@@ -1,8 +1,8 @@
 package lancer.inspection;
 
 import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.function.BiFunction;
+import java.util.function.DoubleFunction;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -25,9 +25,6 @@ public final class FaussesCouleurs {
 
     /** Racine du nombre de rayons par pixel de la référence. */
     private static final int COTE = 8;
-
-    /** Logarithme en base 2 du nombre de rayons peint en blanc ; un rayon est peint en noir. */
-    private static final double DOUBLEMENTS = 12;
 
     /** Les teintes des nombres de rayons, du noir au blanc, de plus en plus claires. */
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
@@ -64,43 +61,30 @@ public final class FaussesCouleurs {
      * @param reference image à laquelle {@code difference} compare ; {@code null} pour 64 rayons par pixel
      */
     public void dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
+        String debut = "vue " + nom + " : ";
         if (nom.equals("difference")) {
-            ImageMemoire attendue = reference;
-            if (attendue == null) {
-                attendue = new ImageMemoire(image.largeur, image.hauteur, true);
-                tracer(FaussesCouleurs::enGrille, attendue);
-            }
-            ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
-            tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
-            Comparaison comparaison = new Comparaison(dessinee, attendue, 0, 0);
-            // jusqu'ici, les nombres de l'image sont ceux du brouillon
-            image.sens = "écart : %.2f niveaux";
-            comparaison.peindreLesEcarts(image);
-            image.echelle = "écart, au plus " + Nombre.arrondir(comparaison.getPire())
-                    + " (blanc : 32 niveaux sur 255), avec "
-                    + (reference == null ? "une image de " + COTE * COTE + " rayons par pixel"
-                    : "l'image d'avant");
+            image.echelle = debut + (reference == null ? "une image de " + COTE * COTE
+                    + " rayons par pixel se dessine d'abord" : "l'image se dessine de nouveau");
+            image.echelle = debut + comparer(image, reference);
         } else if (nom.equals("rayons")) {
             image.sens = "rayons : %.0f";
-            image.echelle = "noir : 1 rayon, violet : 16, rose : 64, orange : 256, blanc : 4096 ou plus";
-            tracer(this::compter, (rayons, i, j) -> image.drawPixel(teinte(rayons.r), rayons, i, j));
+            image.echelle = debut + compter(image);
         } else if (nom.equals("distance")) {
             image.sens = "d = %.5f";
-            dessinerLesDistances(image);
+            image.echelle = debut + mesurer(image);
         } else if (nom.equals("normales")) {
             image.sens = "N = %.4f %.4f %.4f";
-            image.echelle = "(N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir";
+            image.echelle = debut + "(N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir";
             tracer(parPixel(FaussesCouleurs::normale), (N, i, j) ->
                     image.drawPixel(N.add(new Couleur(1)).div(2), N, i, j));
         } else {
             image.sens = "lampes : %.0f";
             int nombre = lancer.getScene().getLampes().size();
-            image.echelle = "lampes qui éclairent, noir : aucune, blanc : " + nombre + " sur " + nombre
+            image.echelle = debut + "lampes qui éclairent, noir : aucune, blanc : " + nombre + " sur " + nombre
                     + " ; ciel noir";
             tracer(parPixel(FaussesCouleurs::lampes), (n, i, j) ->
                     image.drawPixel(n.div(Math.max(1, nombre)), n, i, j));
         }
-        image.echelle = "vue " + nom + " : " + image.echelle;
     }
 
     private void tracer(Echantillonnage echantillonnage, Toile toile) {
@@ -144,55 +128,78 @@ public final class FaussesCouleurs {
         return new Couleur(eclairent);
     }
 
-    /** Peint les distances en gris, selon leur logarithme : blanc le plus proche contact, sombre le plus lointain. */
-    private void dessinerLesDistances(ImageMemoire image) {
-        double[] distances = new double[image.largeur * image.hauteur];
-        tracer(parPixel((scene, contact) -> new Couleur(contact.distance)),
-                (distance, i, j) -> distances[j * image.largeur + i] = distance.r);
-        DoubleSummaryStatistics contacts = Arrays.stream(distances).filter(d -> d > 0).summaryStatistics();
-        double min = contacts.getMin();
-        double max = contacts.getMax();
-        image.echelle = contacts.getCount() == 0 ? "aucun contact ; ciel noir"
-                : "d = " + Nombre.arrondir(min) + " en blanc, " + Nombre.arrondir(max) + " en gris sombre ; ciel noir";
-        double etendue = max > min ? Math.log(max) - Math.log(min) : 1;
-        for (int k = 0; k < distances.length; k++) {
-            double part = (Math.log(distances[k]) - Math.log(min)) / etendue;
-            image.drawPixel(distances[k] > 0 ? new Couleur(1 - (1 - GRIS_LOINTAIN) * part) : NOIR,
-                    new Couleur(distances[k]), k % image.largeur, k / image.largeur);
+    /** Peint l'écart de l'image à la référence, dessinée s'il le faut. @return sa légende */
+    private String comparer(ImageMemoire image, ImageMemoire reference) {
+        ImageMemoire attendue = reference;
+        if (attendue == null) {
+            attendue = new ImageMemoire(image.largeur, image.hauteur, true);
+            tracer((pave, voulus, vue, toile) -> enGrille(COTE, voulus, vue, toile), attendue);
         }
+        ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
+        tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
+        Comparaison comparaison = new Comparaison(dessinee, attendue, 0, 0);
+        // jusqu'ici, les nombres de l'image sont ceux du brouillon
+        image.sens = "écart : %.2f niveaux";
+        comparaison.peindreLesEcarts(image);
+        return "écart, au plus " + Nombre.arrondir(comparaison.getPire()) + " (blanc : 32 niveaux sur 255), avec "
+                + (reference == null ? "une image de " + COTE * COTE + " rayons par pixel" : "l'image d'avant");
+    }
+
+    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
+    private double[] nombrer(Echantillonnage echantillonnage, ImageMemoire image) {
+        double[] nombres = new double[image.largeur * image.hauteur];
+        tracer(echantillonnage, (nombre, i, j) -> nombres[j * image.largeur + i] = nombre.r);
+        return nombres;
+    }
+
+    private static void peindre(ImageMemoire image, double[] nombres, DoubleFunction<Couleur> teinte) {
+        for (int k = 0; k < nombres.length; k++) {
+            image.drawPixel(teinte.apply(nombres[k]), new Couleur(nombres[k]), k % image.largeur, k / image.largeur);
+        }
+    }
+
+    /** Peint les distances du blanc au gris sombre, selon leur rang : un horizon n'éclaircit pas le reste. */
+    private String mesurer(ImageMemoire image) {
+        double[] distances = nombrer(parPixel((scene, contact) -> new Couleur(contact.distance)), image);
+        double[] contacts = Arrays.stream(distances).filter(d -> d > 0).distinct().sorted().toArray();
+        double dernier = Math.max(1, contacts.length - 1);
+        peindre(image, distances, d -> d > 0
+                ? new Couleur(1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d) / dernier) : NOIR);
+        return contacts.length == 0 ? "aucun contact ; ciel noir" : "d = " + Nombre.arrondir(contacts[0])
+                + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2]) + " au milieu, "
+                + Nombre.arrondir(contacts[contacts.length - 1]) + " en gris sombre ; ciel noir";
+    }
+
+    /** Peint les nombres de rayons selon leur logarithme, de 1 au plus grand de cette image. */
+    private String compter(ImageMemoire image) {
+        double[] rayons = nombrer(this::compter, image);
+        double max = Arrays.stream(rayons).max().getAsDouble();
+        peindre(image, rayons, n -> max > 1 ? teinte(Math.log(n) / Math.log(max)) : NOIR);
+        return String.format("noir : 1 rayon, rose : %.0f, blanc : %.0f", Math.sqrt(max), max);
     }
 
     /** Compte les rayons de toutes sortes de chaque pixel d'un pavé, dessiné selon l'échantillonnage de la scène. */
     private int compter(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        long[] rayons = new long[(pave.i1 - pave.i0) * (pave.j1 - pave.j0)];
+        int large = pave.i1 - pave.i0;
+        long[] rayons = new long[large * (pave.j1 - pave.j0)];
         Vue comptee = (xe, ye) -> {
             long avant = vue.compteurs().rayons();
             Couleur couleur = vue.couleur(xe, ye);
-            rayons[((int) ye - pave.j0) * (pave.i1 - pave.i0) + (int) xe - pave.i0] += vue.compteurs().rayons() - avant;
+            rayons[((int) ye - pave.j0) * large + (int) xe - pave.i0] += vue.compteurs().rayons() - avant;
             return couleur;
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
-        int raffines = choisi == null ? auCentre(voulus, comptee)
+        int raffines = choisi == null ? enGrille(1, voulus, comptee, (c, i, j) -> { })
                 : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
-            toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % (pave.i1 - pave.i0),
-                    pave.j0 + k / (pave.i1 - pave.i0));
+            toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }
         return raffines;
     }
 
-    private static int auCentre(Pave voulus, Vue vue) {
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                vue.couleur(i + 0.5, j + 0.5);
-            }
-        }
-        return 0;
-    }
-
-    /** La couleur de ce nombre de rayons, sur une échelle logarithmique. */
-    private static Couleur teinte(double rayons) {
-        double place = Math.max(0, Math.min(1, Math.log(rayons) / Math.log(2) / DOUBLEMENTS)) * (ECHELLE.length - 1);
+    /** La teinte de cette part de l'échelle, de 0 à 1. */
+    private static Couleur teinte(double part) {
+        double place = part * (ECHELLE.length - 1);
         int k = Math.min(ECHELLE.length - 2, (int) place);
         return couleur(ECHELLE[k]).mul(k + 1 - place).add(couleur(ECHELLE[k + 1]).mul(place - k));
     }
@@ -201,15 +208,15 @@ public final class FaussesCouleurs {
         return new Couleur(code >> 16 & 255, code >> 8 & 255, code & 255).div(255);
     }
 
-    /** La référence : la moyenne d'une grille de rayons dans chaque pixel. */
-    private static int enGrille(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    /** Donne à chaque pixel la moyenne d'une grille de rayons. @param cote racine de leur nombre */
+    private static int enGrille(int cote, Pave voulus, Vue vue, Toile toile) {
         for (int j = voulus.j0; j < voulus.j1; j++) {
             for (int i = voulus.i0; i < voulus.i1; i++) {
                 Couleur somme = new Couleur();
-                for (int k = 0; k < COTE * COTE; k++) {
-                    somme = somme.add(vue.couleur(i + (k % COTE + 0.5) / COTE, j + (k / COTE + 0.5) / COTE));
+                for (int k = 0; k < cote * cote; k++) {
+                    somme = somme.add(vue.couleur(i + (k % cote + 0.5) / cote, j + (k / cote + 0.5) / cote));
                 }
-                toile.drawPixel(somme.div(COTE * COTE), i, j);
+                toile.drawPixel(somme.div(cote * cote), i, j);
             }
         }
         return 0;

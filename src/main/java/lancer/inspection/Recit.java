@@ -3,10 +3,8 @@ package lancer.inspection;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Constantes;
@@ -26,15 +24,12 @@ import lancer.texte.Pile;
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
 
-    /** Nombre de lampes semblables au-delà duquel elles ne sont montrées qu'à la demande. */
+    /** Nombre de lampes sans effet au-delà duquel elles ne sont montrées qu'à la demande. */
     private static final int LAMPES = 3;
 
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
     private final DoubleFunction<String> composante;
-    private int segment;
-    /** Lampe, rival ou échantillon de la ligne en cours. */
-    private String quoi = "";
 
     /** @param nombre écriture d'un nombre calculé ; le fichier garde la sienne @param composante celle d'une couleur */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
@@ -53,32 +48,30 @@ public final class Recit {
         Rayon rayon = pixel.getDepart();
         Objet3D depart = null;
         for (Segment suivante : pixel.getSegments()) {
-            segment = suivante.numero;
             // un contact est écrit avant celui qui le reflète
             contacts.add(0, contact(suivante, rayon, depart));
             rayon = rayon == null || suivante.R == null ? null : new Rayon(suivante.contact, suivante.R);
             depart = rayon == null ? null : suivante.contact.objet;
         }
         lignes.addAll(contacts);
-        segment = 0;
         if (pixel.getFaute() != null) {
             lignes.add(dire("échec : %s", Pile.cause(pixel.getFaute(), Pile.HORS_DE_JAVA)));
         } else {
             Couleur somme = pixel.getCouleur();
-            lignes.add(new Noeud(dire("somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF).texte, "somme", somme));
+            lignes.add(teinter(somme, "somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF));
         }
-        Echantillon choisi = pixel.getChoisi();
-        String titre = "pixel " + pixel.x + ", " + pixel.y;
-        return new Noeud(titre, choisi == null ? titre : titre + " " + choisi.xe + " " + choisi.ye, null)
-                .sur(lignes, false);
+        return dire("pixel %d, %d", pixel.x, pixel.y).sur(lignes, false);
     }
 
+    /** Une ligne, de la couleur de sa dernière valeur si c'en est une. */
     private Noeud dire(String format, Object... valeurs) {
-        Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
         Object derniere = valeurs.length == 0 ? null : valeurs[valeurs.length - 1];
-        return new Noeud(String.format(Locale.ROOT, format, textes),
-                segment + " " + Noeud.sansNumero(quoi) + format.split(" = | : |%")[0],
-                derniere instanceof Couleur ? (Couleur) derniere : null);
+        return teinter(derniere instanceof Couleur ? (Couleur) derniere : null, format, valeurs);
+    }
+
+    private Noeud teinter(Couleur couleur, String format, Object... valeurs) {
+        Object[] textes = Arrays.stream(valeurs).map(this::ecrire).toArray();
+        return new Noeud(String.format(Locale.ROOT, format, textes), couleur);
     }
 
     /** Les nombres d'une valeur, écrits ; la valeur elle-même si ce ne sont pas des nombres. */
@@ -107,23 +100,15 @@ public final class Recit {
         long siens = echantillons.stream().filter(e -> e.estDans(pixel.x, pixel.y)).count();
         List<Noeud> vus = new ArrayList<>();
         for (Echantillon e : echantillons) {
-            quoi = e.xe + " " + e.ye;
             String partage = e.estDans(pixel.x, pixel.y) ? "" : " (partagé)";
-            vus.add(dire("%s%s : %s", e, partage, e.couleur).choisissant(0, vus.size()));
+            vus.add(dire("%s%s : %s", e, partage, e.couleur).choisissant(vus.size()));
         }
-        quoi = "échantillons";
         lignes.add(dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
                 : " et " + (echantillons.size() - siens) + " partagés avec les voisins").sur(vus, false));
-        List<Noeud> termes = new ArrayList<>();
-        for (Echantillon terme : pixel.termes) {
-            quoi = "terme " + terme.xe + " " + terme.ye;
-            termes.add(dire("%s × %s = %s", terme.poids, terme, terme.couleur));
+        if (!pixel.termes.isEmpty()) {
+            lignes.add(dire("%d termes", pixel.termes.size()).sur(pixel.termes.stream().map(terme ->
+                    dire("%s × %s = %s", terme.poids, terme, terme.couleur)).collect(Collectors.toList()), true));
         }
-        quoi = "termes";
-        if (!termes.isEmpty()) {
-            lignes.add(dire("%d termes", termes.size()).sur(termes, true));
-        }
-        quoi = "";
         if (pixel.somme != null) {
             lignes.add(dire("leur somme = %s, divisée par %s pour le pixel", pixel.somme,
                     Nombre.ecrire(pixel.diviseur)));
@@ -134,10 +119,8 @@ public final class Recit {
     /** @param rayon celui du segment, parti de {@code depart} ; {@code null} si une forme n'a pas noté sa direction */
     private Noeud contact(Segment segment, Rayon rayon, Objet3D depart) {
         String nom = segment.contact == null ? "ciel" : pixel.nom(segment.contact.objet);
-        quoi = "";
         Noeud titre = segment.somme == null ? dire("%d  %s", segment.numero, nom)
-                : new Noeud(dire("%d  %s  %s%s", segment.numero, nom, segment.somme, resume(segment)).texte,
-                        segment.numero + " ", segment.somme);
+                : teinter(segment.somme, "%d  %s  %s%s", segment.numero, nom, segment.somme, resume(segment));
         List<Noeud> lignes = new ArrayList<>();
         if (segment.contact == null) {
             direLeVide(lignes, segment);
@@ -156,7 +139,7 @@ public final class Recit {
         if (segment.somme != null && segment.numero == pixel.getSegments().size()) {
             lignes.add(arret(segment));
         }
-        return titre.sur(lignes, false).choisissant(segment.numero, -1);
+        return titre.sur(lignes, false);
     }
 
     /** Les termes d'une somme, un mot par terme. */
@@ -206,30 +189,26 @@ public final class Recit {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        Map<String, List<Terme>> sorts = segment.lampes.stream().filter(lampe -> !lampe.eclaire())
-                .collect(Collectors.groupingBy(Recit::sort, LinkedHashMap::new, Collectors.toList()));
-        sorts.values().removeIf(lampes -> lampes.size() <= LAMPES);
+        List<Noeud> muettes = segment.lampes.stream().filter(lampe -> !lampe.eclaire() && lampe.ajouts.isEmpty())
+                .map(lampe -> lampe(segment, lampe)).collect(Collectors.toList());
+        boolean nombreuses = muettes.size() > LAMPES;
+        if (nombreuses) {
+            lignes.add(dire("%d lampes n'apportent rien", muettes.size()).sur(muettes, true));
+        }
         for (Terme terme : segment.termes) {
-            List<Terme> pareilles = terme.lampe == null ? null : sorts.get(sort(terme));
-            if (pareilles != null && pareilles.get(0) == terme) {
-                quoi = sort(terme);
-                lignes.add(dire("%d lampes %s", pareilles.size(), quoi).sur(
-                        pareilles.stream().map(lampe -> lampe(segment, lampe)).collect(Collectors.toList()), true));
-            } else if (!terme.eclaire() && pareilles == null && (terme.lampe != null || terme.suite != null)) {
-                lignes.add(terme.lampe != null ? lampe(segment, terme)
-                        : dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
+            if (terme.lampe != null && !terme.eclaire() && !(nombreuses && terme.ajouts.isEmpty())) {
+                lignes.add(lampe(segment, terme));
+            } else if (terme.suite != null && !terme.eclaire()) {
+                lignes.add(dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
-            quoi = "";
             for (Couleur ajout : terme.ajouts) {
                 lignes.add(ajout != terme.apport() ? dire("autre terme = %s", ajout)
                         : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
-                quoi = "";
             }
         }
     }
 
     private Noeud reflet(Segment segment, Terme terme) {
-        quoi = "réfléchi";
         return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(segment.contact.objet.getKs()), nomDeLaVue(terme.suite),
                 terme.apport()).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
                 ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", segment.poids)), true);
@@ -242,19 +221,19 @@ public final class Recit {
     }
 
     private Noeud lampe(Segment segment, Terme e) {
-        quoi = pixel.nom(e.lampe);
+        String nom = pixel.nom(e.lampe);
         if (e.diffus == null) {
-            return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", quoi, e.devant);
+            return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", nom, e.devant);
         }
         if (!e.eclaire()) {
-            Noeud titre = dire("%s  N·L = %s  %s", quoi, e.cosinus, e.L == null
+            Noeud titre = dire("%s  N·L = %s  %s", nom, e.cosinus, e.L == null
                     ? "sans effet sur cette matière : pas de rayon d'ombre"
                     : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
             return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
         }
         Couleur apport = e.apport();
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
-                : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", quoi, e.cosinus, apport);
+                : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", nom, e.cosinus, apport);
         return titre.sur(facteurs(segment, e), true);
     }
 
@@ -299,17 +278,8 @@ public final class Recit {
         pixel.scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart
                 && objet.getIntersectionDistance(rayon) < Constantes.INFINI).map(objet -> rayon.calcContact())
                 .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
-                .forEach(rival -> {
-                    quoi = pixel.nom(rival.objet);
-                    lignes.add(dire("rival %s  d = %s", quoi, rival.distance));
-                });
-        quoi = "";
+                .forEach(rival -> lignes.add(dire("rival %s  d = %s", pixel.nom(rival.objet), rival.distance)));
         return lignes;
-    }
-
-    private static String sort(Terme e) {
-        return e.eclaire() ? "éclairées" : e.diffus == null ? "dans le dos"
-                : e.L == null ? "sans effet sur cette matière" : e.cache == null ? "pas ajoutées" : "cachées";
     }
 
     /** Part k de l'air dans la couleur, NaN si l'air n'en a pas. */

@@ -4,25 +4,20 @@ import java.io.FileInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.zip.CRC32;
 import lancer.SceneFautive;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
-/** Recherche du fichier d'une scène. */
+/** Le fichier d'une scène : où il est, comment il s'ouvre, s'il a changé. */
 public final class FichierScene {
 
     /** Nombre de dossiers parents où une scène est aussi cherchée. */
     private static final int DOSSIERS_AU_DESSUS = 4;
-
-    /** La taille du plus grand fichier dont le contenu est lu à chaque observation. */
-    private static final int OCTETS_SOMMES = 1 << 20;
 
     private FichierScene() {
     }
@@ -54,7 +49,10 @@ public final class FichierScene {
             trouve = Paths.get("..").resolve(trouve);
         }
         if (!Files.exists(trouve)) {
-            throw inutilisable(fichier, absente(chemin), null);
+            String ici = Paths.get("").toAbsolutePath().toString();
+            String ou = " dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS + " dossiers au-dessus"
+                    + ErreurSysteme.horsLangue(ici);
+            throw inutilisable(fichier, "fichier introuvable" + (chemin.isAbsolute() ? "" : ou), null);
         }
         if (Files.isDirectory(trouve)) {
             throw inutilisable(trouve.equals(chemin) ? fichier : trouve.toString(), "c'est un dossier", null);
@@ -62,19 +60,11 @@ public final class FichierScene {
         return trouve;
     }
 
-    /**
-     * L'heure, la taille et l'identité du fichier, et une somme de son contenu s'il est petit : deux enregistrements
-     * peuvent avoir la même heure et la même taille. {@code null} s'il n'existe pas.
-     */
+    /** L'heure et la taille du fichier ; {@code null} s'il n'existe pas. */
     public static String version(String fichier) {
         try {
-            Path chemin = trouver(fichier);
-            BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
-            CRC32 somme = new CRC32();
-            if (a.isRegularFile() && a.size() <= OCTETS_SOMMES) {
-                somme.update(Files.readAllBytes(chemin));
-            }
-            return a.lastModifiedTime() + " " + a.size() + " " + a.fileKey() + " " + somme.getValue();
+            BasicFileAttributes a = Files.readAttributes(trouver(fichier), BasicFileAttributes.class);
+            return a.lastModifiedTime() + " " + a.size();
         } catch (IOException | SceneFautive e) {
             return null;
         }
@@ -82,29 +72,5 @@ public final class FichierScene {
 
     static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
         return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
-    }
-
-    /** Raison pour laquelle ce chemin ne mène à rien, et dossier de départ. */
-    private static String absente(Path chemin) {
-        String introuvable = "fichier introuvable";
-        String faute = introuvable;
-        try {
-            chemin.toRealPath();
-        } catch (IOException e) {
-            faute = pourquoi(e, ErreurSysteme.raison(e));
-        }
-        if (chemin.isAbsolute() || !faute.equals(introuvable)) {
-            return faute;
-        }
-        Path ici = Paths.get("").toAbsolutePath();
-        int plusHaut = Math.min(DOSSIERS_AU_DESSUS, ici.getNameCount());
-        return faute + " dans " + Texte.echappe(ici.toString()) + (plusHaut == 0 ? ""
-                : plusHaut == 1 ? " et le dossier au-dessus" : " et les " + plusHaut + " dossiers au-dessus")
-                + ErreurSysteme.horsLangue(ici.toString());
-    }
-
-    /** Raison pour laquelle un fichier ne peut être lu, ou {@code sinon}. */
-    static String pourquoi(IOException e, String sinon) {
-        return e instanceof AccessDeniedException ? "lecture interdite" : sinon;
     }
 }

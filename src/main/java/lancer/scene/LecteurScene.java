@@ -5,24 +5,14 @@ import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.DoubleConsumer;
-import java.util.regex.Pattern;
-import lancer.Couleur;
-import lancer.Lampe;
-import lancer.Objet3D;
+import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
-import lancer.contrat.Variante;
-import lancer.scene.Origines.Origine;
 import lancer.texte.ErreurSysteme;
-import lancer.texte.Pile;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
@@ -35,8 +25,7 @@ public final class LecteurScene {
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
     private final String fichier;
-    private final Services services;
-    private final LecteurSections lecteur;
+    private final LecteurSections sections = new LecteurSections();
     private final SceneLue lue;
     /** Les sections de variantes, par type. */
     private final Map<String, SectionLue> sectionsVariantes = new HashMap<>();
@@ -47,53 +36,44 @@ public final class LecteurScene {
     /** Vrai si la section en cours n'est ni celle d'un objet, ni celle d'une lampe. */
     private boolean variante;
 
-    private LecteurScene(String nomFichier, boolean avecTexte) {
+    private LecteurScene(String nomFichier) {
         chemin = FichierScene.trouver(nomFichier);
         fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
-        services = new Services();
-        lecteur = new LecteurSections(services.formes);
-        lue = new SceneLue(new Origines(lecteur, avecTexte));
-    }
-
-    /** Lit une scène dont le texte des sections est gardé. Voir {@link #lire(String, boolean, DoubleConsumer)}. */
-    public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
-        return lire(nomFichier, true, suivi);
+        lue = new SceneLue(chemin, new Origines());
     }
 
     /**
      * @param nomFichier voir {@link FichierScene#trouver}
-     * @param avecTexte vrai pour garder le texte des sections, que la fenêtre montre et change
      * @param suivi reçoit la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static SceneLue lire(String nomFichier, boolean avecTexte, DoubleConsumer suivi) {
-        return new LecteurScene(nomFichier, avecTexte).lire(suivi);
+    public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
+        return new LecteurScene(nomFichier).lire(suivi);
     }
 
     private SceneLue lire(DoubleConsumer suivi) {
-        try (InputStream entree = FichierScene.ouvrir(chemin)) {
+        CRC32 somme = new CRC32();
+        try (InputStream entree = new CheckedInputStream(FichierScene.ouvrir(chemin), somme)) {
             lignes = new Lignes(entree, chemin.toFile().length(), suivi);
             Decoupage decoupage = new Decoupage();
             decoupage.parse(lignes, decoupage);
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
-            throw refus(lignes.autreCodage() != null ? "fichier en " + lignes.autreCodage()
-                    : "octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
+            throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
         } catch (Lignes.LigneTropLongue e) {
-            throw new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), null, null, "ligne trop longue",
-                    "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne"), e);
+            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne");
         } catch (IOException e) {
-            throw FichierScene.inutilisable(fichier,
-                    FichierScene.pourquoi(e, "lecture impossible (" + ErreurSysteme.raison(e) + ")"), e);
+            throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
-        for (Map.Entry<String, Variante> presente : services.variantes.entrySet()) {
-            SectionLue donnee = sectionsVariantes.get(presente.getKey());
-            lue.variantes.put(presente.getValue(), donnee != null ? donnee
-                    : new SectionLue(fichier, presente.getValue().getSection(), 0, null));
-        }
+        sections.variantes.forEach((type, presente) -> {
+            SectionLue donnee = sectionsVariantes.get(type);
+            lue.variantes.put(presente, donnee != null ? donnee
+                    : new SectionLue(fichier, presente.getSection(), 0, null));
+        });
+        lue.somme = somme.getValue();
         return lue;
     }
 
@@ -115,33 +95,7 @@ public final class LecteurScene {
                 throw illisible("[" + nomEcrit + "]");
             }
             boolean unSeulBlanc = nomEcrit.indexOf('\t') < 0 && !nomEcrit.contains("  ");
-            String nom = unSeulBlanc ? nomEcrit : nomEcrit.replaceAll("[ \t]+", " ");
-            String mot = nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
-            String type = Texte.minuscules(mot);
-            int ligne = lignes.getNumero();
-            variante = !lecteur.connait(type);
-            courante = new SectionLue(fichier, nom, ligne, lecteur.cles(type));
-            boolean presente = !variante || services.variantes.containsKey(type);
-            if (!presente && !Services.varianteConnue(type)) {
-                throw courante.fautive(ligne, null, "type de section inconnu", services.types());
-            }
-            Forme forme = services.formes.get(type);
-            String ordinaire = forme == null ? type : forme.getSection();
-            Integer deja = noms.putIfAbsent(
-                    mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), ligne);
-            if (deja != null) {
-                throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
-                        "un nom différent pour chaque section");
-            }
-            SectionLue premiere = variante ? sectionsVariantes.put(type, courante) : null;
-            if (premiere != null) {
-                throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne "
-                        + premiere.ligne, "une seule section " + mot);
-            }
-            if (!presente) {
-                lue.avertissements.add(SectionLue.message(fichier, ligne, nom, null, "section laissée de côté",
-                        "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
-            }
+            commencer(unSeulBlanc ? nomEcrit : nomEcrit.replaceAll("[ \t]+", " "));
         }
 
         @Override
@@ -152,7 +106,7 @@ public final class LecteurScene {
         @Override
         public void endSection() {
             if (!variante) {
-                lue.ajouter(lecteur.lire(courante), courante);
+                lue.ajouter(sections.lire(courante), courante);
             }
         }
 
@@ -169,17 +123,42 @@ public final class LecteurScene {
         }
     }
 
+    private void commencer(String nom) {
+        String mot = LecteurSections.mot(nom);
+        String type = Texte.minuscules(mot);
+        int ligne = lignes.getNumero();
+        Forme forme = sections.formes.get(type);
+        variante = !sections.cles.containsKey(type);
+        courante = new SectionLue(fichier, nom, ligne, sections.cles.get(type));
+        boolean presente = !variante || sections.variantes.containsKey(type);
+        if (!presente && !LecteurSections.varianteConnue(type)) {
+            throw courante.fautive(ligne, null, "type de section inconnu", sections.types());
+        }
+        String ordinaire = forme == null ? type : forme.getSection();
+        Integer deja = noms.putIfAbsent(
+                mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), ligne);
+        if (deja != null) {
+            throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
+                    "un nom différent pour chaque section");
+        }
+        SectionLue premiere = variante ? sectionsVariantes.put(type, courante) : null;
+        if (premiere != null) {
+            throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.ligne,
+                    "une seule section " + mot);
+        }
+        if (!presente) {
+            lue.avertissements.add(SectionLue.message(fichier, ligne, nom, null, "section laissée de côté",
+                    "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
+        }
+    }
+
     /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */
     private SceneFautive illisible(String texte) {
         String cite = " : " + Texte.cite(texte);
         if (texte.startsWith("[")) {
-            int crochet = texte.indexOf(']');
-            return crochet < 0 ? refus("crochet non fermé" + cite, "par exemple [Sphere 1]")
-                    : crochet < texte.length() - 1 ? refus("du texte après le crochet" + cite,
-                            "[Section] seule sur sa ligne, un commentaire sur la sienne")
-                    : refus("section sans nom" + cite, "par exemple [Sphere 1]");
+            return refus("section illisible" + cite, "par exemple [Sphere 1], seule sur sa ligne");
         }
-        return courante == null ? refus((texte.indexOf('=') > 0 ? "clé" : "texte") + " avant toute section" + cite,
+        return courante == null ? refus("texte avant toute section" + cite,
                 "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }

@@ -2,101 +2,161 @@ package lancer.scene;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
+import lancer.Sphere;
 import lancer.contrat.Forme;
+import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
 
-/** Passage d'une section à son objet ou à sa lampe, à la lecture du fichier comme après un changement. */
+/**
+ * Les formes et les variantes présentes dans le chemin des classes, par type de section, en minuscules ; le passage
+ * d'une section à son objet ou à sa lampe.
+ */
 public final class LecteurSections {
 
-    private static final String LAMPE = "lampe";
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
     /** Nombre maximal de couleurs dans la palette. */
     private static final int PALETTE_MAX = 256;
 
+    /** Types des sections des trois variantes du projet, présentes ou non. */
+    private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
+
+    /** La sphère, forme de la base. Elle n'est dans aucun fichier de services. */
+    private static final Forme SPHERE = new Forme() {
+        @Override
+        public String getSection() {
+            return "Sphere";
+        }
+
+        @Override
+        public String[] getCles() {
+            return new String[] {"centre", "rayon"};
+        }
+
+        @Override
+        public Objet3D lire(Section valeurs) {
+            return new Sphere(valeurs.point("centre"), valeurs.longueur("rayon"));
+        }
+    };
+
     /** Les clés de la matière, permises dans la section de toute forme. */
     public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
-    private final Map<String, Forme> formes;
-    /** Les clés de chaque type d'objets déjà lu, et celles d'une lampe. */
-    private final Map<String, List<String>> cles = new LinkedHashMap<>();
+    final Map<String, Forme> formes = new LinkedHashMap<>();
+    final Map<String, Variante> variantes = new LinkedHashMap<>();
+    /** Les clés permises dans une section de chaque type, sauf celui d'une variante. */
+    final Map<String, List<String>> cles = new LinkedHashMap<>();
+
+    /** Le nom de la classe qui lit chaque type. */
+    private final Map<String, String> preneurs = new HashMap<>();
     /** Couleurs déjà lues, à partager : une scène d'un million de sphères n'en a que quelques-unes. */
     private final Map<Couleur, Couleur> palette = new HashMap<>();
 
-    LecteurSections(Map<String, Forme> formes) {
-        this.formes = formes;
-        cles.put(LAMPE, Arrays.asList("position", "couleur"));
+    public static List<String> nomsDesVariantes() {
+        return new LecteurSections().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
     }
 
-    /** Le type d'une section : le premier mot de son nom, en minuscules. */
-    static String type(String nom) {
-        return Texte.minuscules(nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' ')));
-    }
-
-    /** Dit si les sections de ce type sont celles d'un objet ou d'une lampe. */
-    boolean connait(String type) {
-        return type.equals(LAMPE) || formes.containsKey(type);
-    }
-
-    /** Les clés permises dans une section de ce type ; {@code null} pour une variante. */
-    List<String> cles(String type) {
-        Forme forme = formes.get(type);
-        if (forme != null && !cles.containsKey(type)) {
-            List<String> siennes = new ArrayList<>(Arrays.asList(Objects.requireNonNull(forme.getCles(),
-                    forme.getClass().getName() + ".getCles a rendu null")));
-            siennes.addAll(CLES_MATIERE);
-            cles.put(type, siennes);
+    /** @throws SceneFautive si une classe inscrite ne convient pas, ou si deux classes lisent le même type */
+    LecteurSections() {
+        ajouter(SPHERE, Sphere.class);
+        cles.put(prendre("Lampe", Lampe.class), Arrays.asList("position", "couleur"));
+        for (Variante variante : inscrites(Variante.class)) {
+            variantes.put(prendre(variante.getSection(), variante.getClass()), variante);
         }
-        return cles.get(type);
+        for (Forme forme : inscrites(Forme.class)) {
+            ajouter(forme, forme.getClass());
+        }
     }
 
-    /** Les clés de tous les types lus. */
-    Collection<List<String>> cles() {
-        return cles.values();
+    private void ajouter(Forme forme, Class<?> lecteur) {
+        String type = prendre(forme.getSection(), lecteur);
+        formes.put(type, forme);
+        List<String> siennes = new ArrayList<>(Arrays.asList(forme.getCles()));
+        siennes.addAll(CLES_MATIERE);
+        cles.put(type, siennes);
+    }
+
+    private static <T> List<T> inscrites(Class<T> contrat) {
+        List<T> inscrites = new ArrayList<>();
+        try {
+            ServiceLoader.load(contrat, LecteurSections.class.getClassLoader()).forEach(inscrites::add);
+            return inscrites;
+        } catch (ServiceConfigurationError e) {
+            throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(e.getMessage()
+                    + (e.getCause() == null ? "" : " (" + e.getCause() + ")"))
+                    + " ; attendu : une classe publique de ce contrat, à constructeur public sans argument, ou cette "
+                    + "ligne ôtée, puis make propre", e);
+        }
+    }
+
+    /** Réserve un type de section à cette classe, la seule qui le lit. @return ce type, en minuscules */
+    private String prendre(String type, Class<?> lecteur) {
+        String classe = lecteur.getName();
+        String deja = preneurs.putIfAbsent(Texte.minuscules(type), classe);
+        if (deja != null) {
+            throw new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type) + "] : " + deja + " et "
+                    + classe + " ; attendu : un type de section pour chacune");
+        }
+        return Texte.minuscules(type);
+    }
+
+    /** Dit si ce type est celui d'une des trois variantes du projet, présente ou non. */
+    public static boolean varianteConnue(String type) {
+        return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
+    }
+
+    String types() {
+        return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe"),
+                VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))
+                .flatMap(sections -> sections).distinct().collect(Collectors.joining(", "));
+    }
+
+    /** Le premier mot du nom d'une section. */
+    static String mot(String nom) {
+        return nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
+    }
+
+    /** Les clés permises dans une section de ce nom ; {@code null} pour une variante. */
+    List<String> cles(String nom) {
+        return cles.get(Texte.minuscules(mot(nom)));
     }
 
     /** L'objet ou la lampe que décrit cette section. @throws SceneFautive si elle est refusée */
     Object lire(SectionLue section) {
-        String type = type(section.nom);
-        if (type.equals(LAMPE)) {
+        Forme forme = formes.get(Texte.minuscules(mot(section.nom)));
+        if (forme == null) {
             return new Lampe(section.point("position"), section.couleur("couleur", LUMIERE_MAX));
         }
-        Objet3D objet = lireForme(section, formes.get(type));
-        lireMatiere(section, objet);
-        return objet;
-    }
-
-    /** Lit l'objet de la section, sans sa matière. Une exception de la forme devient un refus de la section. */
-    private static Objet3D lireForme(SectionLue section, Forme forme) {
         try {
             Objet3D objet = forme.lire(section);
             if (objet == null || objet == forme) {
                 throw new IllegalStateException("lire n'a pas rendu un objet neuf");
             }
+            lireMatiere(section, objet);
             return objet;
         } catch (SceneFautive e) {
             throw e;
         } catch (RuntimeException e) {
             String classe = forme.getClass().getName();
-            boolean refus = e.getMessage() != null
-                    && (e instanceof IllegalArgumentException || e instanceof IllegalStateException);
             throw section.fautive(section.ligne, null, "section que " + classe + " ne sait pas lire : "
-                    + (refus ? Texte.cite(e.getMessage()) : Pile.cause(e, Pattern.quote(classe) + ".*")),
-                    "des valeurs qui lui conviennent");
+                    + Pile.cause(e, Pattern.quote(classe) + ".*"), "des valeurs qui lui conviennent");
         }
     }
 
@@ -104,7 +164,7 @@ public final class LecteurSections {
     private void lireMatiere(SectionLue section, Objet3D lu) {
         lu.setKd(commune(section.couleur("Kd", lu.getKd(), 1)));
         if (section.contient("Ks") && section.contient("Kr")) {
-            throw section.ensemble("Ks", "Kr", "synonyme de", "Ks ou Kr, pas les deux");
+            throw section.fautive("Kr", "donnée en même temps que Ks, son synonyme", "Ks ou Kr, pas les deux");
         }
         lu.setKs(commune(section.couleur(section.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
         lu.setNs(section.reel("ns", lu.getNs(), 0, NS_MAX));

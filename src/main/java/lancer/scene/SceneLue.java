@@ -1,21 +1,45 @@
 package lancer.scene;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.stream.Collectors;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.zip.CRC32;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.SceneFautive;
+import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.texte.ErreurSysteme;
+import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
 public final class SceneLue {
+
+    /** Les sphères par centre et rayon ; + 0.0 : −0.0 et 0.0 désignent la même position. */
+    private static final Comparator<Sphere> PAR_PLACE = Comparator
+            .<Sphere>comparingDouble(s -> s.getCentre().x + 0.0).thenComparingDouble(s -> s.getCentre().y + 0.0)
+            .thenComparingDouble(s -> s.getCentre().z + 0.0).thenComparingDouble(Sphere::getRayon);
+
+    /** Une ligne avec sa fin, puis la ligne d'une place : ce qui précède la valeur, et ce qui la suit. */
+    private static final Pattern LIGNE = Pattern.compile("[^\r\n]*(\r\n|\r|\n)|[^\r\n]+");
+    private static final Pattern PLACE = Pattern.compile(
+            "([ \t]*(?:centre|position)[ \t]*[=:][ \t]*)[^\r\n]*[^ \t\r\n]([ \t\r\n]*)", Pattern.CASE_INSENSITIVE);
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
@@ -27,62 +51,52 @@ public final class SceneLue {
     /** Avertissements : une ligne pour chaque section que la lecture a ignorée. */
     public final List<String> avertissements = new ArrayList<>();
 
-    SceneLue(Origines origines) {
+    final Path chemin;
+    /** Le contrôle CRC-32 des octets lus. */
+    long somme;
+
+    SceneLue(Path chemin, Origines origines) {
+        this.chemin = chemin;
         this.origines = origines;
     }
 
-    private SceneLue(SceneLue autre, int rang, Object nouvelle, SectionLue section) {
-        Object ancienne = autre.origines.getChose(rang);
-        objets.addAll(autre.objets);
-        lampes.addAll(autre.lampes);
-        objets.replaceAll(objet -> objet == ancienne ? (Objet3D) nouvelle : objet);
-        lampes.replaceAll(lampe -> lampe == ancienne ? (Lampe) nouvelle : lampe);
-        variantes.putAll(autre.variantes);
-        avertissements.addAll(autre.avertissements);
-        origines = new Origines(autre.origines, rang, nouvelle, section);
+    /** La même scène, où cette lampe a cette place. */
+    public SceneLue avec(Lampe lampe, Point place) {
+        return remplacer(lampe, new Lampe(place, lampe.getCouleur()));
     }
 
-    /**
-     * La même scène, où une section est lue de nouveau avec une autre valeur.
-     *
-     * @param rang celui de la section, dans {@link #origines}
-     * @throws lancer.SceneFautive si la lecture d'un fichier refuserait cette valeur
-     */
-    public SceneLue avec(int rang, String cle, String valeur) {
-        SectionLue section = origines.getSection(rang).avec(cle, valeur, null);
-        return new SceneLue(this, rang, origines.lecteur.lire(section), section);
+    /** La même scène, où cette sphère, qui n'est pas d'une autre classe, a ce centre. */
+    public SceneLue avec(Sphere sphere, Point centre) {
+        Sphere deplacee = new Sphere(centre, sphere.getRayon());
+        deplacee.setKd(sphere.getKd());
+        deplacee.setKs(sphere.getKs());
+        deplacee.setNs(sphere.getNs());
+        return remplacer(sphere, deplacee);
     }
 
-    /** Les sections qui diffèrent de celles de {@code avant}, à copier dans le fichier. */
-    public String getChanges(SceneLue avant) {
-        return origines.getChanges(avant.origines).mapToObj(k -> origines.getSection(k).ecrire("\n") + "\n\n")
-                .collect(Collectors.joining());
-    }
-
-    /**
-     * Cette scène, relue, avec les changements faits de {@code avant} à {@code changee}. Une valeur que le fichier a
-     * changée reste, sauf si {@code malgreLui} est vrai ; une section que le fichier n'a plus est oubliée.
-     */
-    public SceneLue reporter(SceneLue avant, SceneLue changee, boolean malgreLui) {
-        SceneLue faite = this;
-        for (int k : changee.origines.getChanges(avant.origines).toArray()) {
-            SectionLue ancienne = avant.origines.getSection(k);
-            SectionLue voulue = changee.origines.getSection(k);
-            int ici = origines.getRangDuNom(voulue.nom, k);
-            for (String cle : ici < 0 ? Collections.<String>emptyList() : voulue.getDonnees()) {
-                String valeur = voulue.valeur(cle);
-                String sienne = origines.getSection(ici).valeur(cle);
-                if (!valeur.equals(ancienne.valeur(cle)) && !valeur.equals(sienne)
-                        && (malgreLui || Objects.equals(sienne, ancienne.valeur(cle)))) {
-                    try {
-                        faite = faite.avec(ici, cle, valeur);
-                    } catch (SceneFautive e) {
-                        // le fichier a changé cette section au point que la valeur n'y convient plus
-                    }
-                }
-            }
-        }
+    private SceneLue remplacer(Object ancienne, Object nouvelle) {
+        SceneLue faite = new SceneLue(chemin, origines.remplacer(ancienne, nouvelle));
+        faite.somme = somme;
+        objets.forEach(objet -> faite.objets.add(objet == ancienne ? (Objet3D) nouvelle : objet));
+        lampes.forEach(lampe -> faite.lampes.add(lampe == ancienne ? (Lampe) nouvelle : lampe));
+        faite.variantes.putAll(variantes);
+        faite.avertissements.addAll(avertissements);
         return faite;
+    }
+
+    /** Les octets du fichier de cette scène, où les places sont celles de la scène {@code deplacee} qui en vient. */
+    public byte[] deplacer(SceneLue deplacee) {
+        Map<Object, String> places = new IdentityHashMap<>();
+        IntStream.range(0, objets.size()).filter(k -> objets.get(k) != deplacee.objets.get(k))
+                .forEach(k -> places.put(objets.get(k), ecrire(((Sphere) deplacee.objets.get(k)).getCentre())));
+        IntStream.range(0, lampes.size()).filter(k -> lampes.get(k) != deplacee.lampes.get(k))
+                .forEach(k -> places.put(lampes.get(k), ecrire(deplacee.lampes.get(k).getPosition())));
+        return deplacer(places);
+    }
+
+    /** Cette place, comme dans un fichier. */
+    public static String ecrire(Point p) {
+        return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
     }
 
     void ajouter(Object chose, SectionLue section) {
@@ -94,7 +108,19 @@ public final class SceneLue {
         origines.ajouter(chose, section);
     }
 
-    /** Modèle où chaque variante est installée. @throws lancer.SceneFautive si une section est refusée */
+    /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
+    public static List<Objet3D> sansConfondues(List<? extends Objet3D> objets) {
+        List<Objet3D> gardes = new ArrayList<>(objets.size());
+        Set<Sphere> vues = new TreeSet<>(PAR_PLACE);
+        for (Objet3D objet : objets) {
+            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
+                gardes.add(objet);
+            }
+        }
+        return gardes;
+    }
+
+    /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */
     public Modele getModele() {
         Modele modele = new Modele();
         variantes.forEach((variante, section) -> {
@@ -102,5 +128,55 @@ public final class SceneLue {
             section.verifierCles();
         });
         return modele;
+    }
+
+    /**
+     * Les octets du fichier, où des objets et des lampes ont une autre place. Seule la valeur de leur ligne
+     * {@code centre} ou {@code position} change.
+     *
+     * @param places pour chaque objet ou lampe de cette scène, trois nombres comme dans un fichier
+     * @throws SceneFautive si le fichier a changé depuis sa lecture, ou si une section n'a pas cette ligne
+     */
+    public byte[] deplacer(Map<?, String> places) {
+        Map<Integer, String> parLigne = new HashMap<>();
+        places.forEach((chose, place) -> parLigne.put(origines.getLigne(chose), place));
+        // un octet, un caractère : ceux que rien ne change restent les mêmes
+        Matcher ligne = LIGNE.matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        StringBuilder ecrit = new StringBuilder();
+        String voulue = null;
+        int faites = 0;
+        for (int numero = 1; ligne.find(); numero++) {
+            Matcher place = PLACE.matcher(ligne.group());
+            if (parLigne.containsKey(numero) || ligne.group().trim().startsWith("[")) {
+                voulue = parLigne.get(numero);
+            }
+            if (voulue != null && place.matches()) {
+                ecrit.append(place.group(1)).append(voulue).append(place.group(2));
+                voulue = null;
+                faites++;
+            } else {
+                ecrit.append(ligne.group());
+            }
+        }
+        if (faites < places.size()) {
+            throw FichierScene.inutilisable(chemin.toString(), "une section déplacée n'a ni centre, ni position", null);
+        }
+        return ecrit.toString().getBytes(StandardCharsets.ISO_8859_1);
+    }
+
+    /** Les octets du fichier, les mêmes qu'à sa lecture. */
+    private byte[] relire() {
+        try {
+            byte[] octets = Files.isRegularFile(chemin) ? Files.readAllBytes(chemin) : new byte[0];
+            CRC32 lus = new CRC32();
+            lus.update(octets);
+            if (lus.getValue() == somme) {
+                return octets;
+            }
+        } catch (IOException e) {
+            throw FichierScene.inutilisable(chemin.toString(), ErreurSysteme.raison(e), e);
+        }
+        throw new SceneFautive(SectionLue.message(chemin.toString(), 0, null, null,
+                "le fichier a changé depuis sa lecture", "le fichier relu, puis le déplacement refait"));
     }
 }

@@ -4,7 +4,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.StringTokenizer;
-import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.contrat.Section;
 import lancer.texte.Nombre;
@@ -95,12 +94,10 @@ public final class SectionLue extends Section {
         return false;
     }
 
-    /** Dit si ces clés sont égales, à la casse près des lettres sans accent : le signe kelvin n'est pas un k. */
+    /** Dit si ces clés sont égales, à la casse près. Le signe kelvin, de trois octets, n'est pas un K. */
     private static boolean pareilles(String cle, String autre) {
-        int n = cle.length() - 1;
-        // la dernière lettre distingue Kd, Ks et Kr
-        return cle.equals(autre) || n == autre.length() - 1 && ((cle.charAt(n) ^ autre.charAt(n)) & ~' ') == 0
-                && cle.equalsIgnoreCase(autre) && StandardCharsets.US_ASCII.newEncoder().canEncode(cle + autre);
+        return cle.equals(autre) || cle.equalsIgnoreCase(autre) && cle.getBytes(StandardCharsets.UTF_8).length
+                == autre.getBytes(StandardCharsets.UTF_8).length;
     }
 
     private Entree demander(String cle) {
@@ -126,38 +123,38 @@ public final class SectionLue extends Section {
             throw fautive(ligne, cle, "clé absente", attendu(combien, min, max));
         }
         StringTokenizer mots = new StringTokenizer(entree.valeur, " \t");
-        int trouves = mots.countTokens();
-        double[] nombres = new double[trouves];
-        for (int k = 0; k < trouves; k++) {
+        double[] nombres = new double[mots.countTokens()];
+        for (int k = 0; k < nombres.length; k++) {
             String mot = mots.nextToken();
             nombres[k] = Nombre.lire(mot);
             if (!(nombres[k] >= min && nombres[k] <= max)) {
                 throw impossible(entree, mot, nombres[k], attendu(combien, min, max));
             }
         }
-        if (trouves != combien) {
-            String faute = trouves == 0 ? "valeur absente" : trouves + (trouves > 1 ? " nombres" : " nombre")
-                    + " au lieu de " + combien + " : " + Texte.cite(entree.valeur);
-            throw fautive(entree.ligne, entree.cle, faute, attendu(combien, min, max));
+        if (nombres.length == 0) {
+            throw fautive(entree.ligne, entree.cle, "valeur absente", attendu(combien, min, max));
+        }
+        if (nombres.length != combien) {
+            throw fautive(entree.ligne, entree.cle, nombres.length + (nombres.length > 1 ? " nombres" : " nombre")
+                    + " au lieu de " + combien + " : " + Texte.cite(entree.valeur), attendu(combien, min, max));
         }
         return nombres;
     }
 
     /** Refuse un mot. Les fautes les plus courantes ont leur propre message. */
     private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
-        String faute = Texte.cite(mot);
-        String voulu = attendu;
-        if (!Double.isNaN(valeur)) {
-            faute = (Double.isInfinite(valeur) ? "nombre trop grand : " : "hors limites : ") + faute;
-        } else if (mot.startsWith(";") || mot.startsWith("#")) {
-            faute = "commentaire après une valeur : " + Texte.cite(entree.valeur.substring(entree.valeur.indexOf(mot)));
-            voulu = "un commentaire seul sur sa ligne";
-        } else {
-            boolean virgule = mot.indexOf(',') >= 0;
-            faute = (virgule ? "une virgule dans un nombre : " : "n'est pas un nombre : ") + faute;
-            voulu += virgule ? ", avec un point décimal" : "";
+        if (mot.startsWith(";") || mot.startsWith("#")) {
+            return fautive(entree.ligne, entree.cle, "commentaire après une valeur : "
+                    + Texte.cite(entree.valeur.substring(entree.valeur.indexOf(mot))),
+                    "un commentaire seul sur sa ligne");
         }
-        return fautive(entree.ligne, entree.cle, faute, voulu);
+        boolean virgule = mot.indexOf(',') >= 0;
+        String faute = virgule ? "une virgule dans un nombre" : "n'est pas un nombre";
+        if (!Double.isNaN(valeur)) {
+            faute = Double.isInfinite(valeur) ? "nombre trop grand" : "hors limites";
+        }
+        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot),
+                attendu + (virgule ? ", avec un point décimal" : ""));
     }
 
     private static String attendu(int combien, double min, double max) {
@@ -183,15 +180,6 @@ public final class SectionLue extends Section {
     public SceneFautive fautive(String cle, String faute, String attendu) {
         Entree entree = entree(cle);
         return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
-    }
-
-    @Override
-    public SceneFautive ensemble(String cle, String autre, String faute, String attendu) {
-        boolean dansLOrdre = entrees.indexOf(entree(cle)) < entrees.indexOf(entree(autre));
-        Entree premiere = entree(dansLOrdre ? cle : autre);
-        Entree seconde = entree(dansLOrdre ? autre : cle);
-        return fautive(seconde.ligne, seconde.cle, faute + " " + premiere.cle + ", déjà ligne " + premiere.ligne,
-                attendu);
     }
 
     @Override
@@ -225,20 +213,22 @@ public final class SectionLue extends Section {
         return autre;
     }
 
-    /** Les clés que donne cette section, dans son ordre. */
-    List<String> getDonnees() {
-        return entrees.stream().map(entree -> entree.cle).collect(Collectors.toList());
-    }
-
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
         return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }
 
     /** Message d'une faute d'un fichier de scène. Sont inconnus {@code ligne} 0, {@code nom} et {@code cle} null. */
     static String message(String fichier, int ligne, String nom, String cle, String faute, String attendu) {
-        return Texte.echappe(fichier) + (ligne > 0 ? ", ligne " + ligne : "")
-                + (nom != null ? ", [" + Texte.abrege(nom) + "]" : "")
-                + (cle != null ? ", " + Texte.abrege(cle) : "")
-                + " : " + faute + " ; attendu : " + attendu;
+        StringBuilder message = new StringBuilder(Texte.echappe(fichier));
+        if (ligne > 0) {
+            message.append(", ligne ").append(ligne);
+        }
+        if (nom != null) {
+            message.append(", [").append(Texte.abrege(nom)).append(']');
+        }
+        if (cle != null) {
+            message.append(", ").append(Texte.abrege(cle));
+        }
+        return message.append(" : ").append(faute).append(" ; attendu : ").append(attendu).toString();
     }
 }

@@ -1,13 +1,10 @@
 package lancer.scene;
 
-import java.util.AbstractMap.SimpleEntry;
-import java.util.Map;
 import java.util.Timer;
 import java.util.TimerTask;
-import java.util.function.UnaryOperator;
 
 /** Observation du fichier de la scène. Les notifications du système ne voient pas un éditeur qui renomme le fichier. */
-public final class Surveillance extends TimerTask {
+public final class Surveillance {
 
     private static final int PERIODE_MS = 250;
 
@@ -15,47 +12,55 @@ public final class Surveillance extends TimerTask {
     private static final int ABSENCES = 4;
 
     private final Timer veille = new Timer("lancer-surveillance", true);
-    private final UnaryOperator<String> version;
     private final Runnable siChange;
     private final Runnable siEfface;
-    /** Le fichier et sa dernière version annoncée, remplacés sans verrou : un disque peut ne pas répondre. */
-    private volatile Map.Entry<String, String> suivi = new SimpleEntry<>(null, null);
-    private int absences;
-    private String vue;
+    private volatile Suivi suivi;
 
-    /** @param siChange appelé à chaque changement, dans ce fil @param siEfface appelé si le fichier disparaît */
+    /** @param siChange appelé à chaque changement, dans un autre fil @param siEfface appelé si le fichier disparaît */
     public Surveillance(Runnable siChange, Runnable siEfface) {
-        this(FichierScene::version, siChange, siEfface);
-    }
-
-    Surveillance(UnaryOperator<String> version, Runnable siChange, Runnable siEfface) {
-        this.version = version;
         this.siChange = siChange;
         this.siEfface = siEfface;
-        veille.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
     public void terminer() {
         veille.cancel();
     }
 
-    /** @param version celle de {@link FichierScene} avant la lecture : un changement pendant la lecture est vu */
-    public void suivre(String aSuivre, String version) {
-        suivi = new SimpleEntry<>(aSuivre, version);
+    /** Observe ce fichier seul. @param lue sa {@link FichierScene#version} avant sa lecture, qui peut durer */
+    public void suivre(String fichier, String lue) {
+        if (suivi != null) {
+            suivi.cancel();
+        }
+        suivi = new Suivi(fichier, lue);
+        veille.schedule(suivi, PERIODE_MS, PERIODE_MS);
     }
 
-    /** Annonce une version nouvelle que deux observations de suite ont trouvée, ou la disparition du fichier. */
-    @Override
-    public void run() {
-        Map.Entry<String, String> sien = suivi;
-        String nouvelle = sien.getKey() == null ? null : version.apply(sien.getKey());
-        absences = sien.getKey() == null || nouvelle != null ? 0 : absences + 1;
-        boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(sien.getValue());
-        vue = nouvelle;
-        // un disque lent peut répondre pour un fichier qui n'est plus suivi
-        if (sien == suivi && (change || absences == ABSENCES)) {
-            sien.setValue(nouvelle);
-            (change ? siChange : siEfface).run();
+    private final class Suivi extends TimerTask {
+
+        private final String fichier;
+        /** La version annoncée en dernier, puis celle de la dernière observation. */
+        private String annoncee;
+        private String vue;
+        private int absences;
+
+        Suivi(String fichier, String lue) {
+            this.fichier = fichier;
+            annoncee = lue;
+        }
+
+        /** Annonce une version nouvelle que deux observations de suite ont trouvée, ou la disparition du fichier. */
+        @Override
+        public void run() {
+            String nouvelle = FichierScene.version(fichier);
+            absences = nouvelle == null ? absences + 1 : 0;
+            boolean change = nouvelle != null && nouvelle.equals(vue) && !nouvelle.equals(annoncee);
+            boolean efface = absences == ABSENCES && annoncee != null;
+            vue = nouvelle;
+            // un disque lent peut répondre pour un fichier qui n'est plus suivi
+            if (this == suivi && (change || efface)) {
+                annoncee = nouvelle;
+                (change ? siChange : siEfface).run();
+            }
         }
     }
 }

@@ -61,8 +61,7 @@ class ProcessusTest extends EssaiProcessus {
         int chemin = commande.indexOf("-cp") + 1;
         commande.set(chemin, commande.get(chemin) + File.pathSeparator + jar);
         assertEquals(2, statut(preparer(commande)));
-        assertEquals("lancer : META-INF/services ne peut être lu : Java n'ouvre pas un jar dont le dossier a un nom qui finit par « ! » ; "
-                + "attendu : le même jar dans un autre dossier\n", erreur());
+        assertTrue(erreur().matches("lancer : META-INF/services, .+ ; attendu : .+\n"), erreur());
     }
 
     @Test
@@ -101,7 +100,7 @@ class ProcessusTest extends EssaiProcessus {
                 + " et les 4 dossiers au-dessus ; attendu : "),
                 erreur());
         assertEquals(2, statut(preparer(java("", "--image=b.png", "haut.ini")).directory(new File("/"))));
-        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " ; "),
+        assertTrue(erreur().startsWith("lancer : haut.ini : fichier introuvable dans " + new File("/").getAbsolutePath() + " et "),
                 erreur());
     }
 

@@ -63,7 +63,7 @@ final class BancFenetre {
     final Controleur controleur;
     final JFrame cadre;
     final PanneauImage panneau;
-    final JLabel resume;
+    final JTextArea resume;
     final JLabel pixel;
     final JProgressBar avancement;
 
@@ -86,7 +86,7 @@ final class BancFenetre {
         controleur = fenetre.controleur;
         cadre = fenetre.cadre;
         panneau = composant("image", PanneauImage.class);
-        resume = composant("resume", JLabel.class);
+        resume = composant("resume", JTextArea.class);
         pixel = composant("pixel", JLabel.class);
         avancement = composant("avancement", JProgressBar.class);
         patienceNs = Math.max(patienceNs, 40 * (System.nanoTime() - debut));
@@ -245,20 +245,20 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !controleur.etat.enCours && controleur.etat.getImageEntiere() != null);
-        return surFilEvenements(() -> controleur.etat.getImageEntiere());
+        attendre("l'image est achevée", () -> !controleur.enCours && controleur.getImageEntiere() != null);
+        return surFilEvenements(() -> controleur.getImageEntiere());
     }
 
     /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
     void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.etat.getImageEntiere() != null && Arrays.equals(controleur.etat.getImageEntiere().codes, codes));
+        attendre(quoi, () -> controleur.getImageEntiere() != null && Arrays.equals(controleur.getImageEntiere().codes, codes));
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
-        attendre(quoi + ", à l'écran", () -> controleur.etat.getImageEntiere() != null
-                && Ecran.trouver(codes, controleur.etat.getImageEntiere().largeur) != null);
+        attendre(quoi + ", à l'écran", () -> controleur.getImageEntiere() != null
+                && Ecran.trouver(codes, controleur.getImageEntiere().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {

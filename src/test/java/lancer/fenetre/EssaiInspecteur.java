@@ -10,10 +10,10 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
-import javax.swing.SwingUtilities;
+import javax.swing.tree.DefaultMutableTreeNode;
+import lancer.inspection.Noeud;
 
 /** De quoi attendre, dans l'inspecteur ouvert, son pixel, son récit et son verdict. */
 abstract class EssaiInspecteur extends EssaiFenetre {
@@ -29,14 +29,13 @@ abstract class EssaiInspecteur extends EssaiFenetre {
 
     /** Les lignes qui se voient de l'arbre, à demander sur le fil des événements. */
     static String lu(JTree arbre) {
-        return IntStream.range(0, arbre.getRowCount()).mapToObj(r -> ((JLabel) arbre.getCellRenderer().getTreeCellRendererComponent(
-                arbre, arbre.getPathForRow(r).getLastPathComponent(), false, arbre.isExpanded(r), false, r, false)).getText())
-                .collect(Collectors.joining("\n"));
+        return IntStream.range(0, arbre.getRowCount()).mapToObj(r -> ((Noeud) ((DefaultMutableTreeNode) arbre.getPathForRow(r)
+                .getLastPathComponent()).getUserObject()).texte).collect(Collectors.joining("\n"));
     }
 
     static String attendreRecit(String fin) throws Exception {
         JTree recit = composant("recit", JTree.class);
-        attendre("le récit finit par " + fin, () -> lu(recit).replaceFirst("   ←[^\n]*$", "").endsWith(fin));
+        attendre("le récit finit par " + fin, () -> lu(recit).endsWith(fin));
         return surFilEvenements(() -> lu(recit));
     }
 
@@ -45,13 +44,12 @@ abstract class EssaiInspecteur extends EssaiFenetre {
         attendre("le verdict « " + debut + " »", () -> verdict.getText().startsWith(debut));
     }
 
-    /** Frappe ces touches quand l'arbre a le clavier. */
+    /** Frappe ces touches quand l'image a le clavier. */
     void presser(int... touches) throws Exception {
-        JTree recit = composant("recit", JTree.class);
-        BancFenetre.mettreDevant(SwingUtilities.getWindowAncestor(recit));
-        faire(recit::requestFocusInWindow);
-        attendre("le clavier est au récit", recit::isFocusOwner);
-        banc.frapper(SwingUtilities.getWindowAncestor(recit), touches);
+        BancFenetre.mettreDevant(banc.cadre);
+        faire(banc.panneau::requestFocusInWindow);
+        attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
+        banc.frapper(touches);
     }
 
     /** Clique, de la vraie souris, sur la ligne du récit qui commence ainsi. */

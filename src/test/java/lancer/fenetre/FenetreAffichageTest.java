@@ -1,25 +1,18 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
-import java.awt.Dimension;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.Toolkit;
-import java.awt.event.KeyEvent;
-import java.awt.image.BufferedImage;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
-/** Le menu Affichage : la taille où l'image se dessine, le plein écran, la loupe. */
+/** Le menu Affichage : la taille où l'image se dessine, la loupe. */
 class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.controleur.etat.getImageEntiere();
+            ImageMemoire image = banc.controleur.getImageEntiere();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -27,53 +20,16 @@ class FenetreAffichageTest extends EssaiFenetre {
     @Test
     void remplirLaFenetreDessineALaPlusGrandeTailleDeMemesProportionsEtLaTailleDemandeeRevient() throws Exception {
         ouvrir();
-        banc.frapperCtrl('0');
+        banc.frapperCtrl('r');
         retailler(500, 300);
         attendreTaille("aussi haute que la place", 400, 300);
         banc.attendreImage("dessinée, et non étirée", attendue(400, 300));
         retailler(200, 300);
         attendreTaille("aussi large que la place", 200, 150);
         retailler(480, 360);
-        banc.frapperCtrl('1');
+        banc.frapperCtrl('r');
         attendreTaille("celle demandée", L, H);
         banc.attendreImage("au milieu", attendue(L, H));
-    }
-
-    @Test
-    void lePleinEcranNeGardeQueLImageEtLesMessages() throws Exception {
-        int[] deuxReflets = attendue("--reflets=2");
-        ouvrir();
-        Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
-        Dimension avant = surFilEvenements(banc.cadre::getSize);
-        banc.frapper(KeyEvent.VK_F11);
-        attendre("l'image prend tout l'écran", () -> banc.panneau.getSize().equals(ecran));
-        int largeur = (int) Math.round(ecran.height * (double) L / H);
-        attendreTaille("à ses proportions", largeur, ecran.height);
-        banc.attendreImage("dessinée, et non étirée", attendue(largeur, ecran.height));
-        BufferedImage vue = banc.robot.createScreenCapture(new Rectangle(ecran));
-        assertEquals(banc.panneau.getBackground().getRGB(), vue.getRGB(5, 5), "du gris autour");
-        banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("les touches répondent", () -> banc.controleur.etat.getReglages().getReflets() == 2);
-        banc.imageAchevee();
-        banc.frapperCtrl('c');
-        banc.attendreMessage("image copiée");
-        ecrire(FAUTIVE);
-        banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
-        attendre("rien ne se dessine plus", () -> !banc.controleur.etat.enCours);
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap en sort", () -> banc.cadre.getSize().equals(avant));
-        // la faute en couvre le bas
-        banc.attendreCodes("l'image revient à sa taille", deuxReflets);
-    }
-
-    @Test
-    void enPleinEcranUneLigneDitLeDessinPuisSEfface() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        attendre("le brouillon se voit", () -> banc.panneau.montree != null);
-        banc.frapper(KeyEvent.VK_F11);
-        attendre("elle dit le fichier et où il en est", () -> banc.panneau.ligne.matches("lancer — boule.ini — dessin \\d+ % — .*"));
-        banc.main.lent = false;
-        attendre("elle s'efface", () -> !banc.controleur.etat.enCours && banc.panneau.ligne.isEmpty());
     }
 
     @Test
@@ -104,6 +60,6 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.controleur.etat.getImageEntiere());
+        assertSame(image, banc.controleur.getImageEntiere());
     }
 }

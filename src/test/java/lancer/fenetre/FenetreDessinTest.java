@@ -8,22 +8,16 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Robot;
-import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleConsumer;
-import javax.swing.JLabel;
-import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
@@ -31,7 +25,7 @@ import lancer.Constantes;
 import lancer.Lancer;
 import lancer.dessin.Dessin;
 import lancer.Scene;
-import lancer.SceneFautive;
+import lancer.dessin.Dessin;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
@@ -48,8 +42,8 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
-        assertTrue(banc.controleur.etat.enCours);
-        assertNull(banc.controleur.etat.getImageEntiere());
+        assertTrue(banc.controleur.enCours);
+        assertNull(banc.controleur.getImageEntiere());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -87,7 +81,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.controleur.etat.enCours && banc.main.getDessin() != null);
+        attendre("le dessin suivant a commencé", () -> banc.controleur.enCours && banc.main.getDessin() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -99,10 +93,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
-        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin arrêté à "));
+        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.controleur.etat.getImageEntiere());
+        assertNull(banc.controleur.getImageEntiere());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
@@ -149,12 +143,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }));
         attendre("le dessin a commencé", () -> banc.main.getDessin() != null);
         repondA(50);
-        assertTrue(banc.controleur.etat.enCours, "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.controleur.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.controleur.etat.enCours);
+        attendre("arrêté", () -> !banc.controleur.enCours);
         repondA(50);
         assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
         lecture.countDown();
@@ -189,60 +183,6 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.imageAchevee();
     }
 
-    /** Le programme, dont la première lecture attend qu'une fenêtre la montre. */
-    private MainLent lectureVue() {
-        return lente().avantLecture((fichier, suivi) -> {
-            suivi.accept(0.42);
-            try {
-                composant("avancement", JProgressBar.class);
-                attendre("elle dit où en est la lecture", () -> composantIci("lecture 42 % — "));
-            } catch (Exception e) {
-                throw new IllegalStateException(e);
-            }
-        });
-    }
-
-    private static boolean composantIci(String debut) {
-        return Arrays.stream(Window.getWindows()).filter(Window::isShowing).flatMap(w -> BancFenetre.contenus(w).stream())
-                .anyMatch(c -> "resume".equals(c.getName()) && ((JLabel) c).getText().startsWith(debut));
-    }
-
-    @Test
-    void uneSceneLongueALireOuvreAussitotUneFenetreQuiLeDit() throws Exception {
-        banc = new BancFenetre(lectureVue());
-        assertArrayEquals(attendue(L, H), banc.imageAchevee().codes);
-    }
-
-    @Test
-    void echapPendantLaPremiereLectureLaisseF5EtLeBoutonALaSceneDemandee() throws Exception {
-        AtomicBoolean arretee = new AtomicBoolean();
-        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
-            if (arretee.compareAndSet(false, true)) {
-                try {
-                    Window fenetre = SwingUtilities.getWindowAncestor(composant("avancement", JProgressBar.class));
-                    BancFenetre.mettreDevant(fenetre);
-                    new Robot().keyPress(KeyEvent.VK_ESCAPE);
-                    new Robot().keyRelease(KeyEvent.VK_ESCAPE);
-                    attendre("la lecture est arrêtée", () -> composantIci("lecture arrêtée — "));
-                } catch (Exception e) {
-                    throw new CancellationException("arrêtée, comme une vraie lecture");
-                }
-            }
-        }));
-        attendre("la fenêtre le dit", () -> banc.panneau.ligne.startsWith("F5 pour lire la scène"));
-        assertEquals("lancer — boule.ini", banc.cadre.getTitle());
-        banc.frapper(KeyEvent.VK_F5);
-        banc.attendreImage("F5 la lit et la dessine", attendue(L, H));
-    }
-
-    @Test
-    void siElleSeRefuseEnsuiteLaFenetreSeFerme() throws Exception {
-        ecrire(FAUTIVE);
-        BancFenetre.exigerEcran();
-        assertThrows(SceneFautive.class, () -> new BancFenetre(lectureVue()));
-        attendre("plus de fenêtre", () -> Arrays.stream(Window.getWindows()).noneMatch(Window::isShowing));
-    }
-
     @Test
     void echapPendantUneLectureLaisseLImageEtF5EstALaSceneDemandee() throws Exception {
         CountDownLatch lecture = new CountDownLatch(1);
@@ -259,7 +199,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
         attendre("le titre est le sien", () -> banc.cadre.getTitle().equals("lancer — longue.ini"));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> !banc.controleur.etat.enCours);
+        attendre("la lecture est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
         lecture.countDown();
         banc.frapper(KeyEvent.VK_F5);
@@ -307,7 +247,7 @@ class FenetreDessinTest extends EssaiFenetre {
         choisir(longue);
         attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> !banc.controleur.etat.enCours);
+        attendre("la préparation est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
         programme.suite.countDown();
         assertEquals("lancer — longue.ini", banc.cadre.getTitle());
@@ -337,8 +277,8 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Dessin dAvant = surFilEvenements(() -> banc.controleur.etat.courant.dessin);
-        double avancement = surFilEvenements(() -> banc.controleur.etat.courant.getAvancement());
+        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.getDessin());
+        double avancement = surFilEvenements(() -> banc.controleur.travail.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);
         assertEquals(0, avancement);

@@ -104,7 +104,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         })));
         attendre("le dessin est retenu", () -> retenus.get() > 1);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.etat.enCours);
+        attendre("Échap l'arrête", () -> !banc.controleur.enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);
@@ -112,7 +112,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("");
         fin.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
+        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }
 
     @Test
@@ -156,7 +156,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
-        assertFalse(surFilEvenements(() -> banc.controleur.etat.enCours));
-        assertEquals(codes, surFilEvenements(() -> banc.controleur.etat.getImageEntiere()).codes);
+        assertFalse(surFilEvenements(() -> banc.controleur.enCours));
+        assertEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }
 }

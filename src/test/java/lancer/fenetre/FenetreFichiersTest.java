@@ -13,12 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Rectangle;
 import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.StringSelection;
-import java.awt.datatransfer.Transferable;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.io.File;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -32,7 +27,6 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
-import javax.swing.TransferHandler;
 import javax.swing.UIManager;
 import lancer.Scene;
 import lancer.SceneFautive;
@@ -73,10 +67,10 @@ class FenetreFichiersTest extends EssaiFenetre {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage("fichier effacé : la dernière image reste");
-        assertSame(image, banc.controleur.etat.getImageEntiere());
+        assertSame(image, banc.controleur.getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.etat.getImageEntiere() != null && banc.controleur.etat.getImageEntiere() != image);
+        attendre("relue", () -> banc.controleur.getImageEntiere() != null && banc.controleur.getImageEntiere() != image);
     }
 
     @Test
@@ -141,7 +135,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
         assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        attendre("F5 la relit", () -> !banc.controleur.etat.enCours);
+        attendre("F5 la relit", () -> !banc.controleur.enCours);
         banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
         banc.attendreMessage("");
@@ -151,7 +145,7 @@ class FenetreFichiersTest extends EssaiFenetre {
     @Test
     void leTexteDUneFauteSeCopie() throws Exception {
         ouvrir();
-        AbstractButton article = banc.cadre.getJMenuBar().getMenu(0).getItem(3);
+        AbstractButton article = article(0, "Copier le message");
         assertFalse(article.isEnabled(), "rien à copier");
         ecrire(FAUTIVE);
         banc.attendreMessage(scene.toString());
@@ -161,11 +155,6 @@ class FenetreFichiersTest extends EssaiFenetre {
         faire(article::doClick);
         assertEquals(faute, BancFenetre.copie());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-        banc.viser(banc.panneau.bandeau, 5, 5);
-        banc.robot.mousePress(InputEvent.BUTTON3_DOWN_MASK);
-        banc.robot.mouseRelease(InputEvent.BUTTON3_DOWN_MASK);
-        attendre("le bouton droit le copie", () -> BancFenetre.copie().equals(faute));
         assertEquals(faute, banc.message());
     }
 
@@ -206,16 +195,6 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void deposerUnFichierOuvreLaScene() throws Exception {
-        ouvrir();
-        scene = dossier.resolve("autre.ini");
-        ecrire(BLEUE);
-        assertTrue(surFilEvenements(() -> banc.cadre.getRootPane().getTransferHandler().importData(
-                new TransferHandler.TransferSupport(banc.cadre.getRootPane(), fichierDepose(scene.toFile())))));
-        banc.attendreImage("la scène déposée", attendue(L, H));
-    }
-
-    @Test
     void sansSceneLaFenetreSOuvreSurLeChoixDUnFichier() throws Exception {
         banc = new BancFenetre(TAILLE);
         assertEquals("lancer", banc.cadre.getTitle());
@@ -241,24 +220,5 @@ class FenetreFichiersTest extends EssaiFenetre {
         Essai essai = Essai.executer(scene.toString());
         assertEquals(2, essai.code);
         assertTrue(essai.erreur.matches("lancer : .*boule.ini.*rayon.*\\R"), essai.erreur);
-    }
-
-    private static Transferable fichierDepose(File fichier) {
-        return new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor forme) {
-                return DataFlavor.javaFileListFlavor.equals(forme);
-            }
-
-            @Override
-            public Object getTransferData(DataFlavor forme) {
-                return Collections.singletonList(fichier);
-            }
-        };
     }
 }

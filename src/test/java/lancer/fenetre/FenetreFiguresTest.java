@@ -17,8 +17,6 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import javax.swing.JComponent;
-import javax.swing.JTextArea;
-import javax.swing.JTree;
 import javax.swing.UIManager;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
@@ -37,13 +35,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> Ecran.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.controleur.etat.getImageEntiere().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.controleur.etat.getImageEntiere();
+        assertArrayEquals(codes, banc.controleur.getImageEntiere().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.controleur.getImageEntiere();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.etat.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.etat.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -64,7 +62,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.etat.getImageEntiere()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getImageEntiere()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -144,29 +142,6 @@ class FenetreFiguresTest extends EssaiInspecteur {
         BufferedImage vue = new BufferedImage(composant.getWidth(), composant.getHeight(), BufferedImage.TYPE_INT_RGB);
         composant.paint(vue.createGraphics());
         return vue;
-    }
-
-    @Test
-    void unClicDeSourisSurLeNumeroDUnRebondLeMontreSeulEtUnAutreLesRendTous() throws Exception {
-        ouvrir();
-        cliquer(150, 110);
-        attendreVerdict("Au bit près");
-        JTree recit = composant("recit", JTree.class);
-        JComponent cote = composant("cote", JComponent.class);
-        JTextArea verdict = composant("verdict", JTextArea.class);
-        Inspecteur inspecteur = inspecteur();
-        int[] tous = BancFenetre.codes(vueDeCote());
-        cliquerSur(recit, "1  [Sphere 1]");
-        attendre("la vue de côté ne montre que lui, de près", () -> !Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
-        attendre("et le dit", () -> lu(recit).startsWith("pixel 150, 110") && recit.getSelectionCount() == 1
-                && verdict.getText().endsWith("Les figures ne montrent que le rebond 1 ; 0 pour tous."));
-        cliquerSur(recit, "1  [Sphere 1]");
-        attendre("elle les montre tous de nouveau", () -> Arrays.equals(tous, BancFenetre.codes(peindre(cote))));
-        presser(KeyEvent.VK_1);
-        attendre("de même au clavier", () -> inspecteur.rebond == 1 && recit.getSelectionCount() == 1);
-        presser(KeyEvent.VK_RIGHT);
-        attendreTitre(151, 110);
-        attendre("d'un autre pixel, tous se voient", () -> inspecteur.rebond == 0 && recit.getSelectionCount() == 0);
     }
 
     @Test

@@ -44,7 +44,7 @@ class FenetreImageTest extends EssaiFenetre {
         Color milieu = new Color(image.codes[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
-        assertSame(image, banc.controleur.etat.getImageEntiere(), "rien n'est redessiné");
+        assertSame(image, banc.controleur.getImageEntiere(), "rien n'est redessiné");
     }
 
     @Test
@@ -130,10 +130,10 @@ class FenetreImageTest extends EssaiFenetre {
     }
 
     @Test
-    void lesReglagesEtLaSectionLaisseeDeCoteSeLisentApresLeurAvis() throws Exception {
+    void lesReglagesSeLisentEtLaSectionLaisseeDeCoteFaitUnAvis() throws Exception {
         ecrire(ROUGE + "[Brume dense]\n");
         banc = new BancFenetre(lente("--reflets=1"));
-        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion, \\[Brume dense] ignorée"));
+        attendre("le résumé les dit", () -> banc.resume.getText().matches("320 × 240 pixels, .* s, 1 réflexion"));
         assertTrue(texte(banc.erreur).startsWith("lancer : " + scene + ", ligne 16, [Brume dense] : "), texte(banc.erreur));
     }
 

@@ -13,8 +13,6 @@ import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import javax.swing.JMenu;
 import lancer.Sphere;
 import lancer.commande.Options;
 import lancer.image.ImageMemoire;
@@ -32,13 +30,13 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.controleur.etat.montre.lancer.getCamera().projeter(p);
+        lancer.Point vue = banc.controleur.montre.lancer.getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.controleur.etat.choix.scene.objets.get(rang);
+        return (Sphere) banc.controleur.demande.lecture.lue.objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -64,127 +62,88 @@ class FenetreLeconTest extends EssaiFenetre {
         banc.robot.waitForIdle();
     }
 
-    /** L'image que donne le fichier, une fois écrit ce que la copie dit. */
-    private int[] imageDeLaCopie() throws Exception {
-        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
-        String[] copie = {""};
-        attendre("la copie", () -> {
-            copie[0] = BancFenetre.copie();
-            return copie[0].contains("centre=") || copie[0].contains("position=");
-        });
-        String texte = ROUGE;
-        for (String section : copie[0].split("\n\n")) {
-            if (section.startsWith("[")) {
-                String[] lignes = section.split("\n");
-                String cle = lignes[1].substring(0, lignes[1].indexOf('='));
-                texte = texte.replaceFirst("(?s)(\\Q" + lignes[0] + "\\E.*?)" + cle + "=[^\n]*", "$1" + lignes[1]);
-            }
-        }
-        Path deplacee = dossier.resolve("deplacee.ini");
-        Files.write(deplacee, texte.getBytes(StandardCharsets.UTF_8));
-        return BancFenetre.pixelsSansFenetre(dossier, deplacee, L, H);
+    private String fichier() throws Exception {
+        return new String(Files.readAllBytes(scene), StandardCharsets.UTF_8);
     }
 
     @Test
-    void uneBoulePriseParMajEtLaSourisSeDeplaceEnMemoireSeuleEtSeCopieTelleQuElleSeVoit() throws Exception {
+    void uneBouleTireeParMajEtLaSourisResteEnMemoireEtCtrlZLaRemet() throws Exception {
         int[] avant = ouvrir().codes;
+        String titre = banc.cadre.getTitle();
         Point de = centre();
         tirer(de, 40, -20);
         Point a = centre();
         assertEquals(40, a.x - de.x, 1);
         assertEquals(-20, a.y - de.y, 1);
         assertEquals(6, sphere(0).getCentre().z, "dans le plan parallèle à l'écran");
-        banc.imageAchevee();
-        banc.attendreCodes("le fichier où l'on colle la copie donne cette image", imageDeLaCopie());
-        assertEquals(ROUGE, new String(Files.readAllBytes(scene), StandardCharsets.UTF_8), "rien ne s'est écrit");
+        assertTrue(banc.message().startsWith("[Sphere 1] ligne 1 : centre="), banc.message());
+        attendre("un point dans le titre", () -> banc.cadre.getTitle().equals(titre + " •"));
+        int[] unefois = banc.imageAchevee().codes;
+        assertEquals(ROUGE, fichier(), "rien ne s'est écrit");
+        tirer(centre(), -10, 0);
         banc.frapperCtrl('z');
-        banc.attendreCodes("Ctrl+Z la remet", avant);
-        assertFalse(surFilEvenements(() -> banc.controleur.etat.estDeplace()));
+        banc.attendreCodes("Ctrl+Z défait un déplacement", unefois);
+        banc.frapperCtrl('z');
+        banc.attendreCodes("puis l'autre", avant);
+        attendre("plus de point", () -> banc.cadre.getTitle().equals(titre) && !article("Défaire le déplacement").isEnabled());
     }
 
     @Test
-    void avecMajLesFlechesPoussentCeQuiEstPrisDUnPixelEtLaMoletteLEloigne() throws Exception {
+    void ctrlEEcritDansLaSceneLaSeuleLigneDeCeQuiEstDeplace() throws Exception {
+        String ini = "; une scène\r\n" + ROUGE.replace("centre=0 0.2 6", "Centre = 0 0.2 6 ").replace("\n", "\r\n");
+        ecrire(ini);
         ouvrir();
-        Point de = centre();
-        tirer(de, 20, 0);
-        Point avant = centre();
-        for (int k = 0; k < 10; k++) {
-            banc.frapper(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
-        }
-        attendre("dix pixels plus bas", () -> Math.abs(centreIci().y - avant.y - 10) <= 1);
-        lancer.Point pres = surFilEvenements(() -> sphere(0).getCentre());
-        banc.robot.keyPress(KeyEvent.VK_SHIFT);
-        banc.robot.mouseWheel(-2);
-        banc.robot.keyRelease(KeyEvent.VK_SHIFT);
-        attendre("plus loin", () -> sphere(0).getCentre().z > pres.z + 0.3);
-        assertEquals(avant.x, centre().x, 1, "et toujours à la même place de l'image");
+        tirer(centre(), 40, -20);
+        lancer.Point voulu = sphere(0).getCentre();
+        int[] deplacee = banc.imageAchevee().codes;
+        banc.frapperCtrl('e');
+        attendre("écrite, la scène est relue", () -> !banc.cadre.getTitle().endsWith("•") && !banc.controleur.enCours
+                && banc.controleur.montre.demande.lecture.lue.objets.get(0) == sphere(0));
+        String ecrit = fichier();
+        String valeur = ecrit.substring(ecrit.indexOf("Centre = ") + 9, ecrit.indexOf(" \r\nrayon=1\r"));
+        assertEquals(ini.replace("0 0.2 6", valeur), ecrit);
+        assertEquals(voulu, sphere(0).getCentre());
+        banc.attendreCodes("l'image est la même", deplacee);
+        assertEquals("écrit dans boule.ini", banc.message());
+    }
+
+    @Test
+    void unFichierQuiAChangeEntreTempsNEstPasTouche() throws Exception {
+        ouvrir();
+        tirer(centre(), 40, -20);
         banc.imageAchevee();
-        banc.attendreCodes("et cela se copie", imageDeLaCopie());
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        banc.frapper(KeyEvent.VK_SHIFT, KeyEvent.VK_DOWN);
-        banc.robot.waitForIdle();
-        int bas = centre().y;
-        assertEquals(avant.y + 10, bas, 1, "Échap l'a lâchée");
+        // avant que la surveillance ne le relise
+        faire(() -> {
+            try {
+                ecrire(BLEUE);
+            } catch (Exception e) {
+                throw new IllegalStateException(e);
+            }
+            article(0, "Écrire dans la scène").doClick();
+        });
+        attendre("le message le dit", () -> banc.panneau.bandeau.getText().contains("a changé depuis sa lecture")
+                || banc.panneau.bandeau.getText().contains("scène relue"));
+        assertEquals(BLEUE, fichier());
+        attendre("relue, elle n'a plus rien de déplacé", () -> banc.panneau.bandeau.getText().contains(
+                "scène relue : ce qui était déplacé sans être écrit est revenu à sa place"));
+        banc.attendreCodes("l'image est celle du fichier", attendue(L, H));
+    }
+
+    @Test
+    void unSolOuUneFormeQuiNEstPasUneSphereNeSeTirentPas() throws Exception {
+        ecrire("[Sphere sol]\ncentre=0 -19892.188 2099.569\nrayon=20000\nKd=0.5 0.5 0.5\n" + ROUGE);
+        ouvrir();
+        tirer(new Point((banc.panneau.getWidth() - L) / 2 + 300, (banc.panneau.getHeight() - H) / 2 + 235), 10, 0);
+        banc.attendreMessage("[Sphere sol] ligne 1 ne se tire pas");
+        assertFalse(surFilEvenements(() -> banc.controleur.prise.estDeplace()));
     }
 
     @Test
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.controleur.etat.choix.scene.lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.controleur.etat.choix.scene.lampes.get(0).getPosition().x < -0.2);
-    }
-
-    @Test
-    void ceQuiEstDeplaceResteAPresF5EtUnEnregistrementSaufSiSaPlaceAChangeDansLeFichier() throws Exception {
-        ouvrir();
-        String titre = banc.cadre.getTitle();
-        tirer(centre(), 30, 0);
-        int[] deplacee = banc.imageAchevee().codes;
-        double x = sphere(0).getCentre().x;
-        attendre("un point dans le titre", () -> banc.cadre.getTitle().equals(titre + " •"));
-        banc.frapper(KeyEvent.VK_F5);
-        attendre("relue", () -> !banc.controleur.etat.enCours);
-        banc.attendreCodes("F5 garde le déplacement", deplacee);
-        ecrire(BLEUE);
-        attendre("une autre couleur, à la place d'avant", () -> sphere(0).getKd().b == 0.9 && sphere(0).getCentre().x == x);
-        ecrire(BLEUE.replace("centre=0 0.2 6", "centre=0.3 0.2 6"));
-        banc.attendreMessage("scène relue : son fichier a changé la place");
-        fermerLeMessage();
-        banc.attendreImage("celle du fichier", attendue(L, H));
-        attendre("plus de point", () -> banc.cadre.getTitle().equals(titre));
-        banc.frapperCtrl('z');
-        attendre("Ctrl+Z la déplace de nouveau", () -> sphere(0).getCentre().x == x && sphere(0).getKd().b == 0.9);
-        attendre("le point revient", () -> banc.cadre.getTitle().equals(titre + " •"));
-        ecrire(BLEUE.replace("centre=0 0.2 6", "centre=" + x + " " + sphere(0).getCentre().y + " 6"));
-        attendre("mise dans le fichier, elle n'est plus déplacée", () -> !banc.controleur.etat.estDeplace());
-        assertEquals("", banc.message());
-    }
-
-    @Test
-    void deplacementsReglagesEtVuesSeDefontEtSeRefontMemeApresF5() throws Exception {
-        int[] depart = ouvrir().codes;
-        tirer(centre(), 30, 0);
-        int[] deplacee = banc.imageAchevee().codes;
-        banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.resume.getText().contains("2 réflexions"));
-        int[] reglee = banc.imageAchevee().codes;
-        faire(((JMenu) article(1, "Vue")).getItem(1)::doClick);
-        attendre("la vue", () -> banc.resume.getText().contains("vue normales"));
-        int[] vue = banc.imageAchevee().codes;
-        banc.frapper(KeyEvent.VK_F5);
-        attendre("relue", () -> banc.controleur.etat.enCours);
-        banc.attendreCodes("F5 ne change rien", vue);
-        for (int[] avant : new int[][] {reglee, deplacee, depart}) {
-            banc.frapperCtrl('z');
-            banc.attendreCodes("défait", avant);
-        }
-        attendre("rien de plus à défaire", () -> !article("Défaire").isEnabled());
-        for (int[] apres : new int[][] {deplacee, reglee, vue}) {
-            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
-            banc.attendreCodes("refait", apres);
-        }
-        attendre("rien de plus à refaire", () -> !article("Refaire").isEnabled() && article("Défaire").isEnabled());
+        tirer(surFilEvenements(() -> place(banc.controleur.demande.lecture.lue.lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.demande.lecture.lue.lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test
@@ -206,28 +165,27 @@ class FenetreLeconTest extends EssaiFenetre {
         // cet avis s'efface au bout de quelques secondes
         banc.attendreMessage("rien à prendre ici");
         glisser(new Point(30, 20), 30, 30);
-        assertFalse(surFilEvenements(() -> banc.controleur.etat.estDeplace()));
+        assertFalse(surFilEvenements(() -> banc.controleur.prise.estDeplace()));
     }
 
     @Test
     void chaqueVueEstCelleDeLaLigneDeCommandeEtDitSaValeurSousLaSouris() throws Exception {
         ouvrir();
-        JMenu vues = (JMenu) article(1, "Vue");
         String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "écart : \\d+\\.\\d\\d niveaux"};
         for (int k = 0; k < dits.length; k++) {
             String nom = Options.VUES.get(k);
             int rang = k;
-            faire(vues.getItem(k + 1)::doClick);
+            faire(article(1, "Vue : " + nom)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
             attendre("elle se dit", () -> banc.resume.getText().startsWith("vue " + nom + " : "));
             banc.viser(banc.panneau, banc.panneau.getWidth() / 2 + k % 2, banc.panneau.getHeight() / 2);
             attendre("sa valeur sous la souris", () -> banc.pixel.getText().matches("pixel .* " + dits[rang]));
         }
-        faire(vues.getItem(1)::doClick);
+        faire(article(1, "Vue : normales")::doClick);
         attendre("une autre vue", () -> banc.resume.getText().startsWith("vue normales"));
         banc.viser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 5, (banc.panneau.getHeight() - H) / 2 + 5);
         attendre("le ciel se dit", () -> banc.pixel.getText().endsWith(" ciel"));
-        faire(vues.getItem(0)::doClick);
+        faire(article(1, "Vue : image")::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));
     }
 
@@ -237,7 +195,7 @@ class FenetreLeconTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_SUBTRACT);
         attendre("deux réflexions", () -> banc.resume.getText().contains("2 réflexions"));
         ImageMemoire apres = banc.imageAchevee();
-        faire(((JMenu) article(1, "Vue")).getItem(Options.VUES.indexOf("difference") + 1)::doClick);
+        faire(article(1, "Vue : difference")::doClick);
         attendre("la vue", () -> banc.resume.getText().contains("vue difference"));
         ImageMemoire vue = banc.imageAchevee();
         for (int k = 0; k < vue.codes.length; k++) {
@@ -247,14 +205,5 @@ class FenetreLeconTest extends EssaiFenetre {
             }
             assertEquals(255 * pire, vue.lineaire[3 * k], 1e-3, "pixel " + k);
         }
-    }
-
-    @Test
-    void leBrouillonDUneTresGrandeImageEstPrecedeDUnApercuALaTailleDeLEcran() throws Exception {
-        banc = new BancFenetre(new MainLent("--taille=6400x4800", scene.toString()));
-        attendre("un aperçu", () -> banc.panneau.apercu != null || banc.panneau.montree != null);
-        ImageMemoire apercu = surFilEvenements(() -> banc.panneau.apercu);
-        assertTrue(apercu == null || apercu.largeur < 1300, "à la taille de l'écran");
-        attendre("le brouillon le remplace", () -> banc.panneau.montree != null && banc.panneau.apercu == null);
     }
 }

@@ -20,7 +20,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
-import javax.swing.plaf.basic.BasicHTML;
 import lancer.Main;
 import org.junit.jupiter.api.Test;
 
@@ -136,12 +135,5 @@ class FenetreMenusTest extends EssaiFenetre {
         assertEquals(0, BancFenetre.processus(dit, "-Duser.language=en", "-cp", System.getProperty("java.class.path"),
                 Ailleurs.class.getName(), scene.toString()).start().waitFor());
         assertEquals("Page suivante", new String(Files.readAllBytes(dit), StandardCharsets.UTF_8).trim());
-    }
-
-    @Test
-    void unNomDeSceneNEstJamaisDuHtml() {
-        JMenuItem scene = Actions.article(new JMenu(), new JMenuItem("<html><h1>gros.ini"), () -> { });
-        assertEquals("<html><h1>gros.ini", scene.getText());
-        assertNull(scene.getClientProperty(BasicHTML.propertyKey), "ce qui le dessinerait en HTML");
     }
 }

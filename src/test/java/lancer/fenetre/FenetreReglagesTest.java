@@ -6,13 +6,10 @@ import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import javax.swing.JMenu;
-import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import lancer.commande.Reglages;
 import org.junit.jupiter.api.Test;
@@ -34,50 +31,47 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.controleur.etat.enCours);
+        attendre("la relecture s'achève", () -> !banc.controleur.enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
     }
 
     @Test
-    void leMenuChangeLesReflexionsEtRevientACellesDeLaCommande() throws Exception {
+    void leMenuRevientAuxReglagesDeLaCommande() throws Exception {
         ouvrir("--reflets=1");
-        faire(article("Plus de réflexions")::doClick);
+        banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        faire(article("Revenir à la scène et aux réglages du fichier")::doClick);
+        faire(article("Revenir aux réglages du fichier")::doClick);
         banc.attendreImage("retour à une", attendue("--reflets=1"));
     }
 
     @Test
-    void lesEtapesDuCoursSeSuiventAuClavierEtAuMenu() throws Exception {
+    void lesEtapesDuCoursSeSuiventAuClavier() throws Exception {
         ouvrir();
-        int[] touches = {KeyEvent.VK_1, KeyEvent.VK_2, KeyEvent.VK_3, KeyEvent.VK_4};
+        int[] touches = {KeyEvent.VK_F6, KeyEvent.VK_F7, KeyEvent.VK_F8, KeyEvent.VK_F9};
         String[] noms = {"lambert", "phong", "ombres", "reflets"};
-        JMenu etapes = (JMenu) article("Étapes du cours");
         for (int k = 0; k < noms.length; k++) {
             int rang = k;
-            banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, touches[k]);
+            banc.frapper(touches[k]);
             banc.attendreImage(noms[k], attendue("--etape=" + noms[k]));
-            attendre("le menu le montre", () -> etapes.getItem(rang).isSelected());
             attendre("et la ligne de l'image", () -> banc.resume.getText().contains("étape " + noms[rang]) == (rang < 3));
         }
-        faire(() -> etapes.getItem(0).doClick());
-        banc.attendreImage("par le menu", attendue("--etape=lambert"));
-        assertTrue(banc.controleur.getCommande().contains(" --etape lambert"), banc.controleur.getCommande());
+        banc.frapper(KeyEvent.VK_F6);
+        attendre("la commande la dit", () -> banc.controleur.demande.getCommande("").contains(" --etape lambert"));
     }
 
     @Test
     void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);
-        JSpinner reflexions = composant("réflexions", JSpinner.class);
-        JTextField seuil = composant("seuil", JTextField.class);
-        assertEquals(40, surFilEvenements(reflexions::getValue));
+        JTextField reflexions = composant("réflexions", JTextField.class);
+        JTextField seuil = composant("seuil des reflets", JTextField.class);
+        assertEquals("40", surFilEvenements(reflexions::getText));
         assertEquals("0.01", surFilEvenements(seuil::getText));
-        Reglages presents = banc.controleur.etat.getReglages();
-        faire(() -> banc.controleur.dessiner(presents.avecReflets(1000).avecSeuil(0.25)));
+        Reglages presents = banc.controleur.demande.reglages;
+        faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
-        attendre("se voit", () -> reflexions.getValue().equals(1000) && seuil.getText().equals("0.25"));
+        attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
         banc.cliquer(seuil, 5, 5);
         attendre("le clavier est au seuil", seuil::isFocusOwner);
         faire(seuil::selectAll);
@@ -89,17 +83,37 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_MINUS);
         banc.frapper(KeyEvent.VK_1);
         banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreMessage("seuil impossible : « -1 » ; attendu : un nombre positif ou nul");
+        banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        assertEquals(1000, surFilEvenements(() -> banc.controleur.etat.getReglages().getReflets()), "− était un signe");
+        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
+    }
+
+    @Test
+    void unNombreDeReflexionsImpossibleSeDitLaOuIlEstTape() throws Exception {
+        ouvrir();
+        banc.frapper(KeyEvent.VK_F2);
+        JTextField champ = composant("réflexions", JTextField.class);
+        banc.cliquer(champ, 5, 5);
+        attendre("le clavier y est", champ::isFocusOwner);
+        for (String faux : new String[] {"2000", "abc", "1.5"}) {
+            faire(() -> champ.setText(faux));
+            banc.frapper(KeyEvent.VK_ENTER);
+            banc.attendreMessage("réflexions : valeur impossible, « " + faux + " » ; attendu : un entier de 0 à 1000");
+            assertEquals(faux, surFilEvenements(champ::getText), "il reste à corriger");
+            fermerLeMessage();
+            faire(champ::requestFocusInWindow);
+        }
+        faire(() -> champ.setText("2"));
+        banc.frapper(KeyEvent.VK_ENTER);
+        banc.attendreImage("un nombre possible", attendue("--reflets=2"));
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.etat.getReglages().getReflets() == 10 && !banc.controleur.etat.enCours);
+        attendre("dix réflexions", () -> banc.controleur.demande.reglages.getReflets() == 10 && !banc.controleur.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

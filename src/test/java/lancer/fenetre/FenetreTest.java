@@ -30,7 +30,6 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
@@ -38,7 +37,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
@@ -88,7 +86,7 @@ class FenetreTest extends EssaiFenetre {
         assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
         assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée va au cadre", () -> banc.controleur.etat.getReglages().getReflets() == 2);
+        attendre("une touche essayée va au cadre", () -> banc.controleur.demande.reglages.getReflets() == 2);
         assertTrue(surFilEvenements(touches::isShowing));
         banc.imageAchevee();
         banc.frapper(KeyEvent.VK_ESCAPE);
@@ -135,24 +133,6 @@ class FenetreTest extends EssaiFenetre {
         }
         attendreOnglet("Pixel");
         EssaiInspecteur.attendreTitre(pixel.x, pixel.y);
-    }
-
-    @Test
-    void lApparenceSombreSeChoisitAuMenuSeRetientEtLaisseLImageTelleQuelle() throws Exception {
-        ImageMemoire image = ouvrir();
-        JMenu affichage = banc.cadre.getJMenuBar().getMenu(1);
-        JMenuItem sombre = Arrays.stream(affichage.getMenuComponents()).filter(c -> c instanceof JCheckBoxMenuItem)
-                .map(c -> (JMenuItem) c).filter(c -> c.getText().equals("Apparence sombre")).findFirst().get();
-        faire(sombre::doClick);
-        try {
-            assertEquals("FlatDarkLaf", surFilEvenements(() -> UIManager.getLookAndFeel().getClass().getSimpleName()));
-            assertTrue(Apparence.estSombre());
-            attendre("le fond est sombre", () -> banc.resume.getParent().getBackground().getRed() < 100);
-            attendre("l'image est la même", () -> Ecran.trouver(image.codes, L) != null);
-        } finally {
-            faire(sombre::doClick);
-        }
-        assertEquals("FlatLightLaf", surFilEvenements(() -> UIManager.getLookAndFeel().getClass().getSimpleName()));
     }
 
     @Test

@@ -3,15 +3,12 @@ package lancer.inspection;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -122,82 +119,6 @@ class InspectionTest {
         }
         assertEquals(1, segments.get(0));
         assertTrue(segments.get(1) == 2 && segments.get(2) >= 2, segments.toString());
-    }
-
-    @Test
-    void seuleUneLigneQuiAChangeSeMarqueEtDeSonAncienneValeur() {
-        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
-        sphere.setKd(new Couleur(1));
-        Noeud recit = null;
-        for (double vert : new double[] {1, 0.5}) {
-            List<Lampe> lampes = Arrays.asList(new Lampe(new Point(0, 0, -5), new Couleur(1)),
-                    new Lampe(new Point(0, 1, -5), new Couleur(1, vert, 1)));
-            recit = recitDe(auMilieu(new Scene(Collections.singletonList(sphere), lampes))).raconter().depuis(recit);
-        }
-        List<String> marquees = changes(recit);
-        assertEquals(5, marquees.size(), marquees.toString());
-        // la somme du contact ; la seconde lampe, son diffus, son reflet nul mais dit de sa couleur ; la somme du pixel
-        assertTrue(marquees.get(0).matches("1  objet 1  (\\S+) \\S+ \\1 = diffus de 2 lampes   ← (\\S+) \\2 \\2 = diffus de 2 lampes"),
-                marquees.get(0));
-        assertTrue(marquees.get(1).matches("lampe 2 .* éclairée : diffus \\+ reflet = (\\S+) \\S+ \\1   ← (\\S+) \\2 \\2"),
-                marquees.get(1));
-        assertTrue(marquees.get(2).matches("diffus = Kd .* ⊗ lampe \\(1 0.5 1\\) .* = (\\S+) \\S+ \\1   ← Kd .* ⊗ lampe \\(1 1 1\\) .*"),
-                marquees.get(2));
-        assertTrue(marquees.get(4).matches("somme (\\S+) \\S+ \\1 = #FF\\w\\wFF   ← somme (\\S+) \\2 \\2 = #FFFFFF"), marquees.get(4));
-    }
-
-    /** Les lignes qui ont changé, ce qui s'y lisait à côté. */
-    private static List<String> changes(Noeud noeud) {
-        List<String> changes = new ArrayList<>();
-        if (noeud.avant != null) {
-            changes.add(noeud.texte + "   ← " + noeud.avant);
-        }
-        noeud.enfants.forEach(enfant -> changes.addAll(changes(enfant)));
-        assertEquals(!changes.isEmpty(), noeud.aChange());
-        return changes;
-    }
-
-    @Test
-    void uneLigneAjouteePlusHautDansLeFichierNEmpecheNiNeFaitUneMarque() throws Exception {
-        String ini = "[Sphere 1]\ncentre=0 0 8\nrayon=2\nKd=1 1 1\n[Lampe 1]\nposition=0 0 -5\ncouleur=1 1 1\n";
-        Noeud recit = null;
-        for (String texte : new String[] {ini, "; un commentaire\n" + ini.replace("couleur=1 1 1", "couleur=1 0.5 1")}) {
-            Path fichier = Files.write(dossier.resolve("s.ini"), texte.getBytes(StandardCharsets.UTF_8));
-            SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
-            recit = recitDe(inspecter(new Scene(lue.objets, lue.lampes), lue.origines, new Camera(9, 9), 5, 4, 4)).raconter().depuis(recit);
-        }
-        List<String> marquees = changes(recit).stream().map(ligne -> ligne.split(" ")[0]).collect(Collectors.toList());
-        assertEquals(Arrays.asList("1", "[Lampe", "diffus", "reflet", "somme"), marquees);
-    }
-
-    @Test
-    void unRepliOuQuelqueChoseAChangeEstMarque() {
-        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
-        sphere.setKd(new Couleur(1));
-        Noeud recit = null;
-        for (double loin : new double[] {20, 25}) {
-            List<Lampe> lampes = new ArrayList<>();
-            for (int k = 0; k < 5; k++) {
-                lampes.add(new Lampe(new Point(0, 0, k < 4 ? 20 : loin), new Couleur(1)));
-            }
-            recit = recitDe(auMilieu(new Scene(Collections.singletonList(sphere), lampes))).raconter().depuis(recit);
-        }
-        Noeud repli = recit.enfants.get(0).enfants.get(0);
-        assertEquals("5 lampes dans le dos", repli.texte);
-        assertTrue(repli.replie && repli.avant == null && repli.aChange());
-        assertEquals(1, changes(recit).size(), changes(recit).toString());
-        assertTrue(changes(recit).get(0).matches("lampe 5  N·\\(lampe − contact\\) = -19.0  dans le dos.*   ← -14.0  dans le dos.*"),
-                changes(recit).toString());
-    }
-
-    @Test
-    void unAutrePixelNeSeMarquePasCommeUnChangement() {
-        Noeud recit = null;
-        for (int x : new int[] {4, 5}) {
-            Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 8), 3)), Collections.emptyList());
-            recit = recitDe(inspecter(scene, new Origines(), new Camera(9, 9), 5, x, 4)).raconter().depuis(recit);
-        }
-        assertEquals(Collections.emptyList(), changes(recit));
     }
 
     /** Ce que la classe demande d'abord d'un pixel noir ou d'un ciel. */

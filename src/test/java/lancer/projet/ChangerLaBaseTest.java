@@ -60,8 +60,8 @@ class ChangerLaBaseTest {
         try (URLClassLoader classes = new URLClassLoader(chemin, ClassLoader.getSystemClassLoader().getParent())) {
             Object lue = classes.loadClass("lancer.scene.LecteurScene").getMethod("lire", String.class, DoubleConsumer.class)
                     .invoke(null, scene("Ke=0.3 0 0").toString(), (DoubleConsumer) part -> { });
-            Object changee = lue.getClass().getMethod("avec", int.class, String.class, String.class)
-                    .invoke(lue, 0, "centre", "0 1 6");
+            Object changee = classes.loadClass("lancer.scene.Deplacement")
+                    .getMethod("avec", lue.getClass(), int.class, String.class, String.class).invoke(null, lue, 0, "centre", "0 1 6");
             Object boule = ((List<?>) changee.getClass().getField("objets").get(changee)).get(0);
             assertEquals("Point(0.0, 1.0, 6.0)", boule.getClass().getMethod("getCentre").invoke(boule).toString());
             Field emise = boule.getClass().getSuperclass().getDeclaredField("Ke");

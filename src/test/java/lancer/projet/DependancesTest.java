@@ -87,7 +87,7 @@ class DependancesTest {
         String permis = JAVA + "|lancer\\.(contrat|precision)\\..*";
         verifier("lancer\\.(?!Main|Scene|Lancer)\\w+|lancer\\.SceneFautive", permis);
         verifier("lancer\\.Lancer", permis + "|lancer\\.fils\\..*");
-        verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|SceneLue|SpheresConfondues)");
+        verifier("lancer\\.Scene", permis + "|lancer\\.scene\\.(LecteurScene|SceneLue)");
     }
 
     @Test

@@ -1,56 +1,76 @@
 package lancer.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
-import java.util.concurrent.CountDownLatch;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
-/** La veille sur le fichier d'une scène, devant un disque qui ne répond pas. */
+/** L'observation du fichier d'une scène : sa date et sa taille disent qu'il a changé, une fois qu'il ne change plus. */
 @Timeout(60)
 class SurveillanceTest {
 
-    @Test
-    void suivreUneAutreSceneNAttendPasUnDisqueQuiNeRepondPas() throws Exception {
-        CountDownLatch demande = new CountDownLatch(2);
-        CountDownLatch reponse = new CountDownLatch(1);
-        AtomicInteger ici = new AtomicInteger();
-        LinkedBlockingQueue<String> dits = new LinkedBlockingQueue<>();
-        Surveillance veille = new Surveillance(fichier -> {
-            if (fichier.equals("loin")) {
-                demande.countDown();
-                // la première question est répondue, la deuxième se fait attendre
-                if (demande.getCount() == 0) {
-                    attendre(reponse);
-                }
-                return "changée";
-            }
-            ici.incrementAndGet();
-            return "autre";
-        }, () -> dits.add("change"), () -> dits.add("efface"));
-        veille.suivre("loin", "lue");
-        assertTrue(demande.await(40, TimeUnit.SECONDS), "le disque est interrogé");
-        Thread fenetre = new Thread(() -> veille.suivre("ici", "lue"));
-        fenetre.start();
-        fenetre.join(TimeUnit.SECONDS.toMillis(20));
-        boolean attend = fenetre.isAlive();
-        reponse.countDown();
-        assertFalse(attend, "la fenêtre attend le disque");
-        assertEquals("change", dits.poll(40, TimeUnit.SECONDS));
-        veille.terminer();
-        assertTrue(ici.get() >= 2, "c'est de la scène d'ici que cela se dit");
+    @TempDir
+    Path dossier;
+    private final LinkedBlockingQueue<String> dits = new LinkedBlockingQueue<>();
+    private final Surveillance veille = new Surveillance(() -> dits.add("change"), () -> dits.add("efface"));
+    private Path fichier;
+
+    @BeforeEach
+    void suivreUnFichier() throws IOException {
+        fichier = dossier.resolve("s.ini");
+        ecrire("un", 1);
+        veille.suivre(fichier.toString(), FichierScene.version(fichier.toString()));
     }
 
-    private static void attendre(CountDownLatch loquet) {
-        try {
-            loquet.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+    @AfterEach
+    void terminer() {
+        veille.terminer();
+    }
+
+    private void ecrire(String texte, int date) throws IOException {
+        Files.write(fichier, texte.getBytes());
+        Files.setLastModifiedTime(fichier, FileTime.from(date, TimeUnit.HOURS));
+    }
+
+    private void attendre(String attendu) throws InterruptedException {
+        assertEquals(attendu, dits.poll(40, TimeUnit.SECONDS));
+        assertNull(dits.poll(1, TimeUnit.SECONDS), "cela ne se dit qu'une fois");
+    }
+
+    @Test
+    void uneAutreDateOuUneAutreTailleSeDisentUneFois() throws Exception {
+        ecrire("un", 2);
+        attendre("change");
+        ecrire("trois", 2);
+        attendre("change");
+    }
+
+    @Test
+    void unFichierEffaceSeDitPuisSonRetour() throws Exception {
+        Files.delete(fichier);
+        attendre("efface");
+        ecrire("un", 1);
+        attendre("change");
+    }
+
+    @Test
+    void unFichierQuiNEstPlusSuiviNeDitPlusRien() throws Exception {
+        Path autre = Files.write(dossier.resolve("autre.ini"), "deux".getBytes());
+        veille.suivre(autre.toString(), FichierScene.version(autre.toString()));
+        ecrire("un", 2);
+        Files.delete(fichier);
+        assertNull(dits.poll(2, TimeUnit.SECONDS));
+        Files.delete(autre);
+        attendre("efface");
     }
 }

@@ -10,11 +10,8 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import lancer.Camera;
 import lancer.Point;
 import lancer.Rayon;
@@ -34,7 +31,7 @@ public final class Figure {
 
     private static final Stroke PLEIN = new BasicStroke(1.5f);
     private static final Stroke LARGE = new BasicStroke(3.5f);
-    static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
+    private static final Stroke TIRETE = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1,
             new float[] {3, 4}, 0);
 
     /** Nombre de morceaux d'un trait ; chacun est plein ou en tirets. */
@@ -53,35 +50,23 @@ public final class Figure {
     private final Scene scene;
     private final List<Trait> traits = new ArrayList<>();
     private final List<double[]> anneaux = new ArrayList<>();
-    /** Position du numéro de chaque anneau, à sa dernière peinture. */
-    private final Map<Integer, Rectangle2D> numeros = new LinkedHashMap<>();
-
-    /** À appeler hors du fil des événements. @param seul rebond à montrer, avec ses lampes ; 0 pour tous */
-    public Figure(Inspection pixel, int seul) {
+    /** À appeler hors du fil des événements. */
+    public Figure(Inspection pixel) {
         camera = pixel.camera;
         scene = pixel.scene.avec(pixel.scene.getModele());
         Point depart = null;
         for (Segment segment : pixel.getSegments()) {
-            boolean montre = seul == 0 || seul == segment.numero;
-            if (depart != null && (montre || seul == segment.numero - 1)) {
+            if (depart != null) {
                 tracer(depart, segment.contact == null ? depart.add(LOIN, segment.V) : segment.contact, REFLET,
                         segment.contact == null);
             }
             depart = segment.contact;
             if (depart != null) {
                 double[] ou = projeter(depart);
-                anneaux.add(new double[] {ou[0], ou[1], segment.numero, montre ? 1 : 0});
-                if (montre) {
-                    segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
-                }
+                anneaux.add(new double[] {ou[0], ou[1], segment.numero});
+                segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
             }
         }
-    }
-
-    /** Le rebond dont le numéro est affiché en ce point de l'écran ; 0 s'il n'y en a pas. */
-    public int numeroEn(java.awt.Point ou) {
-        return numeros.entrySet().stream().filter(e -> e.getValue().contains(ou)).mapToInt(Map.Entry::getKey)
-                .findFirst().orElse(0);
     }
 
     private void tracer(Point contact, Terme lampe) {
@@ -211,24 +196,15 @@ public final class Figure {
         double rayon = TAILLE * g.getFont().getSize2D();
         double echelle = (double) place.width / camera.getLargeur();
         traits.forEach(trait -> trait.peindre(g, place, place.intersection(new Rectangle(vue))));
-        numeros.clear();
         for (double[] anneau : anneaux) {
             double x = place.x + echelle * anneau[0];
             double y = place.y + echelle * anneau[1];
-            if (anneau[3] > 0) {
-                peindreLisere(g, new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon), Color.WHITE);
-            }
+            peindreLisere(g, new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon), Color.WHITE);
+            String numero = "" + (int) anneau[2];
             g.setColor(Color.BLACK);
-            ecrire(g, (int) anneau[2], x + rayon + 3, y - rayon - 1);
-            g.setColor(anneau[3] > 0 ? Color.WHITE : Color.LIGHT_GRAY);
-            numeros.put((int) anneau[2], ecrire(g, (int) anneau[2], x + rayon + 2, y - rayon - 2));
+            g.drawString(numero, (float) (x + rayon + 3), (float) (y - rayon - 1));
+            g.setColor(Color.WHITE);
+            g.drawString(numero, (float) (x + rayon + 2), (float) (y - rayon - 2));
         }
-    }
-
-    /** Écrit ce numéro. @return sa place */
-    static Rectangle2D ecrire(Graphics2D g, int numero, double x, double y) {
-        g.drawString("" + numero, (float) x, (float) y);
-        Rectangle2D cadre = g.getFontMetrics().getStringBounds("" + numero, g);
-        return new Rectangle2D.Double(x, y + cadre.getY(), cadre.getWidth(), cadre.getHeight());
     }
 }

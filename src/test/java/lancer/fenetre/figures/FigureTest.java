@@ -34,7 +34,7 @@ class FigureTest {
                 + "[Lampe 2]\nposition=0 0 1\ncouleur=1 1 1\n").getBytes());
         Inspection pixel = new Inspection(new Scene(scene.toString()), new Origines(), new Camera(L, H), 0, 150, 110);
         pixel.faire();
-        Figure figure = new Figure(pixel, 0);
+        Figure figure = new Figure(pixel);
         Dimension vue = new Dimension(300, 200);
         BufferedImage vues = peindre(figure, vue);
         BufferedImage sansBord = peindre(figure, new Dimension(LOUPE * L, LOUPE * H));

@@ -48,7 +48,7 @@ class OeilDeplaceFiguresTest {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
-        new Figure(pixel(camera, i, j), 0).peindre(g, new Rectangle(0, 0, L, H), new Dimension(L, H));
+        new Figure(pixel(camera, i, j)).peindre(g, new Rectangle(0, 0, L, H), new Dimension(L, H));
         int blancs = 0;
         for (int k = 0; k < 16; k++) {
             int plusClair = 0;
@@ -73,9 +73,9 @@ class OeilDeplaceFiguresTest {
     void laVueDeCoteMontreLOeilOuIlEstEtLeRayonParLePointDeLEcran(double x, double y, double z, double plan) {
         Camera camera = new CameraDeplacee(L, H, new Point(x, y, z), plan);
         Inspection pixel = pixel(camera, 165, 100);
-        VueDeCote vue = new VueDeCote(numero -> { });
+        VueDeCote vue = new VueDeCote();
         vue.setSize(500, 240);
-        vue.montrer(pixel, 0);
+        vue.montrer(pixel);
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
         assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(z) - 2, (int) vue.v(y)), "l'œil");

@@ -4,21 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Random;
-import java.util.Set;
 import lancer.Camera;
-import lancer.Couleur;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.inspection.Inspection;
 import lancer.scene.Origines;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -36,9 +28,9 @@ class VueDeCoteTest {
         Inspection pixel = new Inspection(scene, new Origines(), new Camera(40, 40), 0, 20, 23);
         pixel.faire();
         assertTrue(pixel.getSegments().get(0).contact != null);
-        VueDeCote vue = new VueDeCote(numero -> { });
+        VueDeCote vue = new VueDeCote();
         vue.setSize(L, H);
-        vue.montrer(pixel, 0);
+        vue.montrer(pixel);
         BufferedImage peinte = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         vue.paint(peinte.createGraphics());
         int jugees = 0;
@@ -54,33 +46,6 @@ class VueDeCoteTest {
             }
         }
         assertTrue(jugees > 15, jugees + " colonnes");
-    }
-
-    @Test
-    void unRebondSeVoitDePlusPresQueTousEnsemble() {
-        Random hasard = new Random(31);
-        for (int essai = 0; essai < 300; essai++) {
-            List<Sphere> spheres = new ArrayList<>();
-            for (int k = 0; k < 12; k++) {
-                Sphere sphere = new Sphere(new Point(2 - 4 * hasard.nextDouble(), 2 - 4 * hasard.nextDouble(),
-                        1 + 4 * hasard.nextDouble()), 0.7);
-                sphere.setKs(new Couleur(0.9));
-                spheres.add(sphere);
-            }
-            Inspection pixel = new Inspection(new Scene(spheres, Collections.emptyList()), new Origines(), new Camera(41, 41), 5, 20, 20);
-            pixel.faire();
-            VueDeCote vue = new VueDeCote(numero -> { });
-            vue.setSize(170, 50);
-            vue.montrer(pixel, 2);
-            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
-            Set<Objet3D> voisines = new HashSet<>();
-            pixel.getSegments().stream().filter(segment -> segment.numero <= 3 && segment.contact != null)
-                    .forEach(segment -> voisines.add(segment.contact.objet));
-            double pres = vue.h(1) - vue.h(0);
-            vue.montrer(pixel, 0);
-            vue.paint(new BufferedImage(170, 50, BufferedImage.TYPE_INT_RGB).createGraphics());
-            assertTrue(pres > vue.h(1) - vue.h(0) || voisines.size() < 2, "de près, " + pres + " pixels par unité");
-        }
     }
 
     /** Un trait y passe, celui de la sphère ou un autre par-dessus lui. */

@@ -1,0 +1,55 @@
+package lancer.dessin;
+
+import java.util.Arrays;
+
+/**
+ * Les durées des dessins d'une même image, dans leur ordre. La première moitié s'exécute avant la fin de la
+ * compilation, et ne compte pas : voir docs/etendre.md. Immuable.
+ */
+public final class Durees {
+
+    /** Quantile à 97,5 % de la loi normale. */
+    private static final double NORMALE = 1.96;
+
+    private final long[] toutes;
+    /** La seconde moitié, de la plus courte à la plus longue. */
+    private final long[] gardees;
+
+    /** @param toutes en nanosecondes */
+    public Durees(long... toutes) {
+        this.toutes = toutes;
+        gardees = Arrays.stream(toutes).skip(toutes.length / 2).sorted().toArray();
+    }
+
+    public Durees avec(long duree) {
+        long[] suite = Arrays.copyOf(toutes, toutes.length + 1);
+        suite[toutes.length] = duree;
+        return new Durees(suite);
+    }
+
+    public int getNombre() {
+        return toutes.length;
+    }
+
+    public long getSomme() {
+        return Arrays.stream(toutes).sum();
+    }
+
+    /** La médiane des durées qui comptent, en nanosecondes. */
+    public double getMediane() {
+        return (gardees[(gardees.length - 1) / 2] + gardees[gardees.length / 2]) / 2.0;
+    }
+
+    /** La plus petite durée de l'intervalle de la médiane, à 95 % si cinq durées ou plus comptent. */
+    public long getMin() {
+        return gardees[getRang()];
+    }
+
+    public long getMax() {
+        return gardees[gardees.length - 1 - getRang()];
+    }
+
+    private int getRang() {
+        return (int) Math.max(0, (gardees.length - NORMALE * Math.sqrt(gardees.length)) / 2);
+    }
+}

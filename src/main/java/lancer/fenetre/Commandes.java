@@ -1,0 +1,204 @@
+package lancer.fenetre;
+
+import java.awt.event.KeyEvent;
+import java.io.File;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableSet;
+import java.util.Objects;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
+import lancer.commande.Etape;
+import lancer.commande.Options;
+import lancer.texte.Texte;
+
+/** Les commandes de la fenêtre, dans ses menus ou seulement au clavier. Aucune touche n'est un chiffre. */
+final class Commandes {
+
+    private static final NavigableSet<Integer> REFLEXIONS = new TreeSet<>(Arrays.asList(0, 1, 2, 5, 10));
+    private static final int SCENES_MAX = 40;
+
+    private final Fenetre f;
+    private final Controleur c;
+    private final List<Commande> toutes = new ArrayList<>();
+    private final BooleanSupplier toujours = () -> true;
+    private final BooleanSupplier scene;
+    private final BooleanSupplier pixel;
+
+    /** Donne à cette fenêtre ses menus et ses touches. */
+    Commandes(Fenetre fenetre) {
+        f = fenetre;
+        c = fenetre.controleur;
+        scene = () -> c.demande != null;
+        pixel = () -> f.pixel() != null;
+        JMenuBar barre = new JMenuBar();
+        barre.add(fichier());
+        barre.add(affichage());
+        barre.add(dessin());
+        barre.add(scenes());
+        JMenu aide = barre.add(menu("Aide", commande("Touches", "F1", toujours, this::direTouches)));
+        // A est la lettre d'Affichage
+        aide.setMnemonic(KeyEvent.VK_I);
+        f.cadre.setJMenuBar(barre);
+        auClavier();
+        c.prevenir(() -> toutes.forEach(Commande::ajuster));
+    }
+
+    private Commande commande(String nom, String touche, BooleanSupplier possible, Runnable effet) {
+        Commande nouvelle = new Commande(nom, touche, possible, effet);
+        toutes.add(nouvelle);
+        return nouvelle;
+    }
+
+    private JMenu fichier() {
+        return menu("Fichier",
+                commande("Ouvrir une scène…", "ctrl O", toujours, f::choisirScene),
+                commande("Relire la scène et redessiner", "F5", () -> c.fichier != null, c::relire),
+                commande("Écrire dans la scène", "ctrl E", f.prise::estDeplace, f.enregistrement::ecrireDansLaScene),
+                commande("Enregistrer l'image…", "ctrl S", scene, f.enregistrement::enregistrer),
+                commande("Copier l'image", "ctrl C", scene, f.enregistrement::copier),
+                commande("Copier les réglages", "ctrl shift C", scene, f.enregistrement::copierReglages),
+                commande("Copier le récit du pixel", "ctrl T", pixel, () -> f.pixel().copier()),
+                commande("Copier le message", null, f.panneau.bandeau::isVisible, f.panneau.bandeau::copier),
+                commande("Quitter", "ctrl Q", toujours, f::fermer));
+    }
+
+    private JMenu affichage() {
+        JMenu menu = menu("Affichage",
+                commande("Réglages", "F2", scene, () -> f.onglets.montrer(1).transferFocus()),
+                commande("Vitesse ou précision", "F3", scene, () -> f.onglets.montrer(2).transferFocus()),
+                commande("Remplir la fenêtre", "ctrl R", toujours, f::remplir).cochee(() -> f.remplie),
+                commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
+                commande("Loupe, plus loin", "ctrl DOWN", scene, () -> f.panneau.approcher(false)));
+        menu.addSeparator();
+        Stream.concat(Stream.of("image"), Options.VUES.stream()).forEach(nom -> {
+            String vue = nom.equals("image") ? null : nom;
+            ajouter(menu, commande("Vue : " + nom, null, scene, () -> c.voir(vue))
+                    .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.demande.vue)));
+        });
+        return menu;
+    }
+
+    private JMenu dessin() {
+        return menu("Dessin",
+                commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE",
+                        () -> c.enCours || f.onglets.estOuvert(), f::echapper),
+                commande("Défaire le déplacement", "ctrl Z", f.prise::peutDefaire, f.prise::defaire),
+                commande("Revenir aux réglages du fichier", null, scene, c::revenir));
+    }
+
+    /** Les commandes sans article : celles de l'image demandent qu'elle ait le clavier. */
+    private void auClavier() {
+        JComponent cadre = f.cadre.getRootPane();
+        for (Etape etape : Etape.values()) {
+            lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW, commande("Étape du cours : Lambert, Phong, ombres, reflets",
+                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(c.demande.reglages.avecEtape(etape))));
+        }
+        reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
+        reflexions("Moins de réflexions", '-', REFLEXIONS::lower);
+        surLImage("Les rayons du pixel sous la souris, ou au milieu", "ENTER", scene, f::inspecter);
+        surLImage("Tout le détail du pixel, ou l'essentiel", "typed d", pixel, () -> f.pixel().deplier());
+        surLImage("Tenue, l'image d'avant", "SPACE", () -> c.avant != null, () -> f.tenir(true));
+        surLImage(null, "released SPACE", toujours, () -> f.tenir(false));
+        for (int pas : new int[] {1, 10}) {
+            String nom = pas == 1 ? "Le pixel voisin" : "Dix pixels plus loin";
+            String avec = pas == 1 ? "" : "shift ";
+            surLImage(nom, avec + "LEFT", pixel, () -> f.pixel().aller(-pas, 0));
+            surLImage(nom, avec + "RIGHT", pixel, () -> f.pixel().aller(pas, 0));
+            surLImage(nom, avec + "UP", pixel, () -> f.pixel().aller(0, -pas));
+            surLImage(nom, avec + "DOWN", pixel, () -> f.pixel().aller(0, pas));
+        }
+    }
+
+    /** Cette touche, frappée avec ou sans Maj : les claviers diffèrent. */
+    private void reflexions(String nom, char touche, UnaryOperator<Integer> autre) {
+        for (String avec : new String[] {"", "shift "}) {
+            lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, commande(nom, avec + "typed " + touche,
+                    () -> scene.getAsBoolean() && autre.apply(c.demande.reglages.getReflets()) != null,
+                    () -> c.regler(c.demande.reglages.avecReflets(autre.apply(c.demande.reglages.getReflets())))));
+        }
+    }
+
+    private void surLImage(String nom, String touche, BooleanSupplier possible, Runnable effet) {
+        lier(f.panneau, JComponent.WHEN_FOCUSED, commande(nom, touche, possible, effet));
+    }
+
+    private static void lier(JComponent composant, int quand, Commande commande) {
+        composant.getInputMap(quand).put(commande.getTouche(), commande);
+        composant.getActionMap().put(commande, commande);
+    }
+
+    private void direTouches() {
+        Map<String, String> touches = new LinkedHashMap<>();
+        toutes.stream().filter(commande -> commande.getNom() != null && commande.getTouche() != null)
+                .forEach(commande -> touches.merge(commande.getNom(), commande.direTouche(),
+                        (une, autre) -> une.equals(autre) ? une : une + ", " + autre));
+        touches.put("Prendre une sphère, ou l'étoile d'une lampe ; F5 oublie ce qui n'est pas écrit", "Maj et la souris");
+        Dialogues.direTouches(f.cadre, touches.entrySet().stream()
+                .map(e -> "<tr><td>" + e.getValue() + "<td>" + e.getKey()).collect(Collectors.joining()));
+    }
+
+    private static JMenu menu(String nom, Commande... siennes) {
+        JMenu menu = new JMenu(nom);
+        menu.setMnemonic(nom.charAt(0));
+        Arrays.stream(siennes).forEach(commande -> ajouter(menu, commande));
+        return menu;
+    }
+
+    /** Ajoute un article. Sa lettre, si possible, est une que les autres articles de son menu n'ont pas. */
+    private static void ajouter(JMenu menu, Commande commande) {
+        JMenuItem article = commande.seCoche() ? new JCheckBoxMenuItem(commande) : new JMenuItem(commande);
+        article.setMnemonic(article.getText().chars().filter(lettre -> lettre < 128 && Character.isLetter(lettre))
+                .map(KeyEvent::getExtendedKeyCodeForChar)
+                .filter(lettre -> Arrays.stream(menu.getMenuComponents()).noneMatch(autre -> autre instanceof JMenuItem
+                        && ((JMenuItem) autre).getMnemonic() == lettre)).findFirst().orElse(KeyEvent.VK_UNDEFINED));
+        menu.add(article);
+    }
+
+    /** Les scènes du dossier de celle qui est demandée, lues quand le menu s'ouvre. */
+    private JMenu scenes() {
+        JMenu menu = menu("Scènes");
+        menu.addMenuListener(new MenuListener() {
+            @Override
+            public void menuSelected(MenuEvent e) {
+                menu.removeAll();
+                File[] scenes = Dialogues.dossierDesScenes(c.fichier)
+                        .listFiles(scene -> Texte.minuscules(scene.getName()).endsWith(".ini"));
+                Arrays.stream(scenes == null ? new File[0] : scenes).sorted().limit(SCENES_MAX).forEach(scene -> {
+                    boolean celle = c.fichier != null && scene.getName().equals(new File(c.fichier).getName());
+                    JMenuItem article = new JRadioButtonMenuItem("", celle);
+                    // un nom de fichier qui commence par <html> doit être affiché tel quel
+                    article.putClientProperty("html.disable", true);
+                    article.setText(Texte.echappe(scene.getName()));
+                    article.addActionListener(choisie -> c.ouvrir(scene.getPath()));
+                    menu.add(article);
+                });
+            }
+
+            @Override
+            public void menuDeselected(MenuEvent e) {
+                // rien à faire
+            }
+
+            @Override
+            public void menuCanceled(MenuEvent e) {
+                // rien à faire
+            }
+        });
+        return menu;
+    }
+}

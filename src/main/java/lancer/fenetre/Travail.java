@@ -1,0 +1,171 @@
+package lancer.fenetre;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.ExecutionException;
+import javax.swing.SwingWorker;
+import lancer.dessin.Demande;
+import lancer.dessin.Dessin;
+import lancer.image.ImageMemoire;
+import lancer.scene.FichierScene;
+
+/**
+ * Un dessin de la fenêtre (cours, « Bilan intermédiaire ») : lire la scène si elle ne l'est pas, puis dessiner le
+ * brouillon et l'image. Ce fil publie ce que celui des événements doit faire à chaque étape.
+ */
+final class Travail extends SwingWorker<Void, Runnable> {
+
+    /** Temps de dessin avant de dire ce qui en reste. */
+    private static final long RESTE_NS = 2_000_000_000;
+
+    final String fichier;
+    /** Vrai si ce travail lit la scène. */
+    final boolean lit;
+    private final Moteur moteur;
+    /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
+    private volatile Demande demande;
+    /** Le dessin ; {@code null} avant la préparation. */
+    private volatile Dessin dessin;
+    private final ImageMemoire reference;
+    private volatile double partLue;
+    private volatile boolean lue;
+    private volatile String version;
+    private final long debut = System.nanoTime();
+    private volatile long debutDuDessin;
+    private long fin;
+    /** Dirige ce travail, dans le fil des événements. */
+    private Controleur controleur;
+
+    /** Dessine cette scène lue. @param reference l'image à laquelle une vue se compare, ou {@code null} */
+    Travail(Moteur moteur, Demande demande, ImageMemoire reference) {
+        this(moteur, demande.lecture.fichier, false, demande, reference);
+    }
+
+    /** Lit ce fichier, puis dessine la scène. @param avant la demande dont les réglages sont gardés, ou {@code null} */
+    Travail(Moteur moteur, String fichier, Demande avant) {
+        this(moteur, fichier, true, avant, null);
+    }
+
+    private Travail(Moteur moteur, String fichier, boolean lit, Demande demande, ImageMemoire reference) {
+        this.moteur = moteur;
+        this.fichier = fichier;
+        this.lit = lit;
+        this.demande = demande;
+        this.reference = reference;
+        lue = !lit;
+    }
+
+    void diriger(Controleur celui) {
+        controleur = celui;
+    }
+
+    @Override
+    protected Void doInBackground() {
+        if (lit) {
+            version = FichierScene.version(fichier);
+            Demande initiale = moteur.lire(fichier, part -> partLue = part);
+            demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
+            lue = true;
+            publish(() -> controleur.lue(this));
+        }
+        if (demande.vue == null) {
+            moteur.programme.accept(demande, this::suivre);
+        } else {
+            suivre(new Dessin(demande));
+            dessin.dessinerLaVue(reference, moteur.options.fils, () -> suivre(dessin));
+        }
+        return null;
+    }
+
+    private void suivre(Dessin celui) {
+        dessin = celui;
+        debutDuDessin = System.nanoTime();
+        publish(() -> controleur.montrer(this));
+    }
+
+    @Override
+    protected void process(List<Runnable> publies) {
+        publies.forEach(Runnable::run);
+    }
+
+    @Override
+    protected void done() {
+        fin = System.nanoTime();
+        controleur.finir(this);
+    }
+
+    Demande getDemande() {
+        return demande;
+    }
+
+    Dessin getDessin() {
+        return dessin;
+    }
+
+    /** La version du fichier avant sa lecture, même si elle a échoué ; {@code null} s'il n'existait pas. */
+    String getVersion() {
+        return version;
+    }
+
+    /** Vrai quand la scène est lue. */
+    boolean estLue() {
+        return lue;
+    }
+
+    boolean aSonBrouillon() {
+        return dessin != null && dessin.isBrouillonFait();
+    }
+
+    /** L'échec qui a arrêté ce travail ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */
+    Throwable getEchec() {
+        try {
+            if (isDone() && !isCancelled()) {
+                get();
+            }
+            return null;
+        } catch (ExecutionException e) {
+            return e.getCause();
+        } catch (InterruptedException e) {
+            return e;
+        }
+    }
+
+    boolean estAcheve() {
+        return isDone() && !isCancelled() && getEchec() == null;
+    }
+
+    /** La part faite de la lecture, ou de l'image, de 0 à 1. */
+    double getAvancement() {
+        return !lue ? partLue : aSonBrouillon() ? dessin.lancer.getAvancement() : 0;
+    }
+
+    /** Ce que ce travail fait ou a fait, en une ligne. */
+    String dire() {
+        // le résumé d'une image donne le temps du dessin seul ; celui-ci compte aussi la lecture
+        String temps = String.format(Locale.FRANCE, " — %.2f s",
+                ((fin != 0 ? fin : System.nanoTime()) - debut) / 1e9);
+        if (isCancelled()) {
+            return direEtape() + ", arrêt" + temps;
+        }
+        if (isDone()) {
+            return (estAcheve() ? "terminé" : "échec") + temps;
+        }
+        String vue = aSonBrouillon() && demande.vue != null ? " ; " + dessin.image.echelle : "";
+        return direEtape() + temps + direReste() + vue;
+    }
+
+    private String direEtape() {
+        return (!lue ? "lecture" : dessin == null ? "préparation" : aSonBrouillon() ? "dessin" : "brouillon")
+                + " " + (int) (100 * getAvancement()) + " %";
+    }
+
+    /** Le temps qui reste au dessin, d'après ce qui en est fait ; vide tant qu'il ne peut être estimé. */
+    private String direReste() {
+        long passe = System.nanoTime() - debutDuDessin;
+        if (!aSonBrouillon() || passe < RESTE_NS || getAvancement() == 0) {
+            return "";
+        }
+        double s = passe * (1 - getAvancement()) / getAvancement() / 1e9;
+        return ", reste " + (s < 60 ? Math.round(s) + " s" : Math.round(s / 60) + " min");
+    }
+}

@@ -1,0 +1,165 @@
+package lancer.scene;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.SceneFautive;
+import lancer.Sphere;
+import lancer.commande.Echec;
+import lancer.essai.Ressources;
+import lancer.image.Ecriture;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Écrire dans la scène : la valeur d'une ligne {@code centre} ou {@code position} change, et pas un autre octet. */
+class PlacesEcritesTest {
+
+    /** Une scène où {@code @1}, {@code @2} et {@code @3} sont les places, entourées de ce qui leur ressemble. */
+    private static final String SCENE = "; centre=9 9 9\n[SPHERE  \t a]\n\t CENTRE \t=  @1 \t\n# centre=8 8 8\nrayon = 1\nKd=1 0 0\n\n"
+            + "[Lampe]\ncouleur:1 1 1\n;position=0 0 0\nposition:@2\n[Sphere é œ 😀]\nrayon=.5\n  ; position=7 7 7\ncentre=@3";
+
+    @TempDir
+    Path dossier;
+    private Path fichier;
+
+    @BeforeEach
+    void nommer() {
+        fichier = dossier.resolve("s.ini");
+    }
+
+    private static byte[] scene(String modele, String... places) {
+        String texte = modele;
+        for (int k = 0; k < places.length; k++) {
+            texte = texte.replace("@" + (k + 1), places[k]);
+        }
+        return texte.getBytes(StandardCharsets.UTF_8);
+    }
+
+    private SceneLue lire(byte[] octets) throws IOException {
+        Files.write(fichier, octets);
+        return LecteurScene.lire(fichier.toString(), part -> { });
+    }
+
+    private static void verifier(byte[] attendus, byte[] ecrits) {
+        assertEquals(new String(attendus, StandardCharsets.UTF_8), new String(ecrits, StandardCharsets.UTF_8));
+        assertArrayEquals(attendus, ecrits);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\n", "\r\n", "\r"})
+    void seulesLesLignesDeplaceesChangent(String fin) throws IOException {
+        for (String debut : new String[] {"", "\uFEFF"}) {
+            for (String bout : new String[] {"", fin, fin + fin, " " + fin, fin + "; fin"}) {
+                String modele = debut + SCENE.replace("\n", fin) + bout;
+                SceneLue lue = lire(scene(modele, "0 0.2 6", "-4 6 -3", "1  1\t7"));
+                Map<Object, String> places = new IdentityHashMap<>();
+                places.put(lue.lampes.get(0), "3 3 0");
+                verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), lue.deplacer(places));
+                places.put(lue.objets.get(1), "1e-7 -2 .5");
+                places.put(lue.objets.get(0), "0.25 0.2 6");
+                byte[] ecrits = lue.deplacer(places);
+                verifier(scene(modele, "0.25 0.2 6", "3 3 0", "1e-7 -2 .5"), ecrits);
+                SceneLue relue = lire(ecrits);
+                assertEquals(new Point(0.25, 0.2, 6), ((Sphere) relue.objets.get(0)).getCentre());
+                assertEquals(new Point(1e-7, -2, .5), ((Sphere) relue.objets.get(1)).getCentre());
+                assertEquals(new Point(3, 3, 0), relue.lampes.get(0).getPosition());
+            }
+        }
+    }
+
+    @Test
+    void lesFinsDeLigneMeleesRestentMelees() throws IOException {
+        String modele = "\n\r\n\r[Sphere 1]\r\r\ncentre=@1\rrayon=1\n[Lampe 1]\r\nposition=@2\r\ncouleur=1 1 1";
+        SceneLue lue = lire(scene(modele, "0 0 6", "1 2 3"));
+        Map<Object, String> places = new HashMap<>();
+        places.put(lue.lampes.get(0), "4 5 6");
+        places.put(lue.objets.get(0), "1 0 6");
+        verifier(scene(modele, "1 0 6", "4 5 6"), lue.deplacer(places));
+    }
+
+    static Stream<Path> scenes() throws IOException {
+        return Stream.concat(Files.list(Paths.get("scenes")), Files.list(Paths.get(Ressources.chemin("valides"))))
+                .filter(chemin -> chemin.toString().endsWith(".ini")).sorted();
+    }
+
+    private static List<Object> choses(SceneLue lue) {
+        List<Object> choses = new ArrayList<>(lue.objets);
+        choses.addAll(lue.lampes);
+        return choses;
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void uneSceneDeplaceePuisRemiseEstCelleDAvant(Path scene) throws IOException {
+        byte[] avant = Files.readAllBytes(scene);
+        SceneLue lue = lire(avant);
+        verifier(avant, lue.deplacer(Collections.emptyMap()));
+        for (int rang = 0; rang < choses(lue).size(); rang += 1 + choses(lue).size() / 10) {
+            Object chose = choses(lue).get(rang);
+            if (chose instanceof Lampe || chose.getClass() == Sphere.class) {
+                byte[] ecrits = lue.deplacer(Collections.singletonMap(chose, "1 2 3"));
+                Object deplacee = choses(lire(ecrits)).get(rang);
+                assertEquals(new Point(1, 2, 3), chose instanceof Lampe ? ((Lampe) deplacee).getPosition()
+                        : ((Sphere) deplacee).getCentre());
+                Files.write(fichier, avant);
+            }
+        }
+    }
+
+    @Test
+    void unFichierQuiAChangeDepuisSaLectureNEstPasTouche() throws IOException {
+        byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
+        SceneLue lue = lire(avant);
+        FileTime date = Files.getLastModifiedTime(fichier);
+        Map<Object, String> places = Collections.singletonMap(lue.lampes.get(0), "3 3 0");
+        // la même taille, la même date : seul le contenu le dit
+        byte[] change = scene(SCENE, "0 0.3 6", "-4 6 -3", "1 1 7");
+        Files.write(fichier, change);
+        Files.setLastModifiedTime(fichier, date);
+        String faute = assertThrows(SceneFautive.class, () -> lue.deplacer(places)).getMessage();
+        assertTrue(faute.matches("\\Q" + fichier + "\\E : le fichier a changé depuis sa lecture ; attendu : .+"), faute);
+        assertArrayEquals(change, Files.readAllBytes(fichier));
+
+        Files.delete(fichier);
+        assertThrows(SceneFautive.class, () -> lue.deplacer(places));
+        Files.createDirectory(fichier);
+        assertThrows(SceneFautive.class, () -> lue.deplacer(places));
+    }
+
+    @Test
+    void leFichierEstRemplaceEnEntierOuPasDuTout() throws IOException {
+        byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
+        SceneLue lue = lire(avant);
+        byte[] ecrits = lue.deplacer(Collections.singletonMap(lue.lampes.get(0), "3 3 0"));
+        Ecriture ecriture = new Ecriture(fichier.toString());
+        ecriture.ecrire(ecrits);
+        verifier(scene(SCENE, "0 0.2 6", "3 3 0", "1 1 7"), Files.readAllBytes(fichier));
+        assertArrayEquals(new String[] {"s.ini"}, dossier.toFile().list());
+
+        Path sous = Files.createDirectory(dossier.resolve("sous"));
+        Ecriture absente = new Ecriture(sous.resolve("s.ini").toString());
+        Files.delete(sous);
+        assertThrows(Echec.class, () -> absente.ecrire(ecrits));
+    }
+}
