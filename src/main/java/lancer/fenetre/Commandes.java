@@ -145,7 +145,8 @@ final class Commandes {
         toutes.stream().filter(commande -> commande.getNom() != null && commande.getTouche() != null)
                 .forEach(commande -> touches.merge(commande.getNom(), commande.direTouche(),
                         (une, autre) -> une.equals(autre) ? une : une + ", " + autre));
-        touches.put("Prendre une sphère, ou l'étoile d'une lampe ; F5 oublie ce qui n'est pas écrit", "Maj et la souris");
+        touches.put("Tirer une sphère, ou l'étoile d'une lampe", "Maj et la souris");
+        touches.put("Oublient aussi ce qui a été tiré sans être écrit", "F5 et Ctrl+Q");
         Dialogues.direTouches(f.cadre, touches.entrySet().stream()
                 .map(e -> "<tr><td>" + e.getValue() + "<td>" + e.getKey()).collect(Collectors.joining()));
     }

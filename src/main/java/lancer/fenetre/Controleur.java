@@ -182,7 +182,7 @@ final class Controleur {
         }
     }
 
-    /** Le dessin de ce travail est commencé, ou son brouillon est fait : il est alors montré, et ce qui a changé suit. */
+    /** Le dessin de ce travail commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
     void montrer(Travail celui) {
         if (celui != travail || celui.isCancelled()) {
             return;
@@ -241,6 +241,10 @@ final class Controleur {
                     + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
+        }
+        if (echec != null && celui.estLue() && !demande.equals(celui.getDemande())) {
+            // autre chose a été demandé avant cet échec
+            dessiner();
         }
         avertir();
     }
