@@ -2,9 +2,7 @@ package lancer.scene;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 
 /** Les objets et les lampes d'un fichier, dans son ordre, chacun avec sa section. */
@@ -14,8 +12,6 @@ public final class Origines {
     /** Pour la fenêtre. */
     final LecteurSections lecteur;
     private final boolean avecTexte;
-    /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
-    private Map<Object, Integer> rangs;
 
     /** Une chose et sa section : son nom, sa ligne et, pour la fenêtre, son texte, ou {@code null}. */
     static final class Origine {
@@ -62,12 +58,8 @@ public final class Origines {
     }
 
     /** Le rang de cet objet ou de cette lampe dans le fichier ; −1 s'il n'en vient pas. */
-    public synchronized int getRang(Object chose) {
-        if (rangs == null) {
-            rangs = new IdentityHashMap<>(lues.size());
-            IntStream.range(0, lues.size()).forEach(k -> rangs.putIfAbsent(lues.get(k).chose, k));
-        }
-        return rangs.getOrDefault(chose, -1);
+    public int getRang(Object chose) {
+        return IntStream.range(0, lues.size()).filter(k -> lues.get(k).chose == chose).findFirst().orElse(-1);
     }
 
     /** Nom de cette section ; si elle n'a que son type, sa ligne la situe. */
@@ -78,7 +70,8 @@ public final class Origines {
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */
     public String de(Object chose) {
-        return getRang(chose) < 0 ? null : lues.get(getRang(chose)).toString();
+        int rang = getRang(chose);
+        return rang < 0 ? null : lues.get(rang).toString();
     }
 
     /** La ligne de la section de cet objet ou de cette lampe, qui vient du fichier. */
