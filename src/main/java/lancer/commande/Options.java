@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiConsumer;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -25,62 +24,47 @@ public final class Options {
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
-    /** Les options, dans l'ordre de l'aide. Une valeur refusée lève une {@link IllegalArgumentException}. */
+    /** Les options, dans l'ordre de l'aide. {@link #comprendre} lit leurs valeurs. */
     private static final Entree[] TABLE = {
         new Entree("--image", "FICHIER.png", "un fichier dont le nom finit par .png",
-                "écrit l'image, sans fenêtre ni écran",
-                (o, v) -> o.image = finissant(v, ".png")),
+                "écrit l'image, sans fenêtre ni écran"),
         new Entree("--lineaire", "FICHIER.pfm", "un fichier dont le nom finit par .pfm",
-                "écrit les couleurs non limitées (PFM) ; peut aller avec --image",
-                (o, v) -> o.lineaire = finissant(v, ".pfm")),
+                "écrit les couleurs non limitées (PFM) ; peut aller avec --image"),
         new Entree("--taille", "800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
                 + " chacune, et au plus " + PIXELS_MAX + " pixels",
-                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
-                Options::dimensionner),
+                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté"),
         new Entree("--reflets", "5", "un entier de 0 à " + REFLETS_MAX,
-                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX,
-                (o, v) -> o.reglages = o.reglages.avecReflets(entier(v, 0, REFLETS_MAX))),
+                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
         new Entree("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
-                "le cours étape par étape : lambert, phong, ombres, puis reflets",
-                (o, v) -> o.reglages = o.reglages.avecEtape(etape(v))),
+                "le cours étape par étape : lambert, phong, ombres, puis reflets"),
         new Entree("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
                 "avec --image, en fausses couleurs : normales, distance, lampes,\n"
-                + "rayons ou difference, qui se compare à 64 rayons par pixel",
-                (o, v) -> o.vue = parmi(VUES, v)),
+                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
         new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
-                "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-                (o, v) -> o.reglages = o.reglages.avecSeuil(reel(v, 0, Double.MAX_VALUE))),
+                "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-                "sans ces variantes, même si elles sont dans le chemin des classes",
-                (o, v) -> o.reglages = o.reglages.sans(noms(v))),
+                "sans ces variantes, même si elles sont dans le chemin des classes"),
         new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs",
-                (o, v) -> o.fils = entier(v, 1, FILS_MAX)),
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs"),
         new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
-                "dessine N fois avant d'écrire, pour mesurer",
-                (o, v) -> o.repeter = entier(v, 1, REPETER_MAX)),
+                "dessine N fois avant d'écrire, pour mesurer"),
         new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
         new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image"),
         new Entree("--pixel", "421,426",
                 "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
                 "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran",
-                Options::viser),
+                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran"),
         new Entree("--auto", "erreur=1", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
                 "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
                 + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire",
-                (o, v) -> o.erreurVoulue = erreur(v)),
+                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire"),
         new Entree("--comparer", "REF.png", "une image PNG ou PFM",
                 "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-                + "pareilles, 1 différentes ; --image : l'image des différences",
-                (o, v) -> o.comparer = image(v)),
+                + "pareilles, 1 différentes ; --image : l'image des différences"),
         new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
-                "avec --comparer, l'écart permis, en niveaux sur 255",
-                (o, v) -> o.tolerance = reel(v, 0, Double.MAX_VALUE)),
+                "avec --comparer, l'écart permis, en niveaux sur 255"),
         new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-                "avec --comparer, les pixels qui peuvent dépasser cet écart",
-                (o, v) -> o.part = part(v)),
+                "avec --comparer, les pixels qui peuvent dépasser cet écart"),
         new Entree("--aide", "ce texte, comme --help et -h"),
         new Entree("--help", null),
         new Entree("-h", null),
@@ -98,7 +82,7 @@ public final class Options {
     public int hauteur = Constantes.HAUTEUR_IMAGE;
 
     /** La façon de dessiner, avant la lecture de la scène et de ses variantes. */
-    public Reglages reglages = new Reglages();
+    public Reglages reglages;
 
     /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
     public String vue;
@@ -127,27 +111,25 @@ public final class Options {
     private Options() {
     }
 
-    /** Une option : son nom, un exemple de sa valeur, ce qui est attendu, son aide, et sa lecture. */
+    /** Une option : son nom, un exemple de sa valeur, ce qui est attendu, son aide. */
     private static final class Entree {
 
         final String nom;
-        /** {@code null} si l'option ne prend pas de valeur ; de même ce qui est attendu, et la lecture. */
+        /** {@code null} si l'option ne prend pas de valeur ; de même ce qui est attendu. */
         final String exemple;
         final String attendu;
         /** {@code null} si l'aide n'a pas de ligne de cette option. */
         final String aide;
-        final BiConsumer<Options, String> lecture;
 
-        Entree(String nom, String exemple, String attendu, String aide, BiConsumer<Options, String> lecture) {
+        Entree(String nom, String exemple, String attendu, String aide) {
             this.nom = nom;
             this.exemple = exemple;
             this.attendu = attendu;
             this.aide = aide;
-            this.lecture = lecture;
         }
 
         Entree(String nom, String aide) {
-            this(nom, null, null, aide, null);
+            this(nom, null, null, aide);
         }
 
         String dire() {
@@ -261,24 +243,59 @@ public final class Options {
         scene = nom;
     }
 
-    /** Lit les valeurs dans l'ordre de la table. */
     private void comprendre() {
-        statistiques = estDonnee("--statistiques");
-        reglages = estDonnee("--simple") ? reglages.avecLesBoucles() : reglages;
-        for (Entree entree : TABLE) {
-            String valeur = donnees.get(entree.nom);
-            if (valeur == null || entree.exemple == null) {
-                continue;
-            }
-            if (valeur.isEmpty()) {
-                throw demande("option sans sa valeur : " + entree.nom, entree.attendu);
-            }
-            try {
-                entree.lecture.accept(this, valeur);
-            } catch (IllegalArgumentException e) {
-                throw impossible(entree.nom, entree.attendu);
-            }
+        image = finissant("--image", ".png");
+        lineaire = finissant("--lineaire", ".pfm");
+        if (estDonnee("--taille")) {
+            String[] cotes = deux("--taille", "x");
+            largeur = entier("--taille", cotes[0], 1, COTE_MAX);
+            hauteur = entier("--taille", cotes[1], 1, COTE_MAX);
+            exiger((long) largeur * hauteur <= PIXELS_MAX, "--taille");
         }
+        vue = valeur("--vue");
+        exiger(vue == null || VUES.contains(vue), "--vue");
+        fils = entier("--fils", fils, 1, FILS_MAX);
+        repeter = entier("--repeter", repeter, 1, REPETER_MAX);
+        statistiques = estDonnee("--statistiques");
+        if (estDonnee("--pixel")) {
+            String[] place = deux("--pixel", ",");
+            pixelX = entier("--pixel", place[0], 0, Constantes.INFINI);
+            pixelY = entier("--pixel", place[1], 0, Constantes.INFINI);
+        }
+        if (estDonnee("--auto")) {
+            exiger(valeur("--auto").startsWith("erreur="), "--auto");
+            erreurVoulue = reel("--auto", valeur("--auto").substring("erreur=".length()), 0.01, 255);
+        }
+        comparer = valeur("--comparer");
+        exiger(comparer == null || estImage(comparer), "--comparer");
+        tolerance = reel("--tolerance", tolerance);
+        if (estDonnee("--part")) {
+            boolean pourCent = valeur("--part").endsWith("%");
+            String nombre = valeur("--part").replaceFirst("%$", "");
+            part = reel("--part", nombre, 0, pourCent ? 100 : 1);
+            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
+            part = pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
+        }
+        reglages = new Reglages().avecReflets(entier("--reflets", Constantes.MAX_REFLETS, 0, REFLETS_MAX))
+                .avecSeuil(reel("--seuil", Constantes.SEUIL)).avecEtape(etape());
+        if (estDonnee("--simple")) {
+            reglages = reglages.avecLesBoucles();
+        }
+        if (estDonnee("--sans")) {
+            List<String> variantes = Arrays.asList(valeur("--sans").split(",", -1));
+            exiger(!variantes.contains(""), "--sans");
+            reglages = reglages.sans(variantes);
+        }
+    }
+
+    private Etape etape() {
+        Etape etape = Etape.REFLETS;
+        String nom = valeur("--etape");
+        for (Etape celle : Etape.values()) {
+            etape = celle.toString().equals(nom) ? celle : etape;
+        }
+        exiger(nom == null || etape.toString().equals(nom), "--etape");
+        return etape;
     }
 
     private void accorder() {
@@ -325,79 +342,51 @@ public final class Options {
         }
     }
 
-    private static void exiger(boolean juste) {
-        if (!juste) {
-            throw new IllegalArgumentException();
+    /** La valeur de cette option, {@code null} si l'option n'est pas donnée. */
+    private String valeur(String nom) {
+        String valeur = donnees.get(nom);
+        if (valeur != null && valeur.isEmpty()) {
+            throw demande("option sans sa valeur : " + nom, entree(nom).attendu);
         }
+        return valeur;
     }
 
-    private static String finissant(String nom, String fin) {
-        exiger(finit(nom, fin));
-        return nom;
+    private String finissant(String nom, String fin) {
+        String valeur = valeur(nom);
+        exiger(valeur == null || finit(valeur, fin), nom);
+        return valeur;
     }
 
-    private static String image(String nom) {
-        exiger(estImage(nom));
-        return nom;
+    private String[] deux(String nom, String separateur) {
+        String[] deux = valeur(nom).split(separateur, -1);
+        exiger(deux.length == 2, nom);
+        return deux;
     }
 
-    private static String parmi(List<String> mots, String mot) {
-        exiger(mots.contains(mot));
-        return mot;
+    private int entier(String nom, int defaut, double min, double max) {
+        return estDonnee(nom) ? entier(nom, valeur(nom), min, max) : defaut;
     }
 
-    private static Etape etape(String nom) {
-        return Arrays.stream(Etape.values()).filter(etape -> etape.toString().equals(nom)).findFirst()
-                .orElseThrow(IllegalArgumentException::new);
+    private int entier(String nom, String texte, double min, double max) {
+        exiger(texte.matches("[0-9]+"), nom);
+        return (int) reel(nom, texte, min, max);
     }
 
-    private static List<String> noms(String texte) {
-        List<String> noms = Arrays.asList(texte.split(",", -1));
-        exiger(!noms.contains(""));
-        return noms;
+    /** Un nombre fini, positif ou nul. */
+    private double reel(String nom, double defaut) {
+        return estDonnee(nom) ? reel(nom, valeur(nom), 0, Double.MAX_VALUE) : defaut;
     }
 
-    private static int entier(String texte, double min, double max) {
-        exiger(texte.matches("[0-9]+"));
-        return (int) reel(texte, min, max);
-    }
-
-    private static double reel(String texte, double min, double max) {
+    private double reel(String nom, String texte, double min, double max) {
         double n = Nombre.lire(texte);
-        exiger(n >= min && n <= max);
+        exiger(n >= min && n <= max, nom);
         return n;
     }
 
-    private static double erreur(String texte) {
-        exiger(texte.startsWith("erreur="));
-        return reel(texte.substring("erreur=".length()), 0.01, 255);
-    }
-
-    private static double part(String texte) {
-        boolean pourCent = texte.endsWith("%");
-        String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
-        double n = reel(nombre, 0, pourCent ? 100 : 1);
-        // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
-        return pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : n;
-    }
-
-    private void dimensionner(String texte) {
-        String[] cotes = deux(texte, "x");
-        largeur = entier(cotes[0], 1, COTE_MAX);
-        hauteur = entier(cotes[1], 1, COTE_MAX);
-        exiger((long) largeur * hauteur <= PIXELS_MAX);
-    }
-
-    private void viser(String texte) {
-        String[] place = deux(texte, ",");
-        pixelX = entier(place[0], 0, Constantes.INFINI);
-        pixelY = entier(place[1], 0, Constantes.INFINI);
-    }
-
-    private static String[] deux(String texte, String separateur) {
-        String[] deux = texte.split(separateur, -1);
-        exiger(deux.length == 2);
-        return deux;
+    private void exiger(boolean juste, String nom) {
+        if (!juste) {
+            throw impossible(nom, entree(nom).attendu);
+        }
     }
 
     private Echec impossible(String nom, String attendu) {

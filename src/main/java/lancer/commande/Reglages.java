@@ -232,7 +232,7 @@ public final class Reglages {
 
     @Override
     public int hashCode() {
-        return cle().hashCode();
+        return Objects.hash(etape, reflets, seuil);
     }
 
     private List<Object> cle() {
