@@ -16,7 +16,7 @@ class DemandeTest {
 
     private static final String SCENE = "scenes/scene1.ini";
 
-    private final Lecture lecture = Lecture.lire(SCENE, false, part -> { });
+    private final Lecture lecture = Lecture.lire(SCENE, part -> { });
 
     private Demande demande(String... options) {
         return new Demande(lecture, Options.lire(options));
@@ -28,7 +28,7 @@ class DemandeTest {
         assertEquals(demande, demande("--reflets", "2", "--taille", "40x30"));
         assertEquals(demande.hashCode(), demande("--reflets", "2", "--taille", "40x30").hashCode());
         Demande[] autres = {demande.avecTaille(30, 40), demande.avecVue("normales"),
-            demande.avecReglages(demande.reglages.avecReflets(3)), demande.avecLecture(Lecture.lire(SCENE, false, part -> { }))};
+            demande.avecReglages(demande.reglages.avecReflets(3)), demande.avecLecture(Lecture.lire(SCENE, part -> { }))};
         for (Demande autre : autres) {
             assertNotEquals(demande, autre);
         }
