@@ -98,10 +98,18 @@ final class Controleur {
         ouvrir(fichier);
     }
 
+    /** Dessine la scène avec ces réglages ; s'ils sont impossibles, un avis le dit. */
     void regler(Reglages voulus) {
-        if (!voulus.equals(demande.reglages)) {
+        if (voulus.equals(demande.reglages)) {
+            return;
+        }
+        try {
+            Demande reglee = demande.avecReglages(voulus);
             retenir();
-            demander(demande.avecReglages(voulus));
+            demander(reglee);
+        } catch (SceneFautive e) {
+            panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
+            avertir();
         }
     }
 
