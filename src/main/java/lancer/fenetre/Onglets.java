@@ -62,7 +62,7 @@ final class Onglets extends JSplitPane {
     /** L'onglet montré, s'il est de cette classe ; {@code null} sinon. */
     <T extends JComponent> T getVisible(Class<T> classe) {
         Component onglet = estOuvert() ? onglets.getSelectedComponent() : null;
-        return classe.isInstance(onglet) ? classe.cast(onglet) : null;
+        return classe.isInstance(onglet) && onglet.isShowing() ? classe.cast(onglet) : null;
     }
 
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
