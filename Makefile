@@ -28,7 +28,7 @@ application: $(JARS)
 	@command -v jpackage >/dev/null || { echo "Il faut jpackage, que contient un JDK 14 ou plus récent : sudo apt-get install default-jdk" >&2; exit 1; }
 	@rm -rf $(APPLICATION) target/application && mkdir -p target/application && cp $(JARS) target/application
 	@jpackage --type app-image --name $(notdir $(APPLICATION)) --dest $(dir $(APPLICATION)) --input target/application \
-	    --main-jar $(notdir $(firstword $(JARS))) --main-class lancer.Main --add-modules java.desktop,java.logging,java.prefs,jdk.localedata \
+	    --main-jar $(notdir $(firstword $(JARS))) --main-class lancer.Main --add-modules java.desktop,java.logging,jdk.localedata \
 	    --jlink-options "--strip-debug --no-man-pages --no-header-files --include-locales=fr" \
 	    $(OPTIONS_IMAGE:%=--java-options %)
 	@$(APPLICATION)/lib/runtime/bin/java -Xshare:dump >/dev/null && rm -r $(APPLICATION)/lib/runtime/bin
@@ -91,12 +91,12 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
-	@$(call capture,1244x688,blinn,fenetre-reglages) "Réglages" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
-	@$(call capture,1244x688,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
-	@$(call capture,1244x688,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "Un clic" scenes/scene1.ini
+	@$(call capture,1248x702,blinn,fenetre-reglages) "Réglages" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
+	@$(call capture,1248x702,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
+	@$(call capture,1248x702,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "un clic" scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA_FENETRE) \
-	-Djava.util.prefs.userRoot=target -cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
+	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
 
 # Une scène de N boules, ou une scène difficile (N=poussiere, ombres-fines, poussiere-miroirs) : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar

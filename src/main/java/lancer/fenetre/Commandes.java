@@ -20,8 +20,6 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
 import lancer.commande.Etape;
 import lancer.commande.Options;
 import lancer.texte.Texte;
@@ -147,7 +145,8 @@ final class Commandes {
         toutes.stream().filter(commande -> commande.getNom() != null && commande.getTouche() != null)
                 .forEach(commande -> touches.merge(commande.getNom(), commande.direTouche(),
                         (une, autre) -> une.equals(autre) ? une : une + ", " + autre));
-        touches.put("Prendre une sphère, ou l'étoile d'une lampe ; F5 oublie ce qui n'est pas écrit", "Maj et la souris");
+        touches.put("Tirer une sphère, ou l'étoile d'une lampe", "Maj et la souris");
+        touches.put("Oublient aussi ce qui a été tiré sans être écrit", "F5 et Ctrl+Q");
         Dialogues.direTouches(f.cadre, touches.entrySet().stream()
                 .map(e -> "<tr><td>" + e.getValue() + "<td>" + e.getKey()).collect(Collectors.joining()));
     }
@@ -169,34 +168,26 @@ final class Commandes {
         menu.add(article);
     }
 
+    private JMenuItem article(File scene) {
+        JMenuItem article = new JRadioButtonMenuItem("",
+                c.fichier != null && scene.getName().equals(new File(c.fichier).getName()));
+        // un nom de fichier qui commence par <html> doit être affiché tel quel
+        article.putClientProperty("html.disable", true);
+        article.setText(Texte.echappe(scene.getName()));
+        article.addActionListener(e -> c.ouvrir(scene.getPath()));
+        return article;
+    }
+
     /** Les scènes du dossier de celle qui est demandée, lues quand le menu s'ouvre. */
     private JMenu scenes() {
         JMenu menu = menu("Scènes");
-        menu.addMenuListener(new MenuListener() {
-            @Override
-            public void menuSelected(MenuEvent e) {
+        menu.addChangeListener(e -> {
+            if (menu.isSelected()) {
                 menu.removeAll();
                 File[] scenes = Dialogues.dossierDesScenes(c.fichier)
                         .listFiles(scene -> Texte.minuscules(scene.getName()).endsWith(".ini"));
-                Arrays.stream(scenes == null ? new File[0] : scenes).sorted().limit(SCENES_MAX).forEach(scene -> {
-                    boolean celle = c.fichier != null && scene.getName().equals(new File(c.fichier).getName());
-                    JMenuItem article = new JRadioButtonMenuItem("", celle);
-                    // un nom de fichier qui commence par <html> doit être affiché tel quel
-                    article.putClientProperty("html.disable", true);
-                    article.setText(Texte.echappe(scene.getName()));
-                    article.addActionListener(choisie -> c.ouvrir(scene.getPath()));
-                    menu.add(article);
-                });
-            }
-
-            @Override
-            public void menuDeselected(MenuEvent e) {
-                // rien à faire
-            }
-
-            @Override
-            public void menuCanceled(MenuEvent e) {
-                // rien à faire
+                Arrays.stream(scenes == null ? new File[0] : scenes).sorted().limit(SCENES_MAX)
+                        .forEach(scene -> menu.add(article(scene)));
             }
         });
         return menu;

@@ -98,10 +98,18 @@ final class Controleur {
         ouvrir(fichier);
     }
 
+    /** Dessine la scène avec ces réglages ; s'ils sont impossibles, un avis le dit. */
     void regler(Reglages voulus) {
-        if (!voulus.equals(demande.reglages)) {
+        if (voulus.equals(demande.reglages)) {
+            return;
+        }
+        try {
+            Demande reglee = demande.avecReglages(voulus);
             retenir();
-            demander(demande.avecReglages(voulus));
+            demander(reglee);
+        } catch (SceneFautive e) {
+            panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
+            avertir();
         }
     }
 
@@ -182,7 +190,7 @@ final class Controleur {
         }
     }
 
-    /** Le dessin de ce travail est commencé, ou son brouillon est fait : il est alors montré, et ce qui a changé suit. */
+    /** Le dessin de ce travail commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
     void montrer(Travail celui) {
         if (celui != travail || celui.isCancelled()) {
             return;
@@ -241,6 +249,10 @@ final class Controleur {
                     + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
+        }
+        if (echec != null && celui.estLue() && !demande.equals(celui.getDemande())) {
+            // autre chose a été demandé avant cet échec
+            dessiner();
         }
         avertir();
     }

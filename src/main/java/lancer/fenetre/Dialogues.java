@@ -21,6 +21,9 @@ final class Dialogues {
     /** Place laissée au cadre d'un dialogue sur un petit écran. */
     private static final int BORDS = 40;
 
+    /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
+    private static boolean ouvert;
+
     private Dialogues() {
     }
 
@@ -71,12 +74,17 @@ final class Dialogues {
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {
+        if (ouvert) {
+            return null;
+        }
+        ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(filtre);
         Dimension voulue = choix.getPreferredSize();
         choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran().width - BORDS),
                 Math.min(voulue.height, ecran().height - BORDS)));
         int reponse = choix.showDialog(parent, null);
+        ouvert = false;
         // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue
         parent.requestFocus();
         return reponse == JFileChooser.APPROVE_OPTION ? choix.getSelectedFile() : null;

@@ -11,10 +11,13 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
@@ -62,15 +65,20 @@ final class Fenetre {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e ->
                 bord.setBackground(panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight")
                         : cadre.getBackground()));
-        onglets = new Onglets(cadre, bord, controleur::avertir);
-        onglets.ajouter("Pixel", () -> new Inspecteur(controleur));
-        onglets.ajouter("Réglages", () -> new PanneauReglages(controleur));
-        onglets.ajouter("Vitesse", () -> new PanneauVitesse(controleur));
+        onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
         new Commandes(this);
         controleur.prevenir(this::suivre);
         cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         ecouter();
+    }
+
+    private Map<String, JComponent> creerOnglets() {
+        Map<String, JComponent> crees = new LinkedHashMap<>();
+        crees.put("Pixel", new Inspecteur(controleur));
+        crees.put("Réglages", new PanneauReglages(controleur));
+        crees.put("Vitesse", new PanneauVitesse(controleur));
+        return crees;
     }
 
     private void ecouter() {

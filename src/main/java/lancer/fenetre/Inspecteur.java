@@ -228,7 +228,8 @@ final class Inspecteur extends JPanel {
     /** Une ligne de l'arbre : une pastille de sa couleur, et son texte, continué au-dessous s'il est long. */
     private final class Ligne extends JTextArea implements TreeCellRenderer {
 
-        private final int retrait = UIManager.getInt("Tree.leftChildIndent") + UIManager.getInt("Tree.rightChildIndent");
+        private final int retrait = UIManager.getInt("Tree.leftChildIndent")
+                + UIManager.getInt("Tree.rightChildIndent");
 
         Ligne() {
             setLineWrap(true);

@@ -1,16 +1,14 @@
 package lancer.fenetre;
 
-import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Frame;
 import java.awt.Rectangle;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
@@ -24,15 +22,20 @@ final class Onglets extends JSplitPane {
     private final JFrame cadre;
     private final Runnable siChange;
     private final JTabbedPane onglets = new JTabbedPane();
-    private final Map<JPanel, Supplier<JComponent>> contenus = new LinkedHashMap<>();
+    private final Supplier<Map<String, JComponent>> contenus;
     /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
     private int largeur = Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
     private int gagne;
 
-    /** @param image composant de gauche, toujours visible @param siChange appelé quand le panneau s'ouvre ou se ferme */
-    Onglets(JFrame cadre, JComponent image, Runnable siChange) {
+    /**
+     * @param image composant de gauche, toujours visible
+     * @param contenus crée les onglets, par nom, quand le panneau s'ouvre pour la première fois
+     * @param siChange appelé quand le panneau s'ouvre ou se ferme
+     */
+    Onglets(JFrame cadre, JComponent image, Supplier<Map<String, JComponent>> contenus, Runnable siChange) {
         super(HORIZONTAL_SPLIT, image, null);
         this.cadre = cadre;
+        this.contenus = contenus;
         this.siChange = siChange;
         setBorder(null);
         setResizeWeight(1);
@@ -50,35 +53,23 @@ final class Onglets extends JSplitPane {
         bout.add(fermer);
         // FlatLaf place ce composant au bout des onglets
         onglets.putClientProperty("JTabbedPane.trailingComponent", bout);
-        onglets.addChangeListener(e -> remplir());
-    }
-
-    void ajouter(String nom, Supplier<JComponent> contenu) {
-        JPanel onglet = new JPanel(new BorderLayout());
-        contenus.put(onglet, contenu);
-        onglets.addTab(nom, onglet);
-    }
-
-    private void remplir() {
-        JPanel onglet = (JPanel) onglets.getSelectedComponent();
-        if (estOuvert() && onglet.getComponentCount() == 0) {
-            onglet.add(contenus.get(onglet).get());
-            onglet.validate();
-        }
     }
 
     boolean estOuvert() {
         return getRightComponent() != null;
     }
 
-    /** Le contenu de l'onglet montré, s'il est de cette classe ; {@code null} sinon. */
+    /** L'onglet montré, s'il est de cette classe ; {@code null} sinon. */
     <T extends JComponent> T getVisible(Class<T> classe) {
-        Object contenu = estOuvert() ? ((JPanel) onglets.getSelectedComponent()).getComponent(0) : null;
-        return classe.isInstance(contenu) ? classe.cast(contenu) : null;
+        Component onglet = estOuvert() ? onglets.getSelectedComponent() : null;
+        return classe.isInstance(onglet) && onglet.isShowing() ? classe.cast(onglet) : null;
     }
 
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
-    JComponent montrer(int rang) {
+    Component montrer(int rang) {
+        if (onglets.getTabCount() == 0) {
+            contenus.get().forEach(onglets::addTab);
+        }
         onglets.setSelectedIndex(rang);
         if (!estOuvert()) {
             setRightComponent(onglets);
@@ -89,11 +80,10 @@ final class Onglets extends JSplitPane {
             cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
             cadre.validate();
             setDividerLocation(getWidth() - largeur - BARRE);
-            remplir();
             validate();
             siChange.run();
         }
-        return (JComponent) ((JPanel) onglets.getSelectedComponent()).getComponent(0);
+        return onglets.getSelectedComponent();
     }
 
     void fermer() {

@@ -111,7 +111,8 @@ final class PanneauVitesse extends JPanel {
 
         /** Celui qui a été dessiné le moins souvent, de ceux qui ne l'ont pas été assez. */
         private Essai suivant() {
-            return siens.stream().min(Comparator.comparing(Essai::suffit).thenComparing(e -> e.durees.getNombre())).get();
+            return siens.stream().min(Comparator.comparing(Essai::suffit)
+                    .thenComparing(essai -> essai.durees.getNombre())).get();
         }
 
         @Override

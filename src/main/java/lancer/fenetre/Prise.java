@@ -146,7 +146,7 @@ final class Prise extends MouseAdapter {
         if (contact == null || deplacee.origines.de(contact.objet) == null) {
             dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
         } else if (contact.objet.getClass() != Sphere.class || estTropGrande((Sphere) contact.objet)) {
-            dire(deplacee.origines.de(contact.objet) + " ne se tire pas : ce n'est pas une sphère, ou elle dépasse l'image");
+            dire(deplacee.origines.de(contact.objet) + " ne se tire pas : une sphère moins large que l'image se tire");
         } else {
             return contact.objet;
         }
@@ -178,7 +178,7 @@ final class Prise extends MouseAdapter {
         }
     }
 
-    /** Ce point, à un dixième de pixel : une valeur de fichier est courte. @param pixels nombre de pixels d'une unité */
+    /** Ce point, à un dixième de pixel : la valeur à écrire est courte. @param pixels nombre de pixels d'une unité */
     private static Point arrondir(Point p, double pixels) {
         int decimales = (int) Math.ceil(Math.log10(pixels / (2 * ECART)));
         double[] xyz = DoubleStream.of(p.x, p.y, p.z).map(x ->

@@ -51,7 +51,9 @@ final class Travail extends SwingWorker<Void, Runnable> {
         this.fichier = fichier;
         this.lit = lit;
         this.demande = demande;
-        this.reference = reference;
+        boolean comparable = reference != null && reference.largeur == demande.largeur
+                && reference.hauteur == demande.hauteur;
+        this.reference = comparable ? reference : null;
         lue = !lit;
     }
 

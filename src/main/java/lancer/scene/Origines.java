@@ -1,17 +1,12 @@
 package lancer.scene;
 
 import java.util.ArrayList;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.IntStream;
 
 /** Les objets et les lampes d'un fichier, dans son ordre, chacun avec le nom et la ligne de sa section. */
 public final class Origines {
 
     private final List<Origine> lues = new ArrayList<>();
-    /** Le rang de chaque objet ou lampe ; table construite à la première demande. */
-    private Map<Object, Integer> rangs;
 
     /** Une chose, le nom de sa section et sa ligne. */
     private static final class Origine {
@@ -39,12 +34,8 @@ public final class Origines {
     }
 
     /** L'origine de cet objet ou de cette lampe ; {@code null} s'il ne vient pas du fichier. */
-    private synchronized Origine trouver(Object chose) {
-        if (rangs == null) {
-            rangs = new IdentityHashMap<>(lues.size());
-            IntStream.range(0, lues.size()).forEach(k -> rangs.putIfAbsent(lues.get(k).chose, k));
-        }
-        return rangs.containsKey(chose) ? lues.get(rangs.get(chose)) : null;
+    private Origine trouver(Object chose) {
+        return lues.stream().filter(lue -> lue.chose == chose).findFirst().orElse(null);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cet objet ne vient pas d'un fichier. */

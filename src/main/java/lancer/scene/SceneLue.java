@@ -37,9 +37,9 @@ public final class SceneLue {
             .thenComparingDouble(s -> s.getCentre().z + 0.0).thenComparingDouble(Sphere::getRayon);
 
     /** Une ligne avec sa fin, puis la ligne d'une place : ce qui précède la valeur, et ce qui la suit. */
-    private static final Pattern LIGNE = Pattern.compile("[^\r\n]*(\r\n|\r|\n)|[^\r\n]+");
-    private static final Pattern PLACE = Pattern.compile(
-            "([ \t]*(?:centre|position)[ \t]*[=:][ \t]*)[^\r\n]*[^ \t\r\n]([ \t\r\n]*)", Pattern.CASE_INSENSITIVE);
+    private static final String LIGNE = "[^\r\n]*(\r\n|\r|\n)|[^\r\n]+";
+    private static final String PLACE =
+            "(?i)([ \t]*(?:centre|position)[ \t]*[=:][ \t]*)[^\r\n]*[^ \t\r\n]([ \t\r\n]*)";
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
@@ -141,12 +141,13 @@ public final class SceneLue {
         Map<Integer, String> parLigne = new HashMap<>();
         places.forEach((chose, place) -> parLigne.put(origines.getLigne(chose), place));
         // un octet, un caractère : ceux que rien ne change restent les mêmes
-        Matcher ligne = LIGNE.matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        Matcher ligne = Pattern.compile(LIGNE).matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        Pattern ligneDePlace = Pattern.compile(PLACE);
         StringBuilder ecrit = new StringBuilder();
         String voulue = null;
         int faites = 0;
         for (int numero = 1; ligne.find(); numero++) {
-            Matcher place = PLACE.matcher(ligne.group());
+            Matcher place = ligneDePlace.matcher(ligne.group());
             if (parLigne.containsKey(numero) || ligne.group().trim().startsWith("[")) {
                 voulue = parLigne.get(numero);
             }

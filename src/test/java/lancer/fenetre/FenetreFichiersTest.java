@@ -14,14 +14,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.FileTime;
 import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
@@ -47,19 +43,6 @@ class FenetreFichiersTest extends EssaiFenetre {
         Files.write(nouveau, BLEUE.replace("0.1 0.2 0.9", "0.9 0.9 0.1").getBytes(StandardCharsets.UTF_8));
         Files.move(nouveau, scene, StandardCopyOption.REPLACE_EXISTING);
         banc.attendreImage("la boule est jaune", attendue(L, H));
-    }
-
-    @Test
-    void unEnregistrementDeMemeTailleALaMemeHeureEstVu() throws Exception {
-        String autre = ROUGE.replace("0.9 0.15 0.1", "0.1 0.15 0.9");
-        FileTime heure = FileTime.fromMillis(1_700_000_000_000L);
-        Files.setLastModifiedTime(scene, heure);
-        ouvrir();
-        try (FileChannel fichier = FileChannel.open(scene, StandardOpenOption.WRITE)) {
-            fichier.write(ByteBuffer.wrap(autre.getBytes(StandardCharsets.UTF_8)));
-        }
-        Files.setLastModifiedTime(scene, heure);
-        banc.attendreImage("l'autre couleur", attendue(L, H));
     }
 
     @Test

@@ -182,7 +182,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         cliquer(160, 60);
         attendreTitre(160, 60);
         JTree recit = composant("recit", JTree.class);
-        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
+        banc.frapperCtrl('r');
         faire(() -> banc.cadre.setSize(banc.cadre.getWidth() + 320, banc.cadre.getHeight() + 240));
         attendre("une image plus haute", () -> banc.controleur.montre.image.hauteur > H + 100);
         attendre("au même endroit, au pixel près", () -> {

@@ -5,10 +5,11 @@ import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import javax.swing.JComboBox;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
@@ -16,13 +17,14 @@ import javax.swing.SwingUtilities;
 import lancer.contrat.Section;
 import lancer.commande.Reglages;
 import lancer.contrat.Variante;
+import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
 class FenetreEchantillonsTest extends EssaiInspecteur {
 
     @Test
-    void chaqueEchantillonSeChoisitDUnClicOuDUneToucheEtLePixelResteLeMeme() throws Exception {
+    void chaqueEchantillonSeChoisitDUnClicEtLePixelResteLeMeme() throws Exception {
         ecrire(ROUGE + "[Antialias]\nn=3\nseuil=0\n");
         ouvrir();
         cliquer(150, 100);
@@ -31,10 +33,9 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         String somme = surFilEvenements(() -> lu(recit).replaceAll("(?s).*\n", ""));
         cliquerSur(recit, "150.17 100.17 : ");
         attendre("le premier", () -> lu(recit).contains("\nchaîne de l'échantillon 150.17 100.17\n"));
-        presser(KeyEvent.VK_CONTROL, KeyEvent.VK_PAGE_DOWN);
+        cliquerSur(recit, "150.50 100.17 : ");
         attendre("le deuxième", () -> lu(recit).contains("\nchaîne de l'échantillon 150.50 100.17\n"));
         attendre("la même somme", () -> lu(recit).endsWith(somme));
-        assertFalse(surFilEvenements(() -> lu(recit)).contains("←"), "d'un échantillon à l'autre, rien n'a changé");
         JTextArea verdict = composant("verdict", JTextArea.class);
         attendre("la comparaison", () -> verdict.getText().startsWith("Au bit près"));
     }
@@ -58,28 +59,40 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     void f3NommeLaMethodeDeChaqueImageEtMontreCelleQueLOnChoisit() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_F3);
+        GraphiqueVitesse graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        JTextArea point = composant("vitesse.point", JTextArea.class);
-        attendre("deux images", () -> etat.getText().matches("dessin de l'échelon [3-9].*|Un clic.*"));
-        for (int k = 0; k < 2; k++) {
-            banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_RIGHT);
-        }
-        attendre("la deuxième", () -> point.getText().startsWith(
-                "[Antialias] n=2 methode=partage seuil=0.4, --reflets 1000 --seuil 0.015625 : "));
-        banc.frapper(SwingUtilities.getWindowAncestor(point), KeyEvent.VK_ENTER);
+        String debut = "[Antialias] n=2 methode=partage seuil=0.4, --reflets 1000 --seuil 0.015625 : ";
+        attendre("la deuxième", () -> viser(graphique, etat, debut) != null);
+        Point ou = surFilEvenements(() -> viser(graphique, etat, debut));
+        banc.cliquer(graphique, ou.x, ou.y);
         attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.015625, [Antialias] n=2 "));
         ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
         assertArrayEquals(attendue("--reflets=1000", "--seuil=0.015625"), banc.imageAchevee().codes);
+    }
+
+    /** L'endroit du graphique où la souris dit ce réglage, ou {@code null}. */
+    private static Point viser(GraphiqueVitesse graphique, JTextArea etat, String debut) {
+        for (int x = 0; x < graphique.getWidth(); x += 4) {
+            for (int y = 0; y < graphique.getHeight(); y += 4) {
+                if (graphique.sous(new Point(x, y)) != null) {
+                    graphique.dispatchEvent(new MouseEvent(graphique, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false));
+                    if (etat.getText().startsWith(debut)) {
+                        return new Point(x, y);
+                    }
+                }
+            }
+        }
+        return null;
     }
 
     @Test
     void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
         banc = new BancFenetre("--taille=800x600", scene.toString());
         banc.imageAchevee();
-        Reglages presents = banc.controleur.etat.getReglages();
+        Reglages presents = banc.controleur.demande.reglages;
         Variante antialias = presents.getEssayee();
         Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.dessiner(presents.avecReflets(1000).avecSeuil(1.0 / 256).avecSection(antialias, section)));
+        faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(1.0 / 256).avecSection(antialias, section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }
