@@ -1,13 +1,14 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -23,6 +24,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
+import lancer.contrat.Vue;
 
 /**
  * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui bouge,
@@ -36,7 +38,7 @@ public final class Regard implements Toile {
     private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
 
     /** Nombre de rayons avant le dessin ; nombre d'objets que demandent les boucles, avant puis après lui, à peu près. */
-    private static final int RAYONS = 300;
+    private static final int RAYONS = 120;
     private static final int EXAMENS = 1 << 17;
 
     /** Nombre de pixels demandés de nouveau après le dessin, et leur part de l'image, au plus. */
@@ -77,8 +79,13 @@ public final class Regard implements Toile {
 
     private boolean cache(Scene scene) {
         // les objets de chaque classe, pour autant de rayons
-        List<List<Objet3D>> classes = new ArrayList<>(scene.getObjets().stream()
-                .filter(objet -> objet.getEnveloppe() != null).collect(Collectors.groupingBy(Object::getClass)).values());
+        Map<Class<?>, List<Objet3D>> parClasse = new LinkedHashMap<>();
+        for (Objet3D objet : scene.getObjets()) {
+            if (objet.getEnveloppe() != null) {
+                parClasse.computeIfAbsent(objet.getClass(), classe -> new ArrayList<>()).add(objet);
+            }
+        }
+        List<List<Objet3D>> classes = new ArrayList<>(parClasse.values());
         Scene toutes = scene.avec(sansRecherche(scene.getModele()));
         Scene cherchee = scene.avec(scene.getModele());
         try {
@@ -213,28 +220,23 @@ public final class Regard implements Toile {
 
     /** La couleur de ces seuls pixels. */
     private Map<Integer, Couleur> demander(Scene scene, Modele modele, int profondeur, List<Integer> rangs) {
-        Map<Integer, Couleur> couleurs = new ConcurrentHashMap<>();
+        Map<Integer, Couleur> couleurs = new HashMap<>();
+        Lancer lancer = new Lancer(scene.avec(modele), camera);
+        lancer.getFautes().tolerer();
         int largeur = camera.getLargeur();
+        Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
         Echantillonnage choisi = modele.getEchantillonnage() == null ? null
                 : modele.getEchantillonnage().pour(scene.getObjets(), camera);
-        Modele parPixel = modele.avec((pave, voulus, vue, non) -> {
-            for (int rang : rangs) {
-                int i = rang % largeur;
-                int j = rang / largeur;
-                if (i < pave.i0 || i >= pave.i1 || j < pave.j0 || j >= pave.j1) {
-                    continue;
-                }
-                if (choisi == null) {
-                    couleurs.put(rang, vue.couleur(i + 0.5, j + 0.5));
-                } else {
-                    choisi.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, (c, x, y) -> couleurs.put(y * largeur + x, c));
-                }
+        for (int rang : rangs) {
+            int i = rang % largeur;
+            int j = rang / largeur;
+            if (choisi == null) {
+                couleurs.put(rang, vue.couleur(i + 0.5, j + 0.5));
+            } else {
+                choisi.tracer(Pave.autour(i, j, largeur, camera.getHauteur()), new Pave(i, j, i + 1, j + 1), vue,
+                        (c, x, y) -> couleurs.put(y * largeur + x, c));
             }
-            return 0;
-        }, modele.getSeuil());
-        Lancer lancer = new Lancer(scene.avec(parPixel), camera);
-        lancer.getFautes().tolerer();
-        lancer.TracerPixels((c, x, y) -> { }, profondeur, 1);
+        }
         couleurs.keySet().retainAll(rangs);
         return couleurs;
     }
