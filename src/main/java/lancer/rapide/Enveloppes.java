@@ -11,9 +11,9 @@ import lancer.contrat.Recherche;
  * Les enveloppes des objets d'une scène, copiées et élargies. Un objet sans enveloppe, ou dont l'enveloppe est plus
  * grande que {@value #LONGUEUR_MAX}, est libre : tous les rayons lui sont soumis.
  *
- * <p>Une distance calculée par {@link Sphere} est exacte pour une sphère dont le rayon diffère d'au plus 16 u (|C − P| +
- * r), avec u = 2^-53. L'élargissement, de {@value #MARGE} fois les coordonnées, couvre cette erreur près de l'objet. Loin
- * de lui, chaque structure ajoute une marge proportionnelle aux coordonnées de P.
+ * <p>Une distance calculée par {@link Sphere} est exacte pour une sphère dont le rayon diffère d'au plus 16 u (|C − P|
+ * + r), avec u = 2^-53. L'élargissement, de {@value #MARGE} fois les coordonnées, couvre cette erreur près de l'objet.
+ * Loin de lui, chaque structure ajoute une marge proportionnelle aux coordonnées de P.
  */
 final class Enveloppes {
 

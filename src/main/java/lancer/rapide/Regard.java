@@ -27,17 +27,17 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
 /**
- * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui bouge,
- * une réponse qui change d'un appel à l'autre. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas vue. Rien
- * n'en est compté dans les statistiques. Pendant le dessin, cette toile en retient quelques pixels.
+ * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui
+ * bouge, une réponse qui change d'un appel à l'autre. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas
+ * vue. Rien n'en est compté dans les statistiques. Pendant le dessin, cette toile en retient quelques pixels.
  */
 public final class Regard implements Toile {
 
-    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : ce sont "
-            + "les boucles sur tous les objets qui dessinent";
+    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
+            + "questions : ce sont les boucles sur tous les objets qui dessinent";
     private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
 
-    /** Nombre de rayons avant le dessin ; nombre d'objets que demandent les boucles, avant puis après lui, à peu près. */
+    /** Nombre de rayons avant le dessin ; nombre approché d'objets que demandent les boucles, avant puis après lui. */
     private static final int RAYONS = 120;
     private static final int EXAMENS = 1 << 17;
 
@@ -111,7 +111,8 @@ public final class Regard implements Toile {
     /** Un rayon de la lampe ou de l'enveloppe de {@code depart} vers celle de {@code cible}, ou un rayon de l'écran. */
     private Rayon tirer(Lampe lampe, Objet3D depart, Objet3D cible) {
         if (cible == null || lampe == null && depart == null) {
-            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(), camera.getHauteur() * hasard.nextDouble());
+            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
+                    camera.getHauteur() * hasard.nextDouble());
         }
         Point P = lampe != null ? lampe.getPosition() : dans(depart, 1);
         Vecteur V = new Vecteur(P, dans(cible, hasard.nextDouble()));
@@ -138,18 +139,22 @@ public final class Regard implements Toile {
         return new Vecteur(c, contact).norme() > enveloppe.getRayon() + marge;
     }
 
-    /** Dit si la recherche et les boucles sur tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
+    /** Dit si la recherche et les boucles sur tous les objets diffèrent sur ce rayon, ou sur une ombre de son contact. */
     private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart, Lampe lampe) {
         long avant = toutes.getCompteurs().testsSpheres;
         PointContact attendu = toutes.getClosestIntersection(rayon, depart);
         Rayon autre = Rayon.dOmbre(rayon.getP(), rayon.getV());
         cherchee.getClosestIntersection(autre, depart);
-        if (toutes.getCompteurs().testsSpheres - avant > toutes.getObjets().size() || autre.getObjet() != rayon.getObjet()
+        if (toutes.getCompteurs().testsSpheres - avant > toutes.getObjets().size()
+                || autre.getObjet() != rayon.getObjet()
                 || Double.compare(autre.getDistance(), rayon.getDistance()) != 0) {
             return true;
         }
-        Vecteur versLampe = attendu == null || lampe == null ? new Vecteur() : new Vecteur(attendu, lampe.getPosition());
-        if (attendu == null || !(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
+        if (attendu == null || lampe == null) {
+            return false;
+        }
+        Vecteur versLampe = new Vecteur(attendu, lampe.getPosition());
+        if (!(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
             return false;
         }
         Vecteur L = versLampe.normalized();
