@@ -70,7 +70,7 @@ final class PointDeVue {
         return devant ? new PointDeVue(oeil, bords, false, Math.max(1, cases)) : null;
     }
 
-    /** Une lampe, et sur chaque face d'un cube une fenêtre qui contient les silhouettes, sauf des grandes enveloppes. */
+    /** Une lampe, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf des grandes enveloppes. */
     static PointDeVue deLaLampe(Point lampe, Enveloppes enveloppes, int cases) {
         double[][] bords = new double[6][];
         Arrays.setAll(bords, face -> Fenetre.vide());
@@ -133,7 +133,7 @@ final class PointDeVue {
         return toutes;
     }
 
-    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas, ou si sa case n'est pas connue. */
+    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas, ou si elle n'est pas connue. */
     int caseDe(double px, double py, double pz, double vx, double vy, double vz) {
         double ax = px - x;
         double ay = py - y;

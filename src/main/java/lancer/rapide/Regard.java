@@ -139,7 +139,7 @@ public final class Regard implements Toile {
         return new Vecteur(c, contact).norme() > enveloppe.getRayon() + marge;
     }
 
-    /** Dit si la recherche et les boucles sur tous les objets diffèrent sur ce rayon, ou sur une ombre de son contact. */
+    /** Dit si la recherche et tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
     private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart, Lampe lampe) {
         long avant = toutes.getCompteurs().testsSpheres;
         PointContact attendu = toutes.getClosestIntersection(rayon, depart);
