@@ -31,8 +31,8 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * {@inheritDoc} Une sphère est sa propre enveloppe. Une classe dérivée peut déborder : elle n'en a pas, sauf si elle
-     * en déclare une.
+     * {@inheritDoc} Une sphère est sa propre enveloppe. Une classe dérivée peut déborder : elle n'en a pas, sauf si
+     * elle en déclare une.
      */
     @Override
     public Sphere getEnveloppe() {

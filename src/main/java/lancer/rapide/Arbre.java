@@ -5,8 +5,8 @@ import lancer.contrat.Recherche;
 
 /**
  * Hiérarchie de boîtes (BVH) autour des enveloppes ; la racine est le nœud 0. Chaque division suit l'heuristique de
- * l'aire (SAH, MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007). Une boîte est notée par
- * son centre et ses demi-côtés.
+ * l'aire (SAH, MacDonald et Booth, 1990), parmi {@value #TRANCHES} tranches par axe (Wald, 2007). Une boîte est notée
+ * par son centre et ses demi-côtés.
  */
 final class Arbre {
 
@@ -190,7 +190,8 @@ final class Arbre {
 
         /** Note à cette place le centre et les demi-côtés, élargis de la marge. */
         void noter(double[] boites, int place) {
-            double marge = MARGE * Math.max(Math.max(Math.max(-xMin, xMax), Math.max(-yMin, yMax)), Math.max(-zMin, zMax));
+            double marge = MARGE * Math.max(Math.max(Math.max(-xMin, xMax), Math.max(-yMin, yMax)),
+                    Math.max(-zMin, zMax));
             boites[place] = (xMin + xMax) / 2;
             boites[place + 1] = (yMin + yMax) / 2;
             boites[place + 2] = (zMin + zMax) / 2;

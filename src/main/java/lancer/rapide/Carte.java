@@ -4,8 +4,8 @@ import java.util.Arrays;
 import lancer.contrat.Recherche;
 
 /**
- * Les enveloppes vues d'un point, notées par case de direction (« light buffer », Haines et Greenberg, 1986). Chaque case
- * donne, de la plus proche à la plus lointaine, celles qui s'y voient.
+ * Les enveloppes vues d'un point, notées par case de direction (« light buffer », Haines et Greenberg, 1986). Chaque
+ * case donne, de la plus proche à la plus lointaine, celles qui s'y voient.
  */
 final class Carte {
 

@@ -2,7 +2,6 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
@@ -12,9 +11,9 @@ import lancer.contrat.Recherche;
  * Les enveloppes des objets d'une scène, copiées et élargies. Un objet sans enveloppe, ou dont l'enveloppe est plus
  * grande que {@value #LONGUEUR_MAX}, est libre : tous les rayons lui sont soumis.
  *
- * <p>Une distance calculée par {@link Sphere} est exacte pour une sphère dont le rayon diffère d'au plus 16 u (|C − P| +
- * r), avec u = 2^-53. L'élargissement, de {@value #MARGE} fois les coordonnées, couvre cette erreur près de l'objet. Loin
- * de lui, chaque structure ajoute une marge proportionnelle aux coordonnées de P.
+ * <p>Une distance calculée par {@link Sphere} est exacte pour une sphère dont le rayon diffère d'au plus 16 u (|C − P|
+ * + r), avec u = 2^-53. L'élargissement, de {@value #MARGE} fois les coordonnées, couvre cette erreur près de l'objet.
+ * Loin de lui, chaque structure ajoute une marge proportionnelle aux coordonnées de P.
  */
 final class Enveloppes {
 
@@ -36,8 +35,8 @@ final class Enveloppes {
     Enveloppes(List<Objet3D> scene) {
         objets = scene.toArray(new Objet3D[0]);
         geometrie = copier();
-        bornes = IntStream.range(0, objets.length).filter(k -> aUneBorne(k)).toArray();
-        libres = IntStream.range(0, objets.length).filter(k -> !aUneBorne(k)).toArray();
+        bornes = rangs(true);
+        libres = rangs(false);
     }
 
     private double[] copier() {
@@ -59,8 +58,16 @@ final class Enveloppes {
         return g;
     }
 
-    private boolean aUneBorne(int k) {
-        return geometrie[PAS * k + 3] >= 0;
+    /** Les rangs des objets qui ont une enveloppe, ou de ceux qui n'en ont pas. */
+    private int[] rangs(boolean avecEnveloppe) {
+        int[] rangs = new int[objets.length];
+        int n = 0;
+        for (int k = 0; k < objets.length; k++) {
+            if (geometrie[PAS * k + 3] >= 0 == avecEnveloppe) {
+                rangs[n++] = k;
+            }
+        }
+        return Arrays.copyOf(rangs, n);
     }
 
     /** Dit si aucune enveloppe n'a changé depuis la copie. */

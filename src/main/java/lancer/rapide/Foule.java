@@ -8,8 +8,8 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
 /**
- * Recherche d'une scène de beaucoup d'objets. Un rayon de l'écran ou d'une lampe lit une case d'une {@link Carte}. Un rayon
- * réfléchi, ou dont la case n'est pas connue, descend dans l'{@link Arbre}, de la boîte la plus proche à la plus
+ * Recherche d'une scène de beaucoup d'objets. Un rayon de l'écran ou d'une lampe lit une case d'une {@link Carte}. Un
+ * rayon réfléchi, ou dont la case n'est pas connue, descend dans l'{@link Arbre}, de la boîte la plus proche à la plus
  * lointaine.
  */
 final class Foule implements Recherche {
@@ -46,7 +46,7 @@ final class Foule implements Recherche {
     private final double[] entrees = new double[Arbre.PROFONDEUR_MAX];
     private int haut;
 
-    /** Vrai pour une ombre : les objets libres viennent après l'arbre, et le dernier qui a caché une lampe avant lui. */
+    /** Vrai pour une ombre : le dernier objet qui a caché une lampe vient avant l'arbre, et les objets libres après. */
     private boolean ombre;
     /** Places des prochains objets libres, et du prochain objet quand aucune structure ne convient. */
     private int libre;
@@ -201,8 +201,8 @@ final class Foule implements Recherche {
     }
 
     /**
-     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation sont V et ses
-     * produits vectoriels avec les trois axes.
+     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation
+     * sont V et ses produits vectoriels avec les trois axes.
      */
     private double entree(double[] q, int b, double ax, double ay, double az, double marge, double auPlus) {
         double x = q[b] - px;

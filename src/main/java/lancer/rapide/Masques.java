@@ -11,8 +11,8 @@ import lancer.contrat.Recherche;
 
 /**
  * Recherche d'une petite scène : un bit d'un {@code long} par objet qu'un rayon peut rencontrer. Il y a un masque par
- * tuile de l'écran, un par objet de départ et par cube de directions, un par lampe et par objet éclairé. Le rayon est
- * vérifié avant d'utiliser un masque. S'il ne convient pas, tous les objets sont proposés.
+ * tuile de l'écran, un par objet de départ et par cube de directions, un par lampe et par case de directions. Le rayon
+ * est vérifié avant d'utiliser un masque. S'il ne convient pas, tous les objets sont proposés.
  */
 final class Masques implements Recherche {
 
@@ -26,11 +26,10 @@ final class Masques implements Recherche {
     /** Élargissement d'un départ ou d'un contact, en part des longueurs ; un rayon en vérifie la moitié. */
     private static final double MARGE = 1e-9;
 
-    /** Nombre maximal de masques d'ombre, un par lampe et par objet. */
-    private static final int MASQUES_D_OMBRES = 1 << 16;
-
-    /** Les masques d'une lampe demandent n² examens, soit au plus ce nombre par pixel. */
-    private static final int PAIRES_PAR_PIXEL = 4;
+    /** Nombre de cases d'une lampe, au plus une pour ce nombre de pixels ; nombre de lampes qui en ont. */
+    private static final int CASES_D_UNE_LAMPE = 4096;
+    private static final int CASES_PAR_PIXEL = 16;
+    private static final int LAMPES_MAX = 32;
 
     private final Objet3D[] objets;
     private final double[] g;
@@ -40,11 +39,9 @@ final class Masques implements Recherche {
     private final long[] parDirection;
     private final double portee;
     private final Lampe[] lampes;
-    /** Pour chaque lampe, sa position, et la plus grande coordonnée des objets et d'elle. */
-    private final Point[] positions;
-    private final double[] longueurs;
-    /** Pour chaque lampe, ce que peut rencontrer un segment qui va d'elle à l'objet éclairé ; {@code null} sans masques. */
-    private final long[][] parEclaire;
+    /** Pour chaque lampe, elle-même, et ce que peut rencontrer un rayon de chaque case ; {@code null} sans masques. */
+    private final PointDeVue[] vues;
+    private final long[][] parCase;
     private final Compteurs compteurs;
 
     /** Rang de l'objet de la dernière question, et de sa lampe : en général, ceux de la suivante. */
@@ -67,29 +64,36 @@ final class Masques implements Recherche {
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
         oeil = PointDeVue.deLOeil(camera, (int) (pixels / (TUILE * TUILE)));
         portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee());
-        parTuile = oeil == null ? null : new long[oeil.nombre];
+        parTuile = oeil == null ? null : masques(oeil);
         parDirection = new long[CUBES * n];
         for (int b = 0; b < n; b++) {
-            long bit = 1L << b;
-            if (oeil != null) {
-                for (int c : oeil.cases(g, b)) {
-                    parTuile[c] |= bit;
-                }
-            }
             for (int a = 0; a < n; a++) {
                 noterDirections(a, b);
             }
         }
         lampes = siennes.toArray(new Lampe[0]);
-        positions = siennes.stream().map(Lampe::getPosition).toArray(Point[]::new);
-        longueurs = siennes.stream().map(Lampe::getPosition)
-                .mapToDouble(p -> Math.max(portee, Enveloppes.plusGrande(p.x, p.y, p.z))).toArray();
-        parEclaire = new long[lampes.length][];
-        int masquees = n == 0 || pixels * PAIRES_PAR_PIXEL < n * n ? 0 : MASQUES_D_OMBRES / n;
-        for (int l = 0; l < Math.min(masquees, lampes.length); l++) {
+        vues = new PointDeVue[lampes.length];
+        parCase = new long[lampes.length][];
+        int cases = (int) Math.min(CASES_D_UNE_LAMPE, pixels / CASES_PAR_PIXEL);
+        for (int l = 0; l < Math.min(lampes.length, LAMPES_MAX); l++) {
             Recherche.obeir();
-            parEclaire[l] = eclaires(positions[l], MARGE * longueurs[l]);
+            Point p = lampes[l].getPosition();
+            if (cases > n && Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
+                vues[l] = PointDeVue.deLaLampe(p, enveloppes, cases);
+                parCase[l] = masques(vues[l]);
+            }
         }
+    }
+
+    /** Pour chaque case vue de ce point, les objets qui s'y voient. */
+    private long[] masques(PointDeVue vue) {
+        long[] masques = new long[vue.nombre];
+        for (int k = 0; k < objets.length; k++) {
+            for (int c : vue.cases(g, k)) {
+                masques[c] |= 1L << k;
+            }
+        }
+        return masques;
     }
 
     private Masques(Masques autre, Compteurs compteurs) {
@@ -101,9 +105,8 @@ final class Masques implements Recherche {
         parDirection = autre.parDirection;
         portee = autre.portee;
         lampes = autre.lampes;
-        positions = autre.positions;
-        longueurs = autre.longueurs;
-        parEclaire = autre.parEclaire;
+        vues = autre.vues;
+        parCase = autre.parCase;
         this.compteurs = compteurs;
     }
 
@@ -141,38 +144,6 @@ final class Masques implements Recherche {
         }
     }
 
-    /** Pour chaque objet éclairé A, les objets que peut rencontrer un segment de ce point à un point de A. */
-    private long[] eclaires(Point p, double marge) {
-        int n = objets.length;
-        double[] x = new double[n];
-        double[] y = new double[n];
-        double[] z = new double[n];
-        double[] loin = new double[n];
-        double[] angle = new double[n];
-        for (int k = 0; k < n; k++) {
-            int s = Enveloppes.PAS * k;
-            x[k] = g[s] - p.x;
-            y[k] = g[s + 1] - p.y;
-            z[k] = g[s + 2] - p.z;
-            loin[k] = Math.sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
-            double r = g[s + 3] + marge;
-            angle[k] = r < loin[k] ? Math.asin(r / loin[k]) : Math.PI;
-        }
-        long[] masques = new long[n];
-        for (int a = 0; a < n; a++) {
-            double auPlus = loin[a] + g[Enveloppes.PAS * a + 3] + marge;
-            for (int b = 0; b < n; b++) {
-                double cosinus = (x[a] * x[b] + y[a] * y[b] + z[a] * z[b]) / (loin[a] * loin[b]);
-                double somme = angle[a] + angle[b] + MARGE;
-                boolean separes = somme < Math.PI && cosinus < Math.cos(somme) - MARGE;
-                if (!separes && !(loin[b] - g[Enveloppes.PAS * b + 3] > auPlus)) {
-                    masques[a] |= 1L << b;
-                }
-            }
-        }
-        return masques;
-    }
-
     @Override
     public void commencer(Point P, Vecteur V, Objet3D depart) {
         ombre = false;
@@ -199,15 +170,9 @@ final class Masques implements Recherche {
         }
         ombre = true;
         dAbord = bloqueur;
-        poser(trouver(eclaire) && trouver(demandee) && estConnu(P, V, distance) ? parEclaire[lampe][rang] : tous);
-    }
-
-    /** Dit si ce rayon va de la lampe trouvée à l'objet trouvé. */
-    private boolean estConnu(Point P, Vecteur V, double distance) {
-        Point p = positions[lampe];
-        return parEclaire[lampe] != null && P.x == p.x && P.y == p.y && P.z == p.z
-                && Enveloppes.estUnitaire(V.x, V.y, V.z)
-                && estPres(P.x + distance * V.x, P.y + distance * V.y, P.z + distance * V.z, longueurs[lampe]);
+        PointDeVue vue = trouver(demandee) ? vues[lampe] : null;
+        int c = vue == null ? -1 : vue.caseDe(P.x, P.y, P.z, V.x, V.y, V.z);
+        poser(c < 0 ? tous : parCase[lampe][c]);
     }
 
     private void poser(long masque) {

@@ -7,7 +7,7 @@ import lancer.Point;
 /** Un point par où passent des rayons, l'œil ou une lampe. Les directions qui en partent sont découpées en cases. */
 final class PointDeVue {
 
-    /** Écart permis entre le point et la droite du rayon, en part des coordonnées du point ; les enveloppes en ont le double. */
+    /** Écart permis du point à la droite du rayon, en part des coordonnées du point ; une enveloppe en a le double. */
     private static final double ECART = 5e-14;
 
     /** Plus petite distance dont le carré garde ses chiffres. */
@@ -53,7 +53,7 @@ final class PointDeVue {
         nombre = n;
     }
 
-    /** L'œil, et l'écran pour seule fenêtre ; {@code null} si l'écran n'est pas devant lui, ou s'il en est trop près. */
+    /** L'œil, et l'écran pour seule fenêtre ; {@code null} si l'écran n'est pas devant lui, ou en est trop près. */
     static PointDeVue deLOeil(Camera camera, int cases) {
         Point oeil = camera.getOeil();
         Point a = camera.getEcran(0, 0);
@@ -70,7 +70,7 @@ final class PointDeVue {
         return devant ? new PointDeVue(oeil, bords, false, Math.max(1, cases)) : null;
     }
 
-    /** Une lampe, et sur chaque face d'un cube une fenêtre qui contient les silhouettes des enveloppes, sauf des grandes. */
+    /** Une lampe, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf des grandes enveloppes. */
     static PointDeVue deLaLampe(Point lampe, Enveloppes enveloppes, int cases) {
         double[][] bords = new double[6][];
         Arrays.setAll(bords, face -> Fenetre.vide());
@@ -84,7 +84,11 @@ final class PointDeVue {
         return new PointDeVue(lampe, bords, true, cases);
     }
 
-    /** Note dans d la direction de cette enveloppe vue de (x, y, z). @return le sinus de son demi-angle, 1 ou plus si elle le contient */
+    /**
+     * Note dans d la direction de cette enveloppe vue de (x, y, z).
+     *
+     * @return le sinus de son demi-angle, 1 ou plus si elle contient ce point
+     */
     private static double viser(double x, double y, double z, double[] g, int k, double[] d) {
         int s = Enveloppes.PAS * k;
         double dx = g[s] - x;
@@ -94,7 +98,8 @@ final class PointDeVue {
         d[0] = dx / loin;
         d[1] = dy / loin;
         d[2] = dz / loin;
-        return loin > LOIN_MIN ? (g[s + 3] + 2 * ECART * Enveloppes.plusGrande(x, y, z)) / loin : Double.POSITIVE_INFINITY;
+        double r = g[s + 3] + 2 * ECART * Enveloppes.plusGrande(x, y, z);
+        return loin > LOIN_MIN ? r / loin : Double.POSITIVE_INFINITY;
     }
 
     /** Borne inférieure de la distance de ce point à l'enveloppe k. */
@@ -128,7 +133,7 @@ final class PointDeVue {
         return toutes;
     }
 
-    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il ne passe pas par le point, ou n'est pas connu. */
+    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas, ou si elle n'est pas connue. */
     int caseDe(double px, double py, double pz, double vx, double vy, double vz) {
         double ax = px - x;
         double ay = py - y;

@@ -67,14 +67,14 @@ public final class Preparation implements Recherche {
         scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : new Preparation(scene, camera, suivi));
     }
 
-    /** Dit si les structures, construction comprise, sont plus rapides pour cette image que de demander tous les objets. */
+    /** Dit si les structures, construction comprise, sont plus rapides que de demander tous les objets. */
     static boolean estUtile(Scene scene, Camera camera) {
         int objets = scene.getObjets().size();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
     }
 
-    /** La recherche de cette scène vue de cette caméra. Elle donne la même image que si tous les objets sont proposés. */
+    /** La recherche de cette scène vue de cette caméra. L'image est la même que si tous les objets sont proposés. */
     public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
         return new Preparation(scene, camera, suivi);
     }

@@ -1,11 +1,12 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
-import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -19,26 +20,28 @@ import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Toile;
+import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
 
 /**
- * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui bouge,
- * une réponse qui change d'un appel à l'autre. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas vue. Rien
- * n'en est compté dans les statistiques.
+ * Ce que la recherche pourrait cacher, demandé au hasard : un objet qui répond hors de son enveloppe, un objet qui
+ * bouge, une réponse qui change d'un appel à l'autre. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas
+ * vue. Rien n'en est compté dans les statistiques.
  */
 public final class Regard {
 
-    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : "
-            + "ce sont les boucles sur tous les objets qui dessinent";
+    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
+            + "questions : ce sont les boucles sur tous les objets qui dessinent";
     private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
 
     /** Nombre de rayons avant le dessin, et d'objets demandés, à peu près, avant lui, puis après lui. */
-    private static final int RAYONS = 300;
+    private static final int RAYONS = 120;
     private static final int EXAMENS = 1 << 17;
 
-    /** Nombre de pixels demandés de nouveau après le dessin, et par pavé, au plus. */
+    /** Nombre de pixels demandés de nouveau après le dessin : au plus 200, et un sur cent. */
     private static final int PIXELS = 200;
-    private static final int PIXELS_PAR_PAVE = 8;
+    private static final int UN_SUR = 100;
 
     private final Random hasard = new Random(1);
     private String ecart;
@@ -68,8 +71,13 @@ public final class Regard {
 
     private boolean cache(Scene scene, Camera camera) {
         // les objets de chaque classe, pour autant de rayons
-        List<List<Objet3D>> classes = new ArrayList<>(scene.getObjets().stream()
-                .filter(objet -> objet.getEnveloppe() != null).collect(Collectors.groupingBy(Object::getClass)).values());
+        Map<Class<?>, List<Objet3D>> parClasse = new LinkedHashMap<>();
+        for (Objet3D objet : scene.getObjets()) {
+            if (objet.getEnveloppe() != null) {
+                parClasse.computeIfAbsent(objet.getClass(), classe -> new ArrayList<>()).add(objet);
+            }
+        }
+        List<List<Objet3D>> classes = new ArrayList<>(parClasse.values());
         Scene toutes = scene.avec(sansRecherche(scene.getModele()));
         Scene cherchee = scene.avec(scene.getModele());
         try {
@@ -97,7 +105,8 @@ public final class Regard {
     /** Un rayon de la lampe ou de l'enveloppe de {@code depart} vers celle de {@code cible}, ou un rayon de l'écran. */
     private Rayon rayon(Camera camera, Lampe lampe, Objet3D depart, Objet3D cible) {
         if (cible == null || lampe == null && depart == null) {
-            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(), camera.getHauteur() * hasard.nextDouble());
+            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
+                    camera.getHauteur() * hasard.nextDouble());
         }
         Point P = lampe != null ? lampe.getPosition() : dans(depart, 1);
         Vecteur V = new Vecteur(P, dans(cible, hasard.nextDouble()));
@@ -123,7 +132,7 @@ public final class Regard {
         return new Vecteur(c, rayon.getP().add(d, rayon.getV())).norme() > enveloppe.getRayon() + marge;
     }
 
-    /** Dit si la recherche et les boucles sur tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
+    /** Dit si la recherche et tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
     private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart, Lampe lampe) {
         Rayon autre = Rayon.dOmbre(rayon.getP(), rayon.getV());
         long avant = toutes.getCompteurs().testsSpheres;
@@ -134,8 +143,11 @@ public final class Regard {
                 || autre.getObjet() != rayon.getObjet()) {
             return true;
         }
-        Vecteur versLampe = attendu == null || lampe == null ? new Vecteur() : new Vecteur(attendu, lampe.getPosition());
-        if (attendu == null || !(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
+        if (attendu == null || lampe == null) {
+            return false;
+        }
+        Vecteur versLampe = new Vecteur(attendu, lampe.getPosition());
+        if (!(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
             return false;
         }
         Vecteur L = versLampe.normalized();
@@ -160,12 +172,14 @@ public final class Regard {
         if (acheve.getFautes().getPremiere() != null) {
             return false;
         }
-        if (differe(acheve, modele, image, profondeur, PIXELS)) {
+        int pixels = image.largeur * image.hauteur;
+        int combien = Math.min(PIXELS, pixels / UN_SUR);
+        if (differe(acheve, modele, image, profondeur, combien)) {
             ecart = CHANGE;
             return false;
         }
-        double parPixel = (double) acheve.getCompteurs().rayons() / image.largeur / image.hauteur;
-        int quelques = (int) Math.min(PIXELS, EXAMENS / (1 + parPixel * scene.getObjets().size()));
+        double parPixel = (double) acheve.getCompteurs().rayons() / pixels * scene.getObjets().size();
+        int quelques = (int) Math.min(combien, EXAMENS / (1 + parPixel));
         if (modele.getRecherche() == null || !differe(acheve, sansRecherche(modele), image, profondeur, quelques)) {
             return false;
         }
@@ -173,27 +187,25 @@ public final class Regard {
         return true;
     }
 
-    /** Dit si, pour ce modèle, l'un de quelques pixels n'est pas celui de l'image. @param combien à peu près, au plus */
+    /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
     private boolean differe(Lancer acheve, Modele modele, ImageMemoire image, int profondeur, int combien) {
-        Camera camera = acheve.getCamera();
-        int paves = Pave.nombre(image.largeur, image.hauteur, Pave.COTE);
+        Lancer lancer = new Lancer(acheve.getScene().avec(modele), acheve.getCamera());
+        lancer.getFautes().tolerer();
+        Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
         Echantillonnage choisi = modele.getEchantillonnage() == null ? null
-                : modele.getEchantillonnage().pour(acheve.getScene().getObjets(), camera);
+                : modele.getEchantillonnage().pour(acheve.getScene().getObjets(), acheve.getCamera());
         boolean[] differe = new boolean[1];
-        Echantillonnage quelques = (pave, voulus, vue, toile) -> {
-            for (int k = 0; k < PIXELS_PAR_PAVE && hasard.nextInt(paves) < combien - k * paves; k++) {
-                int i = pave.i0 + hasard.nextInt(pave.i1 - pave.i0);
-                int j = pave.j0 + hasard.nextInt(pave.j1 - pave.j0);
-                if (choisi == null) {
-                    toile.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-                } else {
-                    choisi.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, toile);
-                }
+        Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
+        for (int k = 0; k < combien && !differe[0]; k++) {
+            int i = hasard.nextInt(image.largeur);
+            int j = hasard.nextInt(image.hauteur);
+            if (choisi == null) {
+                comparaison.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
+            } else {
+                choisi.tracer(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), vue,
+                        comparaison);
             }
-            return 0;
-        };
-        new Lancer(acheve.getScene().avec(modele), camera).TracerPixels(quelques,
-                (couleur, i, j) -> differe[0] |= !image.contient(couleur, i, j), profondeur, 1);
+        }
         return differe[0];
     }
 }

@@ -109,12 +109,13 @@ class AjoutsTest {
         "Scene|private final Modele|public double jusqua = 7; private final Modele"
                 + "|Scene|if (d < distance |if (d < Math.min(jusqua, distance) ",
         // une liste filtrée : par la scène, ou par ses seules boucles
-        "Scene|return Collections.unmodifiableList(Arrays.asList(objets));|List<Objet3D> l = new java.util.ArrayList<>(Arrays.asList(objets)); "
-                + "l.remove(2); return l;",
+        "Scene|return Collections.unmodifiableList(Arrays.asList(objets));"
+                + "|List<Objet3D> l = new java.util.ArrayList<>(Arrays.asList(objets)); l.remove(2); return l;",
         "Scene|if (objets[k] != saufLui)|if (k < 5 && objets[k] != saufLui)",
         "Scene|if (objets[k] != objet|if (k >= 3 && objets[k] != objet",
         "Scene|return Collections.unmodifiableList(Arrays.asList(objets));|return Arrays.asList(objets).subList(0, 6);"
-                + "|Scene|if (objets[k] != saufLui|if (k < 6 && objets[k] != saufLui|Scene|if (objets[k] != objet|if (k < 6 && objets[k] != objet",
+                + "|Scene|if (objets[k] != saufLui|if (k < 6 && objets[k] != saufLui"
+                + "|Scene|if (objets[k] != objet|if (k < 6 && objets[k] != objet",
         // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
         MOBILE + "Lancer|Echantillonnage prepare =|"
                 + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
