@@ -10,6 +10,9 @@ final class PointDeVue {
     /** Écart permis du point à la droite du rayon, en part des coordonnées du point ; une enveloppe en a le double. */
     private static final double ECART = 5e-14;
 
+    /** Arrondi d'un produit vectoriel de ce vecteur et d'une direction, en part du vecteur. */
+    private static final double ARRONDI = 1e-15;
+
     /** Plus petite distance dont le carré garde ses chiffres. */
     private static final double LOIN_MIN = 1e-120;
 
@@ -142,7 +145,10 @@ final class PointDeVue {
         double cy = az * vx - ax * vz;
         double cz = ax * vy - ay * vx;
         double ecart = ECART * Enveloppes.plusGrande(x, y, z);
-        if (!(cx * cx + cy * cy + cz * cz <= ecart * ecart && Enveloppes.estUnitaire(vx, vy, vz))) {
+        boolean passe = cx * cx + cy * cy + cz * cz <= ecart * ecart;
+        // plus loin, l'arrondi de ce produit vectoriel passerait l'écart
+        boolean sur = ARRONDI * Enveloppes.plusGrande(ax, ay, az) <= ecart;
+        if (!(passe && sur && Enveloppes.estUnitaire(vx, vy, vz))) {
             return -1;
         }
         double sens = ax * vx + ay * vy + az * vz >= 0 ? 1 : -1;
