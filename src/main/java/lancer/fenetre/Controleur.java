@@ -192,7 +192,7 @@ final class Controleur {
 
     /** Le dessin de ce travail commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
     void montrer(Travail celui) {
-        if (celui != travail || celui.isCancelled()) {
+        if (celui != travail || celui.isCancelled() && montre != null) {
             return;
         }
         // sans image, un brouillon se montre dès son début
@@ -205,7 +205,7 @@ final class Controleur {
             panneau.montree = montre.image;
             avertir();
         }
-        if (celui.aSonBrouillon()) {
+        if (celui.aSonBrouillon() && !celui.isCancelled()) {
             dessiner();
         }
     }

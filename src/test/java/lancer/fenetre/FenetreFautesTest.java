@@ -155,7 +155,7 @@ class FenetreFautesTest extends EssaiInspecteur {
                 && lu(recit).endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("Un clic"));
+        attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("La souris dit un point"));
         assertFalse(surFilEvenements(() -> banc.controleur.enCours));
         assertEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }
