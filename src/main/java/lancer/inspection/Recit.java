@@ -261,6 +261,7 @@ public final class Recit {
     private List<Noeud> facteurs(Segment segment, Terme e) {
         Couleur KL = e.lampe.getCouleur();
         Objet3D objet = segment.contact.objet;
+        Couleur Kd = objet.getKd(segment.contact);
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         // sans rayon d'ombre, L n'est pas connu
         double base = e.L == null ? Double.NaN : specularite.base(segment.V, segment.N, e.L, segment.R);
@@ -272,8 +273,8 @@ public final class Recit {
         if (e.L != null) {
             facteurs.add(dire("L = %s", e.L));
         }
-        facteurs.add(produit("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", objet.getKd().mul(e.cosinus, KL),
-                lue(objet.getKd()), lue(KL), e.cosinus, e.diffus));
+        facteurs.add(produit("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", Kd.mul(e.cosinus, KL),
+                lue(Kd), lue(KL), e.cosinus, e.diffus));
         facteurs.add(produit("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
                 lue(objet.getKs()), lue(KL), facteur, e.reflet));
         return facteurs;

@@ -91,7 +91,7 @@ public final class Regard implements Toile {
         try {
             boolean cache = false;
             for (int k = 0; k < RAYONS && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
-                List<Objet3D> classe = classes.isEmpty() ? null : classes.get(k % classes.size());
+                List<Objet3D> classe = classes.isEmpty() ? null : classes.get(k / 3 % classes.size());
                 Objet3D depart = classe == null || k % 3 != 2 ? null : classe.get(hasard.nextInt(classe.size()));
                 Objet3D cible = classe == null ? null : classe.get(hasard.nextInt(classe.size()));
                 Lampe lampe = scene.getLampes().isEmpty() ? null
