@@ -83,8 +83,8 @@ public final class Regard {
         try {
             boolean cache = false;
             for (int k = 0; k < RAYONS && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
-                Objet3D depart = classes.isEmpty() || k % 3 != 2 ? null : tirer(classes.get(k % classes.size()));
-                Objet3D cible = classes.isEmpty() ? null : tirer(classes.get(k % classes.size()));
+                Objet3D depart = classes.isEmpty() || k % 3 != 2 ? null : tirer(classes.get(k / 3 % classes.size()));
+                Objet3D cible = classes.isEmpty() ? null : tirer(classes.get(k / 3 % classes.size()));
                 Lampe lampe = scene.getLampes().isEmpty() ? null : tirer(scene.getLampes());
                 Rayon rayon = rayon(camera, k % 3 == 1 ? lampe : null, depart, cible);
                 cache = rayon != null && (deborde(cible, rayon) || differe(toutes, cherchee, rayon, depart, lampe));
