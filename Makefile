@@ -9,7 +9,7 @@ endif
 # Vide, ces tests sont laissés de côté ; FENETRES=exigees les fait là où Xvfb manque aussi, sur l'écran de l'utilisateur.
 FENETRES ?= $(if $(XVFB),exigees)
 
-.PHONY: test application javadoc scene-geante noyaux mesures juge mesure-auto comparer squelette corrige corriger profil-bwrap noter aide propre
+.PHONY: test application javadoc scene-geante mesures juge mesure-auto comparer squelette corrige corriger profil-bwrap noter aide propre
 
 # Les tests de tous les modules, par groupes qui ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
@@ -39,10 +39,6 @@ scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
 	@echo "target/geante.ini : $(N), $$(wc -c < target/geante.ini) octets"
-
-# Le temps de chaque façon de calculer une intersection, et la courbe des méthodes.
-noyaux: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --noyaux
 
 # Les courbes de vitesse et de précision, de mesures faites maintenant. Interrompue ou refusée, elle ne change rien à mesures/resultats.
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se

@@ -59,8 +59,8 @@ outils:
 # Maven refait un jar là où quelque chose est plus récent que lui : un pom, une source, ou le dossier d'une source ajoutée ou effacée.
 # Il travaille sans rien dire : la première fois, une demi-minute.
 %.jar: toujours | outils
-	@if [ ! -e $@ ] || [ -n "$$(find $(RACINE)/*.xml $(RACINE)/*/pom.xml $(RACINE)/src/main \
-	        $(if $(filter lancer,$(notdir $*)),,$(RACINE)/*/src $(RACINE)/src/test/java/lancer/Tests.java) -newer $@ | head -n 1)" ]; then \
+	@if [ ! -e $@ ] || [ -n "$$(find $(RACINE)/*.xml $(RACINE)/*/pom.xml $(RACINE)/src/main $(if $(filter lancer,$(notdir $*)),,$(@D)/../src) \
+	        $(if $(filter mesures correction,$(notdir $*)),$(RACINE)/*/src/main $(RACINE)/src/test/java/lancer/Tests.java) -newer $@ | head -n 1)" ]; then \
 	    echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"; \
 	    $(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(notdir $*) -am -DskipTests package && touch $@; \
 	fi

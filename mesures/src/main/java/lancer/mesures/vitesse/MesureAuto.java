@@ -28,7 +28,7 @@ import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.mesures.scenes.Scenes;
-import lancer.mesures.trace.Style;
+import lancer.mesures.Nombres;
 import lancer.scene.SectionLue;
 
 /**
@@ -91,15 +91,19 @@ public final class MesureAuto {
             double secondes = secondes() - debut;
             int mieux = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).boxed()
                     .min(Comparator.comparingDouble(k -> dessines[k][1])).orElse(-1);
-            lignes.add(FichierCsv.ligne(nom, taille, voulue, auto.getChoisi(), Releve.reel(erreur(image, gabarit)),
-                    Releve.reel(auto.getMesure().erreur), Releve.reel(auto.getMesure().incertitude),
+            lignes.add(FichierCsv.ligne(nom, taille, voulue, texte(auto.getChoisi()), Nombres.champ(erreur(image, gabarit)),
+                    Nombres.champ(auto.getMesure().erreur), Nombres.champ(auto.getMesure().incertitude),
                     auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
-                    Releve.reel((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
-                    Releve.reel((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : echelle.get(mieux),
-                    mieux < 0 ? "" : Releve.reel(dessines[mieux][1]), Releve.reel(secondes),
-                    mieux < 0 ? "" : Releve.reel(dessines[mieux][2]), c.commit, c.date));
+                    Nombres.champ((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
+                    Nombres.champ((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : texte(echelle.get(mieux)),
+                    mieux < 0 ? "" : Nombres.champ(dessines[mieux][1]), Nombres.champ(secondes),
+                    mieux < 0 ? "" : Nombres.champ(dessines[mieux][2]), c.commit, c.date));
         }
         return lignes;
+    }
+
+    private static String texte(Echelon echelon) {
+        return echelon.toString().replace(',', ' ');
     }
 
     private static double erreur(ImageLineaire image, Gabarit gabarit) {
@@ -135,11 +139,17 @@ public final class MesureAuto {
     }
 
     /** Tableau de la page : une ligne par taille. */
-    static String tableau(List<Map<String, String>> lignes) {
+    static String tableau(List<String[]> lues) {
+        List<Map<String, String>> lignes = lues.stream().map(MesureAuto::parNoms).collect(Collectors.toList());
         List<String> titres = Arrays.asList("image", "l'intervalle contient l'erreur vraie", "demandes tenables tenues", "dites « tenue »",
                 "à tort", "dites « dépassée »", "dites « incertaine »", "rayons, médiane", "temps, en tout");
         return Tableaux.table(titres, lignes.stream().map(l -> l.get("taille")).distinct().map(taille -> bilan(taille,
                 lignes.stream().filter(l -> l.get("taille").equals(taille)).collect(Collectors.toList()))).collect(Collectors.toList()));
+    }
+
+    private static Map<String, String> parNoms(String... champs) {
+        String[] noms = COLONNES.split(",");
+        return IntStream.range(0, noms.length).boxed().collect(Collectors.toMap(k -> noms[k], k -> champs[k]));
     }
 
     private static List<String> bilan(String taille, List<Map<String, String>> lignes) {
@@ -153,7 +163,7 @@ public final class MesureAuto {
                 compte(lignes, l -> Math.abs(x(l, "mesuree") - x(l, "erreur")) <= x(l, "incertitude")),
                 compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")), dites(lignes, "tenue"),
                 compte(lignes, l -> l.get("verdict").equals("tenue") && x(l, "erreur") > x(l, "erreur_voulue")),
-                dites(lignes, "dépassée"), dites(lignes, "incertaine"), Style.nombre(Intervalle.mediane(prix)), Style.nombre(temps));
+                dites(lignes, "dépassée"), dites(lignes, "incertaine"), Nombres.nombre(Intervalle.mediane(prix)), Nombres.nombre(temps));
     }
 
     private static String dites(List<Map<String, String>> lignes, String verdict) {
