@@ -56,7 +56,7 @@ juge: mesures/target/mesures.jar
 
 # --auto tient-il parole, et à quel prix ? Contre toute l'échelle dessinée, en quatre minutes.
 mesure-auto: mesures/target/mesures.jar
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner
 
 CORRECTION := correction/target/correction.jar

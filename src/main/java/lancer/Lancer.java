@@ -15,7 +15,6 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 import lancer.fils.Fautes;
-import lancer.fils.Fil;
 
 /**
  * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
@@ -37,6 +36,12 @@ public final class Lancer {
         fautes = new Fautes(camera.getLargeur());
     }
 
+    /** Un lancer de la même scène, déjà préparée, dessinée selon ce modèle. */
+    public Lancer avec(Modele modele) {
+        modele.setRecherche(scene.getModele().getRecherche());
+        return new Lancer(scene.avec(modele), camera);
+    }
+
     /** Le lancer d'un fil, avec sa propre scène. */
     private Lancer(Lancer autre) {
         scene = autre.scene.avec(autre.scene.getModele());
@@ -50,7 +55,7 @@ public final class Lancer {
      *
      * @param profondeur nombre de réflexions permises
      * @param fils nombre de fils d'exécution, au moins 1
-     * @throws CancellationException si {@link #arreter()} a été appelé
+     * @throws CancellationException si le fil appelant est interrompu
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
@@ -69,8 +74,11 @@ public final class Lancer {
      * celle des boucles du cours, les boucles les dessinent de nouveau.
      */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        Fil.commencer("préparation");
-        Echantillonnage choisi = scene.getModele().getEchantillonnage();
+        TracerPixels(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** Dessine comme {@link #TracerPixels(Toile, int, int)}, selon cet échantillonnage. */
+    public void TracerPixels(Echantillonnage choisi, Toile toile, int profondeur, int fils) {
         Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
         if (sonder(partager(fils, false, prepare, toile, profondeur))) {
             fautes.oublier();
@@ -86,10 +94,7 @@ public final class Lancer {
     /** Compare la recherche aux boucles de cette scène, qu'elle a dessinée. @return vrai si une réponse diffère */
     private boolean sonder(Scene dessinee) {
         Recherche recherche = dessinee.getModele().getRecherche();
-        Fil.commencer("vérification");
-        boolean differe = recherche instanceof Sondable && ((Sondable) recherche).differe(dessinee, camera);
-        Fil.commencer("");
-        return differe;
+        return recherche instanceof Sondable && ((Sondable) recherche).differe(dessinee, camera);
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -121,16 +126,15 @@ public final class Lancer {
      * @param profondeur nombre de réflexions permises
      * @throws PixelFautif si le calcul échoue ou rend une couleur qui n'est pas finie, sauf si {@link Fautes} le
      *     tolère
-     * @throws CancellationException si {@link #arreter()} a été appelé
+     * @throws CancellationException si le dessin est arrêté
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
-        Fil.commencer(xe, ye);
         scene.getCompteurs().primaires++;
         try {
             Rayon initial = camera.getRayon(xe, ye);
             Couleur vue = scene.getCouleurVue(initial, null, profondeur);
-            equipe.verifier();
-            return fautes.verifier(vue, xe, ye);
+            equipe.obeir();
+            return PixelFautif.verifier(vue, xe, ye);
         } catch (RuntimeException | Error e) {
             return fautes.noter(e, xe, ye);
         }
@@ -151,7 +155,6 @@ public final class Lancer {
             ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
         }
         equipe.faire(nombre, ouvriers);
-        Fil.commencer("");
         Compteurs total = new Compteurs();
         for (Lancer sien : siens) {
             total.ajouter(sien.scene.getCompteurs());
@@ -163,23 +166,7 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        // une lambda retarderait la première image : voir docs/etendre.md
-        final class Ouvrier implements IntConsumer, Vue {
-            @Override
-            public void accept(int rang) {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-                // un échantillonnage peut calculer une couleur sans appeler getCouleurPixel
-                Fil.commencer(pave.i0, pave.j0);
-                if (brouillon) {
-                    TracerBrouillon(pave, toile, profondeur);
-                } else if (choisi == null) {
-                    TracerPixels(pave, toile, profondeur);
-                } else {
-                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
-                }
-                fautes.peindre(pave, toile);
-            }
-
+        Vue vue = new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
                 return getCouleurPixel(xe, ye, profondeur);
@@ -189,13 +176,18 @@ public final class Lancer {
             public Compteurs compteurs() {
                 return scene.getCompteurs();
             }
-        }
-        return new Ouvrier();
-    }
-
-    /** Abandonne le dessin en cours, en 50 millisecondes au plus, et tous les suivants. */
-    public void arreter() {
-        equipe.arreter();
+        };
+        return rang -> {
+            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+            if (brouillon) {
+                TracerBrouillon(pave, toile, profondeur);
+            } else if (choisi == null) {
+                TracerPixels(pave, toile, profondeur);
+            } else {
+                scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, vue, toile);
+            }
+            fautes.peindre(pave, toile);
+        };
     }
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */

@@ -1,17 +1,17 @@
 package lancer;
 
 import java.io.PrintStream;
-import java.util.function.BiFunction;
-import java.util.function.DoubleConsumer;
+import java.util.function.Consumer;
 import lancer.commande.Messages;
 import lancer.commande.Options;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Lecture;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
-import lancer.scene.LecteurScene;
-import lancer.scene.SceneLue;
+import lancer.image.ImageMemoire;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
 public class Main implements Toile {
@@ -19,27 +19,26 @@ public class Main implements Toile {
     private final Options options;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    private final Dessin dessin;
+    private final Demande demande;
+    private final Consumer<Dessin> suivi;
+    private Dessin dessin;
+    private ImageMemoire image;
 
-    public Main(Options options, PrintStream sortie, PrintStream erreur) {
+    private Main(Options options, PrintStream sortie, PrintStream erreur) {
+        this(options, sortie, erreur, null, dessin -> { });
+    }
+
+    /**
+     * Le programme qui dessine cette demande : un dessin abandonné ne touche pas au suivant.
+     *
+     * @param suivi reçoit le dessin quand il commence, puis quand son brouillon est fini
+     */
+    public Main(Options options, PrintStream sortie, PrintStream erreur, Demande demande, Consumer<Dessin> suivi) {
         this.options = options;
         this.sortie = sortie;
         this.erreur = erreur;
-        // une lambda retarderait la première image : voir docs/etendre.md
-        dessin = new Dessin(options, new BiFunction<String, DoubleConsumer, SceneLue>() {
-            @Override
-            public SceneLue apply(String nomFichier, DoubleConsumer suivi) {
-                return lireScene(nomFichier, suivi);
-            }
-        }, erreur, options.scene, options.largeur, options.hauteur);
-    }
-
-    /** Le même programme pour cet autre dessin : un dessin abandonné ne touche pas au suivant. */
-    protected Main(Main autre, Dessin dessin) {
-        options = autre.options;
-        sortie = autre.sortie;
-        erreur = autre.erreur;
-        this.dessin = dessin;
+        this.demande = demande;
+        this.suivi = suivi;
     }
 
     /** @param args voir {@code --aide} */
@@ -57,60 +56,54 @@ public class Main implements Toile {
      */
     static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
         try {
-            return new Main(Options.lire(args), sortie, erreur).executer();
+            Options options = Options.lire(args);
+            if (options.aide || options.version) {
+                Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
+            } else if (options.sansFenetre()) {
+                Main main = new Main(options, sortie, erreur);
+                return new SansFenetre(options, main::dans, sortie, erreur).faire();
+            } else {
+                Ouverture.ouvrir(options, (fichier, suivi) -> Lecture.lire(fichier, true, suivi),
+                        (demande, suivi) -> new Main(options, sortie, erreur, demande, suivi)
+                                .doTracerImage(demande.largeur, demande.hauteur), erreur, () -> System.exit(0));
+            }
+            return 0;
         } catch (RuntimeException | Error e) {
             return Messages.dire(e, erreur);
         }
     }
 
-    private int executer() {
-        if (options.aide || options.version) {
-            Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
-        } else if (options.sansFenetre()) {
-            return SansFenetre.faire(options, dessin, this, sortie, erreur);
-        } else {
-            Ouverture.ouvrir(options, dessin, voulu -> new Main(this, voulu).dessiner(), erreur, () -> System.exit(0));
-        }
-        return 0;
+    /** La surface de ce programme, qui dessine désormais dans cette image. */
+    private Toile dans(ImageMemoire autre) {
+        image = autre;
+        return this;
     }
 
-    /** Lit une scène. @param suivi reçoit la part lue du fichier, de 0 à 1 */
-    protected SceneLue lireScene(String nomFichier, DoubleConsumer suivi) {
-        return LecteurScene.lire(nomFichier, !options.sansFenetre(), suivi);
-    }
-
-    /** Exécute le dessin, dont la scène est déjà lue : c'est le travail du SwingWorker de la fenêtre. */
-    protected void dessiner() {
-        if (dessin.getVue() == null) {
-            doTracerImage(dessin.largeur, dessin.hauteur);
-        } else {
-            dessin.dessinerLaVue(options.fils);
-        }
-    }
-
-    /** Dessine la scène lue : le brouillon, puis l'image. @param largeur celle de l'image, en pixels */
+    /** Prépare la scène, puis dessine le brouillon et l'image : c'est le travail du SwingWorker de la fenêtre. */
     public void doTracerImage(int largeur, int hauteur) {
-        Lancer lancer = dessin.preparer(largeur, hauteur);
-        lancer.getFautes().tolerer();
+        dessin = new Dessin(demande.avecTaille(largeur, hauteur));
+        suivi.accept(dessin);
+        dessin.lancer.getFautes().tolerer();
         try {
-            lancer.TracerImage(this, dessin.getReglages().getProfondeur(), options.fils);
+            dessin.lancer.TracerImage(dans(dessin.image), demande.reglages.getProfondeur(), options.fils);
         } catch (PixelFautif e) {
-            throw dessin.nommer(e);
+            throw demande.nommer(e);
         }
-        dessin.direEcart();
+        dessin.direEcart(erreur);
         if (options.statistiques) {
-            sortie.println(dessin.statistiques(lancer, lancer.getDureeNs()));
+            sortie.println(dessin.statistiques(dessin.lancer, dessin.lancer.getDureeNs()));
             sortie.flush();
         }
     }
 
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        dessin.getImage().drawPixel(coul, xe, ye);
+        image.drawPixel(coul, xe, ye);
     }
 
     @Override
     public void finirBrouillon() {
         dessin.finirBrouillon();
+        suivi.accept(dessin);
     }
 }

@@ -100,7 +100,7 @@ public final class Scene {
      * @param distance du contact à la lampe
      */
     public boolean estCachee(Lampe lampe, Point contact, Vecteur L, double distance, Objet3D objet) {
-        if (!modele.avecOmbres()) {
+        if (!modele.aDesOmbres()) {
             return false;
         }
         compteurs.ombre++;

@@ -63,12 +63,6 @@ public final class Messages {
         }
     }
 
-    /** Message sur un pixel : ce qui lui arrive, puis la commande qui l'explique. */
-    public static String duPixel(int x, int y, String cause, String options, String scene, int largeur, int hauteur) {
-        return "pixel " + x + ", " + y + " de " + Texte.echappe(scene) + " : " + cause + " ; pour le revoir : "
-                + commande(" --pixel " + x + "," + y, options, scene, largeur, hauteur);
-    }
-
     /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */
     public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
         boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;

@@ -53,9 +53,7 @@ public final class Options {
 
     public int largeur = Constantes.LARGEUR_IMAGE;
     public int hauteur = Constantes.HAUTEUR_IMAGE;
-    public int reflets = Constantes.MAX_REFLETS;
-    public double seuil = Constantes.SEUIL;
-    public Etape etape = Etape.REFLETS;
+    public Reglages reglages;
 
     /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
     public String vue;
@@ -68,9 +66,6 @@ public final class Options {
     public int pixelX;
     public int pixelY;
 
-    /** Vrai pour les boucles du cours, faux pour la recherche rapide. */
-    public boolean simple;
-
     /** Dit si le programme choisit ses réglages ; erreur voulue, en niveaux. */
     public boolean auto;
     public double erreurVoulue;
@@ -80,8 +75,7 @@ public final class Options {
     public double tolerance;
     public double part;
 
-    /** Les variantes à débrancher, et la scène, {@code null} si aucune n'est nommée. */
-    public List<String> sans = Collections.emptyList();
+    /** La scène, {@code null} si aucune n'est nommée. */
     public String scene;
 
     /** Chaque option donnée, et sa valeur, vide si elle n'en a pas. */
@@ -196,22 +190,23 @@ public final class Options {
             largeur = (int) cotes[0];
             hauteur = (int) cotes[1];
         }
-        reflets = entier("--reflets", reflets, 0, REFLETS_MAX);
-        seuil = positif("--seuil", seuil);
+        Etape etape = Etape.REFLETS;
         String nom = valeur("--etape");
         for (Etape celle : Etape.values()) {
             etape = celle.toString().equals(nom) ? celle : etape;
         }
         exiger(nom == null || etape.toString().equals(nom), "--etape");
+        String variantes = valeur("--sans");
+        List<String> sans = variantes == null ? Collections.<String>emptyList()
+                : Arrays.asList(variantes.split(",", -1));
+        exiger(!sans.contains(""), "--sans");
+        reglages = new Reglages(etape, entier("--reflets", Constantes.MAX_REFLETS, 0, REFLETS_MAX),
+                positif("--seuil", Constantes.SEUIL), estDonnee("--simple"), sans);
         vue = valeur("--vue");
         exiger(vue == null || VUES.contains(vue), "--vue");
-        String variantes = valeur("--sans");
-        sans = variantes == null ? sans : Arrays.asList(variantes.split(",", -1));
-        exiger(!sans.contains(""), "--sans");
         fils = entier("--fils", fils, 1, FILS_MAX);
         repeter = entier("--repeter", repeter, 1, 100_000);
         statistiques = estDonnee("--statistiques");
-        simple = estDonnee("--simple");
         String xy = valeur("--pixel");
         pixel = xy != null;
         if (pixel) {

@@ -5,13 +5,8 @@ import lancer.Couleur;
 /** Effet de l'air sur la couleur que voit un rayon. Tous les fils appellent le même objet, qui n'a pas d'état. */
 public interface Atmosphere {
 
-    /** L'air transparent, celui de la base (pas de lambda : voir docs/etendre.md). */
-    Atmosphere CLAIRE = new Atmosphere() {
-        @Override
-        public Couleur traverser(Couleur vue, double distance) {
-            return vue;
-        }
-    };
+    /** L'air transparent, celui de la base. */
+    Atmosphere CLAIRE = (vue, distance) -> vue;
 
     /**
      * @param vue la couleur à l'arrivée du rayon

@@ -12,7 +12,7 @@ public final class Modele {
     private Recherche recherche;
     private double seuil = Constantes.SEUIL;
     private Ecoute ecoute;
-    private boolean avecOmbres = true;
+    private boolean ombres = true;
 
     /** Le modèle de la base : un rayon par pixel, les boucles du cours. */
     public Modele() {
@@ -25,7 +25,7 @@ public final class Modele {
         recherche = autre.recherche;
         seuil = autre.seuil;
         ecoute = autre.ecoute;
-        avecOmbres = autre.avecOmbres;
+        ombres = autre.ombres;
     }
 
     /** Le même modèle pour un fil, dont la recherche compte dans {@code compteurs}. */
@@ -44,7 +44,7 @@ public final class Modele {
     }
 
     /** Modèle identique, dont le calcul est noté dans {@code ecoute}. */
-    public Modele ecoute(Ecoute ecoute) {
+    public Modele avec(Ecoute ecoute) {
         Modele autre = new Modele(this);
         autre.ecoute = ecoute;
         return autre;
@@ -74,12 +74,12 @@ public final class Modele {
     }
 
     /** Dit si un objet peut cacher une lampe. */
-    public boolean avecOmbres() {
-        return avecOmbres;
+    public boolean aDesOmbres() {
+        return ombres;
     }
 
     public void oterOmbres() {
-        avecOmbres = false;
+        ombres = false;
     }
 
     /** Échantillonnage de l'image ; {@code null} : un rayon au centre de chaque pixel. */

@@ -106,7 +106,18 @@ public abstract class Section {
 
     /** Texte de la section sur une ligne : {@code [Antialias] n=8 methode=partage}. */
     @Override
-    public String toString() {
+    public final String toString() {
         return ecrire(" ");
+    }
+
+    /** Deux sections de même texte sont égales, où qu'elles soient écrites. */
+    @Override
+    public final boolean equals(Object autre) {
+        return autre instanceof Section && toString().equals(autre.toString());
+    }
+
+    @Override
+    public final int hashCode() {
+        return toString().hashCode();
     }
 }

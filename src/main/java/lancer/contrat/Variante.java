@@ -2,6 +2,7 @@ package lancer.contrat;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Une variante du programme, dans un module à côté de la base. Elle réalise un contrat ({@link Atmosphere},
@@ -29,10 +30,11 @@ public interface Variante {
     }
 
     /**
-     * Les réglages que {@code --auto} essaie si la scène n'a pas de section de cette variante, du moins cher au plus
-     * juste. Ils sont créés à partir de {@code sienne} par {@link Section#sansFichier}.
+     * Les sections que {@code --auto} essaie si la scène n'en a pas de cette variante, dans l'ordre du moins cher au
+     * plus juste, chacune avec un seuil des reflets dont l'erreur est petite devant la sienne. Elles sont créées à
+     * partir de {@code sienne} par {@link Section#sansFichier}.
      */
-    default List<ReglagePropose> getReglagesProposes(Section sienne) {
-        return Collections.emptyList();
+    default Map<Section, Double> getSectionsProposees(Section sienne) {
+        return Collections.emptyMap();
     }
 }

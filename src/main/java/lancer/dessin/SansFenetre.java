@@ -7,19 +7,18 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.auto.Auto;
-import lancer.auto.Echelon;
+import lancer.auto.Echelle;
 import lancer.auto.Mesure;
 import lancer.commande.BarreProgression;
 import lancer.commande.Echec;
-import lancer.commande.Etape;
 import lancer.commande.Messages;
 import lancer.commande.Options;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
-import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -33,72 +32,65 @@ import lancer.scene.FichierScene;
 import lancer.texte.Texte;
 
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
-public final class SansFenetre implements Runnable {
+public final class SansFenetre {
 
     private static final double NS_PAR_S = 1e9;
 
     private final Options options;
-    private final Dessin dessin;
-    private final Toile toile;
+    private final Function<ImageMemoire, Toile> surface;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    private int statut;
+    /** Ce qui est demandé ; {@code null} avant la lecture de la scène. */
+    private Demande demande;
 
-    private SansFenetre(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
+    /** @param surface la toile qui dessine dans une image */
+    public SansFenetre(Options options, Function<ImageMemoire, Toile> surface, PrintStream sortie,
+            PrintStream erreur) {
         this.options = options;
-        this.dessin = dessin;
-        this.toile = toile;
+        this.surface = surface;
         this.sortie = sortie;
         this.erreur = erreur;
     }
 
-    /**
-     * Exécute la demande de ces options.
-     *
-     * @param dessin le dessin demandé, dont la scène n'est pas encore lue
-     * @param toile surface dont les pixels sont ceux de l'image du dessin
-     * @return le statut de sortie : 1 si les images comparées diffèrent
-     */
-    public static int faire(Options options, Dessin dessin, Toile toile, PrintStream sortie, PrintStream erreur) {
-        SansFenetre travail = new SansFenetre(options, dessin, toile, sortie, erreur);
+    /** Exécute la demande de ces options. @return le statut de sortie : 1 si les images comparées diffèrent */
+    public int faire() {
         try {
-            dessin.observer(travail);
-            return travail.statut;
+            if (options.comparer != null) {
+                return comparer();
+            }
+            if (options.pixel) {
+                expliquerUnPixel();
+            } else {
+                dessinerDansDesFichiers();
+            }
+            return 0;
         } catch (PixelFautif e) {
-            throw dessin.nommer(e);
+            throw demande.nommer(e);
         }
     }
 
-    @Override
-    public void run() {
-        if (options.comparer != null) {
-            comparer();
-        } else if (options.pixel) {
-            dessinerUnPixel();
-        } else if (options.vue != null) {
-            dessinerUneVue();
-        } else {
-            versFichiers();
-        }
+    private void lire() {
+        demande = new Demande(Lecture.lire(options.scene, false, part -> { }), options);
     }
 
-    private void versFichiers() {
+    private void dessinerDansDesFichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
-        dessin.lire();
-        int profondeur = dessin.getReglages().getProfondeur();
-        Lancer prepare = dessin.preparer(new ImageMemoire(options.largeur, options.hauteur,
-                options.image != null, options.lineaire != null));
+        lire();
+        Dessin dessin = new Dessin(demande, new ImageMemoire(options.largeur, options.hauteur, options.image != null,
+                options.lineaire != null));
         if (options.auto) {
-            choisirEtDessiner(prepare, fichiers);
+            choisirEtDessiner(dessin, fichiers);
         } else {
-            long[] traces = tracer(prepare, toile, profondeur);
-            Ecriture.ecrire(dessin.getImage(), fichiers);
+            long[] traces = options.vue != null ? tracerLaVue(dessin)
+                    : tracer(dessin.lancer, surface.apply(dessin.image), demande.reglages.getProfondeur());
+            Ecriture.ecrire(dessin.image, fichiers);
             if (options.statistiques) {
-                Messages.repondre(dessin.statistiques(prepare, traces), sortie);
+                Messages.repondre(dessin.statistiques(dessin.lancer, traces), sortie);
             }
         }
         // les avertissements n'ont de sens que si le reste a réussi
-        dessin.avertir();
+        Messages.avertir(demande.lecture.lue.avertissements, erreur);
+        dessin.direEcart(erreur);
     }
 
     /** Les fichiers demandés. @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre */
@@ -127,13 +119,13 @@ public final class SansFenetre implements Runnable {
     }
 
     /** Dessine {@code --repeter} fois. @return le temps de chaque dessin, en nanosecondes */
-    private long[] tracer(Lancer lancer, Toile surveillee, int reflets) {
+    private long[] tracer(Lancer lancer, Toile toile, int profondeur) {
         long[] traces = new long[options.repeter];
         BarreProgression barre = !BarreProgression.surUnTerminal() ? null
                 : new BarreProgression(lancer::getAvancement, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
-                lancer.TracerPixels(surveillee, reflets, options.fils);
+                lancer.TracerPixels(toile, profondeur, options.fils);
                 traces[k] = lancer.getDureeNs();
             }
         } finally {
@@ -144,68 +136,60 @@ public final class SansFenetre implements Runnable {
         return traces;
     }
 
-    /** Dessine avec le réglage que {@code --auto} choisit, et dit en deux lignes lequel, et l'erreur de l'image. */
-    private void choisirEtDessiner(Lancer prepare, Map<Ecriture, Ecriture.Format> fichiers) {
+    private long[] tracerLaVue(Dessin dessin) {
+        new FaussesCouleurs(dessin.lancer, demande.reglages.getProfondeur(), options.fils)
+                .dessiner(options.vue, dessin.image, null);
+        return new long[] {dessin.lancer.getDureeNs()};
+    }
+
+    /** Dessine avec les réglages que {@code --auto} choisit, et dit en deux lignes lesquels, et l'erreur de l'image. */
+    private void choisirEtDessiner(Dessin dessin, Map<Ecriture, Ecriture.Format> fichiers) {
         long debut = System.nanoTime();
-        ReglagesDessin reglages = dessin.getReglages();
-        Auto auto = new Auto(prepare, Echelon.echelle(prepare.getScene().getModele(), reglages.getEssayees(),
-                options.estDonnee("--reflets") || options.etape != Etape.REFLETS ? reglages.getProfondeur() : null,
-                options.estDonnee("--seuil") ? options.seuil : null), options.erreurVoulue, options.fils);
+        Auto auto = new Auto(dessin.lancer, Echelle.de(demande.reglages, options.estDonnee("--reflets"),
+                options.estDonnee("--seuil")), options.erreurVoulue, options.fils);
         long[] traces;
         do {
-            traces = tracer(auto.getLancer(), auto.surveiller(toile), auto.getChoisi().reflets);
+            traces = tracer(auto.getLancer(), auto.surveiller(surface.apply(dessin.image)),
+                    auto.getChoisi().getProfondeur());
         } while (!auto.controler());
         double essais = (System.nanoTime() - debut - Arrays.stream(traces).sum()) / NS_PAR_S;
-        Ecriture.ecrire(dessin.getImage(), fichiers);
+        Ecriture.ecrire(dessin.image, fichiers);
         Mesure mesure = auto.getMesure();
         if (options.statistiques) {
+            String incertitude = mesure.rienVu ? ""
+                    : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
             Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
-                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%n"
-                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, mesure.incertitude,
-                    auto.getRayonsDesEssais(), 1e3 * essais), sortie);
+                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d%nauto.essais.ms: %.3f",
+                    mesure.erreur, incertitude, auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
-        Messages.avertir(Arrays.asList("auto, choisi : " + auto.getChoisi(),
-                String.format(Locale.ROOT,
-                        "auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
-                        mesure.incertitude, auto.getLancer().getDureeNs() / NS_PAR_S, essais, auto.getVerdict())),
-                erreur);
+        Messages.avertir(Arrays.asList("auto, choisi : " + Echelle.dire(auto.getChoisi()),
+                String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s", mesure.enMots(),
+                        auto.getLancer().getDureeNs() / NS_PAR_S, essais,
+                        mesure.rienVu ? "" : " ; " + auto.getVerdict())), erreur);
     }
 
-    private void dessinerUneVue() {
-        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
-        dessin.lire();
-        ImageMemoire image = new ImageMemoire(options.largeur, options.hauteur, false);
-        Lancer prepare = dessin.preparer(image);
-        Lancer lancer = new FaussesCouleurs(prepare, dessin.getReglages().getProfondeur(), options.fils, sien -> { })
-                .dessiner(options.vue, image, null);
-        Ecriture.ecrire(image, fichiers);
-        if (options.statistiques) {
-            Messages.repondre(dessin.statistiques(lancer, lancer.getDureeNs()), sortie);
-        }
-        dessin.avertir();
-    }
-
-    private void dessinerUnPixel() {
-        dessin.lire();
-        Inspection pixel = new Inspection(dessin.getScene(), dessin.getLue().origines,
-                new Camera(options.largeur, options.hauteur), dessin.getReglages().getProfondeur(),
+    private void expliquerUnPixel() {
+        lire();
+        Inspection pixel = new Inspection(demande.getScene(), demande.lecture.lue.origines,
+                new Camera(options.largeur, options.hauteur), demande.reglages.getProfondeur(),
                 options.pixelX, options.pixelY);
         pixel.faire();
-        Fil.commencer("récit");
         Messages.repondreEnUtf8(new Recit(pixel, Double::toString, Double::toString).raconter().lignes(), sortie);
-        Messages.avertir(dessin.getLue().avertissements, erreur);
+        Messages.avertir(demande.lecture.lue.avertissements, erreur);
     }
 
     /** Compare deux images, et écrit celle des différences si elle est demandée. */
-    private void comparer() {
+    private int comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         if (autre == null) {
-            dessin.lire();
+            lire();
+            demande = demande.avecTaille(attendue.largeur, attendue.hauteur);
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
-            dessin.preparer(autre).TracerPixels(toile, dessin.getReglages().getProfondeur(), options.fils);
-            dessin.direEcart();
+            Dessin dessin = new Dessin(demande, autre);
+            dessin.lancer.TracerPixels(surface.apply(autre), demande.reglages.getProfondeur(), options.fils);
+            dessin.direEcart(erreur);
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);
         if (!fichiers.isEmpty()) {
@@ -214,6 +198,6 @@ public final class SansFenetre implements Runnable {
                     fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);
-        statut = comparaison.sontPareilles() ? 0 : 1;
+        return comparaison.sontPareilles() ? 0 : 1;
     }
 }

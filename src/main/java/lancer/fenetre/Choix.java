@@ -1,6 +1,6 @@
 package lancer.fenetre;
 
-import lancer.dessin.ReglagesDessin;
+import lancer.commande.Reglages;
 import lancer.scene.SceneLue;
 
 /** Ce que l'on choisit dans la fenêtre et que Ctrl+Z défait : les déplacements, les réglages, la vue. Immuable. */
@@ -10,11 +10,11 @@ final class Choix {
     /** La scène telle qu'elle est dans le fichier, puis avec les déplacements. */
     final SceneLue lue;
     final SceneLue scene;
-    final ReglagesDessin reglages;
+    final Reglages reglages;
     /** La vue en fausses couleurs montrée à la place de l'image, ou {@code null}. */
     final String vue;
 
-    Choix(String fichier, SceneLue lue, SceneLue scene, ReglagesDessin reglages, String vue) {
+    Choix(String fichier, SceneLue lue, SceneLue scene, Reglages reglages, String vue) {
         this.fichier = fichier;
         this.lue = lue;
         this.scene = scene;
@@ -26,7 +26,7 @@ final class Choix {
         return new Choix(fichier, lue, autre, reglages, vue);
     }
 
-    Choix avec(ReglagesDessin autres) {
+    Choix avec(Reglages autres) {
         return new Choix(fichier, lue, scene, autres, vue);
     }
 
@@ -37,6 +37,6 @@ final class Choix {
     /** Les mêmes choix pour une scène qui vient d'être relue, ou pour une autre, dont rien n'est déplacé. */
     Choix pour(Choix relu, boolean malgreLeFichier) {
         return relu.lue == lue ? this : new Choix(relu.fichier, relu.lue, relu.fichier.equals(fichier)
-                ? relu.lue.reporter(lue, scene, malgreLeFichier) : relu.lue, reglages.pour(relu.reglages), vue);
+                ? relu.lue.reporter(lue, scene, malgreLeFichier) : relu.lue, reglages.pour(relu.lue.variantes), vue);
     }
 }

@@ -15,8 +15,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
+import lancer.commande.Reglages;
+import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
@@ -34,8 +35,7 @@ final class Controleur {
     private static final long GESTE_NS = 1_000_000_000;
 
     final int fils;
-    private final Dessin premier;
-    private final Consumer<Dessin> programme;
+    private final Tracage.Moteur moteur;
     private final ExecutorService dessins;
     final PanneauImage panneau;
     private final Supplier<Dimension> taille;
@@ -47,13 +47,11 @@ final class Controleur {
     /** Lu par toute la fenêtre, et remplacé ici seulement. */
     Etat etat = Etat.VIDE;
 
-    /** @param premier modèle des dessins d'autres scènes @param programme exécute un dessin, dans le fil des dessins */
-    Controleur(Dessin premier, Consumer<Dessin> programme, ExecutorService dessins, int fils, PanneauImage panneau,
-            Supplier<Dimension> taille) {
-        this.premier = premier;
-        this.programme = programme;
+    /** @param moteur ce qui lit et dessine, dans le fil des dessins */
+    Controleur(Tracage.Moteur moteur, ExecutorService dessins, PanneauImage panneau, Supplier<Dimension> taille) {
+        this.moteur = moteur;
         this.dessins = dessins;
-        this.fils = fils;
+        fils = moteur.options.fils;
         this.panneau = panneau;
         this.taille = taille;
         surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire),
@@ -101,12 +99,12 @@ final class Controleur {
 
     /** La commande qui dessine la scène montrée ainsi, si ses sections changées sont mises dans le fichier. */
     String getCommande() {
-        return Messages.commande("", etat.getReglages().getOptions(), etat.lecture.dessin.fichier, taille.get().width,
+        return Messages.commande("", etat.getReglages().getOptions(), etat.lecture.fichier, taille.get().width,
                 taille.get().height);
     }
 
     void commencer(Tracage tracage) {
-        etat = etat.demander(tracage.dessin.fichier).commencer(tracage);
+        etat = etat.demander(tracage.fichier).commencer(tracage);
         if (tracage.choix != null) {
             adopter();
         }
@@ -116,14 +114,14 @@ final class Controleur {
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
     void ouvrir(String scene) {
         etat = etat.demander(scene);
-        lancer(premier.pour(scene, taille.get().width, taille.get().height), false);
+        lancer(tracer(scene, null), false);
     }
 
     void relire() {
         ouvrir(etat.demande);
     }
 
-    void dessiner(ReglagesDessin voulus) {
+    void dessiner(Reglages voulus) {
         choisir(etat.choix.avec(voulus));
     }
 
@@ -137,7 +135,7 @@ final class Controleur {
         geste = cause;
         gesteNs = System.nanoTime();
         etat = etat.choisir(voulu, suite);
-        if (suite && etat.enCours && !etat.lit() && !etat.courant.dessin.isBrouillonFait()) {
+        if (suite && etat.enCours && !etat.lit() && !etat.courant.isBrouillonFait()) {
             // le geste continue : le brouillon en cours est d'abord montré
             avertir();
         } else {
@@ -147,8 +145,8 @@ final class Controleur {
 
     /** Montre cette image, déjà dessinée. */
     void montrer(Dessin dessine) {
-        etat = etat.choisir(etat.choix.avec(dessine.getReglages()).avec((String) null), false);
-        lancer(dessine, false);
+        etat = etat.choisir(etat.choix.avec(dessine.demande.reglages).avec((String) null), false);
+        lancer(new Tracage(moteur, etat.lecture.initiale, etat.choix, dessine), false);
     }
 
     /** Défait le dernier choix ({@code sens} −1), ou le refait (1). */
@@ -160,8 +158,7 @@ final class Controleur {
 
     void ajuster() {
         Dimension voulue = taille.get();
-        if (etat.lecture != null && (voulue.width != etat.courant.dessin.largeur
-                || voulue.height != etat.courant.dessin.hauteur)) {
+        if (etat.lecture != null && (voulue.width != etat.courant.largeur || voulue.height != etat.courant.hauteur)) {
             redessiner(false);
         }
     }
@@ -186,26 +183,29 @@ final class Controleur {
         if (etat.lit()) {
             relire();
         } else {
-            lancer(etat.lecture.dessin.avec(taille.get().width, taille.get().height), geste);
+            lancer(tracer(etat.lecture.fichier, etat.lecture.initiale), geste);
         }
     }
 
+    private Tracage tracer(String scene, Demande initiale) {
+        Dimension voulue = taille.get();
+        return new Tracage(moteur, scene, initiale, etat.choix, etat.avant, voulue,
+                panneau.getTailleMax(voulue.width, voulue.height));
+    }
+
     /** @param geste vrai si le geste peut continuer : l'image attend alors un peu après le brouillon */
-    private void lancer(Dessin dessin, boolean geste) {
+    private void lancer(Tracage tracage, boolean geste) {
         if (dessins.isShutdown()) {
             return;
         }
         if (etat.courant != null) {
             etat.courant.arreter();
         }
-        dessin.setVue(etat.choix == null ? null : etat.choix.vue, etat.avant);
-        Tracage tracage = new Tracage(programme, dessin, etat.choix,
-                panneau.getTailleMax(dessin.largeur, dessin.hauteur), fils);
         if (geste) {
-            dessin.setEntracte(() -> {
+            tracage.entracte = () -> {
                 EventQueue.invokeLater(this::observer);
                 tracage.attendreLaSuite();
-            });
+            };
         }
         dessins.execute(tracage);
         suivre(tracage);
@@ -234,8 +234,8 @@ final class Controleur {
                 panneau.bandeau.dire(Sujet.SCENE, "");
             }
         }
-        ImageMemoire image = dessin.getImage();
-        if (image != null && (image == panneau.montree || dessin.isBrouillonFait()
+        ImageMemoire image = dessin == null ? null : dessin.image;
+        if (image != null && (image == panneau.montree || courant.isBrouillonFait()
                 // sans image, une partie du brouillon est montrée
                 || panneau.montree == null && (fini || courant.getDureeNs() > PATIENCE_NS))) {
             panneau.montree = image;
@@ -245,13 +245,9 @@ final class Controleur {
                 poser(etat.montrer());
             }
         }
-        if (panneau.apercu != dessin.getApercu()) {
-            panneau.apercu = dessin.getApercu();
+        if (panneau.apercu != courant.getApercu()) {
+            panneau.apercu = courant.getApercu();
             panneau.repaint();
-        }
-        if (dessin.getLenteur() != null && !courant.lenteurDite) {
-            courant.lenteurDite = true;
-            panneau.bandeau.dire(Sujet.DESSIN, dessin.getLenteur());
         }
         if (fini && etat.enCours) {
             finir();
@@ -259,7 +255,7 @@ final class Controleur {
         // le geste a continué pendant le brouillon
         if (courant == etat.courant && courant.choix != null && etat.choix != null
                 && courant.choix.lue == etat.choix.lue && courant.choix != etat.choix
-                && (fini || dessin.isBrouillonFait())) {
+                && (fini || courant.isBrouillonFait())) {
             redessiner(true);
         }
     }
@@ -270,7 +266,7 @@ final class Controleur {
         if (!courant.aLire || courant == etat.lecture) {
             return;
         }
-        List<String> avis = new ArrayList<>(courant.dessin.getLue().avertissements);
+        List<String> avis = new ArrayList<>(courant.getLue().avertissements);
         boolean defait = courant.litLaSceneDe(etat.lecture) && !courant.choix.scene.getChanges(
                 etat.choix.pour(courant.getLu(), true).scene).isEmpty();
         if (defait) {
@@ -286,13 +282,13 @@ final class Controleur {
         Tracage courant = etat.courant;
         courant.vue.countDown();
         Throwable echec = courant.getEchec();
-        Fautes fautes = courant.dessin.getLancer() == null ? null : courant.dessin.getLancer().getFautes();
+        Fautes fautes = courant.dessin == null ? null : courant.dessin.lancer.getFautes();
         if (courant.isAcheve()) {
             Dessin fait = courant.dessin;
             // les sections ignorées, sans le reste de leur avertissement
-            String ignorees = String.join("\n", fait.getLue().avertissements)
+            String ignorees = String.join("\n", fait.demande.lecture.lue.avertissements)
                     .replaceAll(".*, ligne \\d+, (\\[[^]]*]).*\n?", ", $1 ignorée");
-            panneau.legendes.put(fait.getImage(), fait.getCout() + ", " + fait.getReglages() + ignorees
+            panneau.legendes.put(fait.image, fait.getCout() + ", " + fait.demande.reglages + ignorees
                     + (fautes.enMots() == null ? "" : ", " + fautes.enMots()));
             if (fait.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, fait.getEcart());
@@ -303,7 +299,7 @@ final class Controleur {
             refuser(Messages.message(echec));
         } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (echec == null ? "" : ", et aucun n'a pu l'être")
-                    + " ; le premier : " + courant.dessin.nommer(fautes.getPremiere()).getMessage());
+                    + " ; le premier : " + courant.dessin.demande.nommer(fautes.getPremiere()).getMessage());
         } else if (echec != null || courant.isAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
@@ -314,14 +310,14 @@ final class Controleur {
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
-        return etat.montre == null ? null : etat.montre.getLancer().getFautes().enMots();
+        return etat.montre == null ? null : etat.montre.lancer.getFautes().enMots();
     }
 
     /** Dit la faute de la scène demandée, et de quelle scène est l'image qui reste. */
     private void refuser(String message) {
         boolean autre = etat.lecture != null && !etat.courant.litLaSceneDe(etat.lecture);
         panneau.bandeau.dire(Sujet.SCENE, message + (autre ? "\nl'image qui reste est celle de "
-                + new File(etat.lecture.dessin.fichier).getName() : ""));
+                + new File(etat.lecture.fichier).getName() : ""));
         if (etat.lecture != null && etat.getImageEntiere() == null) {
             // la faute a interrompu le dessin de la scène d'avant : il est repris
             redessiner(false);
@@ -329,7 +325,7 @@ final class Controleur {
     }
 
     private void direEfface() {
-        if (etat.lecture != null && etat.lecture.dessin.fichier.equals(etat.demande)) {
+        if (etat.lecture != null && etat.lecture.fichier.equals(etat.demande)) {
             panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste");
         }
     }

@@ -87,7 +87,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.etat.montre.fichier;
+        String scene = controleur.etat.montre.demande.lecture.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(controleur.panneau,
                 echoue != null ? echoue : new File(dossier, nom));

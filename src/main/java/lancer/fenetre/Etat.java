@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
+import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.image.ImageMemoire;
 
 /** L'état de la fenêtre, que tous ses panneaux montrent. Immuable : {@link Controleur} le remplace par le suivant. */
@@ -48,13 +48,13 @@ final class Etat {
         this.avant = avant;
     }
 
-    ReglagesDessin getReglages() {
+    Reglages getReglages() {
         return choix == null ? null : choix.reglages;
     }
 
     /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
     ImageMemoire getImageEntiere() {
-        return entiere ? montre.getImage() : null;
+        return entiere ? montre.image : null;
     }
 
     /** Vrai si quelque chose de déplacé n'est pas dans le fichier. */

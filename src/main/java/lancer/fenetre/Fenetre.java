@@ -17,7 +17,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -26,8 +25,6 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import javax.swing.TransferHandler;
 import javax.swing.WindowConstants;
-import lancer.commande.Options;
-import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
@@ -60,14 +57,13 @@ public final class Fenetre {
     /** Position du cadre avant le plein écran ; {@code null} hors du plein écran. */
     private Rectangle place;
 
-    Fenetre(Options options, Dessin premier, Consumer<Dessin> dessinateur, List<String> variantes,
-            ExecutorService dessins, Runnable fin) {
+    Fenetre(Tracage.Moteur moteur, List<String> variantes, ExecutorService dessins, Runnable fin) {
         programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         this.fin = fin;
-        demandee = new Dimension(options.largeur, options.hauteur);
+        demandee = new Dimension(moteur.options.largeur, moteur.options.hauteur);
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         barre = new BarreEtat();
-        controleur = new Controleur(premier, dessinateur, dessins, options.fils, panneau, this::getTaille);
+        controleur = new Controleur(moteur, dessins, panneau, this::getTaille);
         controleur.prevenir(this::suivre);
         retaille = new Timer(REPOS_MS, e -> controleur.ajuster());
         enregistrement = new Enregistrement(controleur, panneau.bandeau);

@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Future;
 import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
@@ -74,6 +75,7 @@ final class Inspecteur extends JPanel {
     /** Vrai si le panneau n'a pas encore montré de récit depuis qu'il est ouvert. */
     private boolean neuf = true;
     private Inspection enCours;
+    private Future<?> calcul;
     private Inspection montree;
     private Point pixel;
     /** Caméra de l'image où le pixel a été choisi ; {@code null} : celle de l'image montrée. */
@@ -192,36 +194,36 @@ final class Inspecteur extends JPanel {
     private void calculer() {
         Dessin montre = controleur.etat.montre;
         if (enCours != null) {
-            enCours.arreter();
+            calcul.cancel(true);
             enCours = null;
         }
         if (!isShowing() || montre == null || pixel == null) {
             return;
         }
-        if (!montre.fichier.equals(fichier)) {
-            fichier = montre.fichier;
+        if (!montre.demande.lecture.fichier.equals(fichier)) {
+            fichier = montre.demande.lecture.fichier;
             recit = null;
             rebond = 0;
         }
         // même endroit dans une image d'une autre taille
-        double fois = camera == null ? 1 : (double) montre.getImage().largeur / camera.getLargeur();
-        camera = montre.getLancer().getCamera();
+        double fois = camera == null ? 1 : (double) montre.image.largeur / camera.getLargeur();
+        camera = montre.lancer.getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
-        Inspection nouvelle = new Inspection(montre.getScene(), montre.getLue().origines, camera,
-                montre.getReglages().getProfondeur(), pixel.x, pixel.y);
+        Inspection nouvelle = new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue.origines, camera,
+                montre.demande.reglages.getProfondeur(), pixel.x, pixel.y);
         int voulu = rang;
         int seul = rebond;
         enCours = nouvelle;
         verdict.setText("calcul…");
         arbre.repaint();
-        Controleur.confier(fil, () -> montre.observer(() -> {
+        calcul = Controleur.confier(fil, () -> {
             nouvelle.faireOuEchouer(voulu);
             Noeud racine = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             int garde = seul > nouvelle.getSegments().size() ? 0 : seul;
             Figure figure = new Figure(nouvelle, garde);
             EventQueue.invokeLater(() -> recevoir(nouvelle, racine, figure, garde));
-        }), verdict::setText);
+        }, verdict::setText);
     }
 
     private void recevoir(Inspection nouvelle, Noeud racine, Figure figure, int seul) {

@@ -54,16 +54,16 @@ final class MenuScenes {
 
     /** Lit le dossier de la scène de ce dessin, après l'affichage de la première image. */
     private void lister(Tracage tracage) {
-        lue = tracage.dessin.fichier;
+        lue = tracage.fichier;
         Controleur.confier(fil, () -> {
             tracage.attendreDEtreVu();
-            Path scene = FichierScene.trouver(tracage.dessin.fichier);
+            Path scene = FichierScene.trouver(tracage.fichier);
             String[] noms = scene.toAbsolutePath().getParent().toFile().list();
             List<File> trouvees = Arrays.stream(noms == null ? new String[0] : noms).sorted()
                     .map(nom -> scene.resolveSibling(nom).toFile())
                     .filter(f -> Texte.minuscules(f.getName()).endsWith(".ini") && f.isFile())
                     .collect(Collectors.toList());
-            EventQueue.invokeLater(() -> montrer(tracage.dessin.fichier, trouvees));
+            EventQueue.invokeLater(() -> montrer(tracage.fichier, trouvees));
         }, menu::setToolTipText);
     }
 

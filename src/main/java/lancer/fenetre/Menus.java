@@ -15,8 +15,8 @@ import javax.swing.JMenuBar;
 import javax.swing.JScrollPane;
 import lancer.commande.Etape;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.contrat.Variante;
-import lancer.dessin.ReglagesDessin;
 
 /** Les lignes de la table des actions, menu par menu, puis celles qui n'ont pas d'article. */
 final class Menus {
@@ -132,7 +132,7 @@ final class Menus {
                 reflexions("Plus de réflexions : 1, 2, 5, 10", REFLEXIONS::higher, "PLUS"),
                 reflexions("Moins de réflexions", REFLEXIONS::lower, "MINUS"),
                 actions.ligne("Étapes du cours : Lambert, Phong, ombres, reflets", scene,
-                        rang -> c.dessiner(reglages().avec(Etape.values()[rang])),
+                        rang -> c.dessiner(reglages().avecEtape(Etape.values()[rang])),
                         "ctrl alt 1", "ctrl alt 2", "ctrl alt 3", "ctrl alt 4")
                         .coche(rang -> scene.getAsBoolean() && reglages().getEtape().ordinal() == rang,
                                 "Lambert", "+ Phong", "+ ombres", "+ reflets")));
@@ -141,7 +141,7 @@ final class Menus {
         contenu.addAll(Arrays.asList(
                 null,
                 actions.ligne("Revenir à la scène et aux réglages du fichier", scene, () -> c.choisir(
-                        c.etat.choix.avec(c.etat.choix.lue).avec(reglages().initiaux()))),
+                        c.etat.choix.avec(c.etat.choix.lue).avec(c.etat.lecture.initiale.reglages))),
                 actions.ligne("Défaire : un déplacement, un réglage, une vue", () -> c.etat.peutRevenir(-1),
                         () -> c.revenir(-1), "menu Z"),
                 actions.ligne("Refaire", () -> c.etat.peutRevenir(1), () -> c.revenir(1), "menu shift Z"),
@@ -150,18 +150,18 @@ final class Menus {
         return actions.menu("Dessin", contenu.toArray(new Actions.Ligne[0]));
     }
 
-    private ReglagesDessin reglages() {
+    private Reglages reglages() {
         return c.etat.getReglages();
     }
 
     private void brancher(String nom) {
         Variante variante = reglages().getVariante(nom);
-        c.dessiner(reglages().avec(variante, !reglages().estBranchee(variante)));
+        c.dessiner(reglages().avecVariante(variante, !reglages().estBranchee(variante)));
     }
 
     private Actions.Ligne reflexions(String texte, UnaryOperator<Integer> autre, String touche) {
         return actions.ligne(texte, () -> scene.getAsBoolean() && autre.apply(reglages().getReflets()) != null,
-                () -> c.dessiner(reglages().avec(autre.apply(reglages().getReflets()), reglages().getSeuil())),
+                () -> c.dessiner(reglages().avecReflets(autre.apply(reglages().getReflets()))),
                 touche);
     }
 

@@ -1,6 +1,7 @@
 package lancer.fenetre;
 
 import java.awt.AWTError;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -10,11 +11,16 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
+import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Options;
+import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Lecture;
 import lancer.scene.Services;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
@@ -29,31 +35,34 @@ public final class Ouverture {
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient après la lecture de cette scène.
      *
-     * @param dessin le premier dessin ; s'il a un fichier, sa scène n'est pas encore lue
+     * @param lecteur lit une scène, et dit la part lue du fichier, de 0 à 1
+     * @param programme dessine une demande, et donne le dessin quand il commence, puis quand son brouillon est fini
      * @param erreur sortie des avertissements de la première scène
      * @param fin appelé à la fermeture de la fenêtre, dans un autre fil
      * @throws lancer.SceneFautive si la scène ne peut être utilisée ; aucune fenêtre n'est alors ouverte
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Options options, Dessin dessin, Consumer<Dessin> programme, PrintStream erreur,
-            Runnable fin) {
+    public static Fenetre ouvrir(Options options, BiFunction<String, DoubleConsumer, Lecture> lecteur,
+            BiConsumer<Demande, Consumer<Dessin>> programme, PrintStream erreur, Runnable fin) {
+        Tracage.Moteur moteur = new Tracage.Moteur(options, lecteur, programme);
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
         if (manque != null) {
-            if (dessin.fichier != null) {
+            if (options.scene != null) {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
-                dessin.lire();
+                new Demande(lecteur.apply(options.scene, part -> { }), options);
             }
             throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         // avec un seul fil, un dessin abandonné finit d'écrire avant le début du suivant
         ExecutorService dessins = Controleur.unFil("lancer-dessin");
-        Tracage premier = dessin.fichier == null ? null : new Tracage(programme, dessin, null,
-                PanneauImage.dans(Dialogues.ecran().getSize(), dessin.largeur, dessin.hauteur), options.fils);
+        Tracage premier = options.scene == null ? null : new Tracage(moteur, options.scene, null, null, null,
+                new Dimension(options.largeur, options.hauteur),
+                PanneauImage.dans(Dialogues.ecran().getSize(), options.largeur, options.hauteur));
         if (premier != null) {
             // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
-            dessin.setEntracte(premier::attendreDEtreVu);
+            premier.entracte = premier::attendreDEtreVu;
             dessins.execute(premier);
             premier.attendreLecture(PATIENCE_MS);
         }
@@ -62,7 +71,7 @@ public final class Ouverture {
             EventQueue.invokeAndWait(() -> {
                 Apparence.preparer();
                 List<String> variantes = Services.nomsDesVariantes();
-                ouverte[0] = new Fenetre(options, dessin, programme, variantes, dessins, fin);
+                ouverte[0] = new Fenetre(moteur, variantes, dessins, fin);
                 new Menus(ouverte[0], variantes);
                 ouverte[0].commencer(premier);
             });
@@ -78,8 +87,8 @@ public final class Ouverture {
                 EventQueue.invokeLater(ouverte[0]::abandonner);
                 throw e;
             }
-            if (dessin.getLue() != null) {
-                Messages.avertir(dessin.getLue().avertissements, erreur);
+            if (premier.getLu() != null) {
+                Messages.avertir(premier.getLue().avertissements, erreur);
             }
         }
         return ouverte[0];

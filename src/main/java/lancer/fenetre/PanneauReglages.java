@@ -25,10 +25,10 @@ import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import lancer.commande.Etape;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -53,17 +53,17 @@ final class PanneauReglages extends JScrollPane {
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avec(etape), null, false));
+        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape), null, false));
         poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
         JSpinner reflexions = new JSpinner(new SpinnerNumberModel(0, 0, Options.REFLETS_MAX, 1));
-        reflexions.addChangeListener(e -> changer(reglages().avec((Integer) reflexions.getValue(),
-                reglages().getSeuil()), reflexions, false));
+        reflexions.addChangeListener(e -> changer(reglages().avecReflets((Integer) reflexions.getValue()), reflexions,
+                false));
         poser("réflexions", reflexions, null, () -> reflexions.setValue(reglages().getReflets()));
         JFormattedTextField seuil = new JFormattedTextField(new Seuil());
         seuil.setColumns(COLONNES);
         seuil.setFocusLostBehavior(JFormattedTextField.COMMIT_OR_REVERT);
-        seuil.addPropertyChangeListener("value", e -> changer(reglages().avec(reglages().getReflets(),
-                (Double) seuil.getValue()), null, false));
+        seuil.addPropertyChangeListener("value", e -> changer(
+                reglages().avecSeuil((Double) seuil.getValue()), null, false));
         poser("seuil", seuil, null, () -> {
             // un texte que l'on écrit reste, tant que le seuil est le même
             if (!Double.valueOf(reglages().getSeuil()).equals(seuil.getValue())) {
@@ -75,7 +75,7 @@ final class PanneauReglages extends JScrollPane {
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(e -> changer(reglages().avec(variante.get(), boite.isSelected()), null, false));
+            boite.addActionListener(e -> changer(reglages().avecVariante(variante.get(), boite.isSelected()), null, false));
             ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
@@ -91,7 +91,7 @@ final class PanneauReglages extends JScrollPane {
         controleur.prevenir(this::montrer);
     }
 
-    private ReglagesDessin reglages() {
+    private Reglages reglages() {
         return controleur.etat.getReglages();
     }
 
@@ -211,18 +211,18 @@ final class PanneauReglages extends JScrollPane {
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
         Section section = reglages().getSection(variante.get());
         if (!voulue.equals(section.valeur(parametre.cle))) {
-            changer(reglages().avec(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
+            changer(reglages().avecSection(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
                     glisse);
         }
     }
 
     /** @param cause ce qui change, ou {@code null} @param glisse vrai pendant un glissement */
-    private void changer(ReglagesDessin voulus, Object cause, boolean glisse) {
+    private void changer(Reglages voulus, Object cause, boolean glisse) {
         // après un clic, Espace compare les images ; un réglage atteint par Tab garde ses touches
         if (!miseAJour && EventQueue.getCurrentEvent() instanceof MouseEvent) {
             controleur.panneau.requestFocusInWindow();
         }
-        if (miseAJour || (voulus + voulus.getOptions()).equals(reglages() + reglages().getOptions())) {
+        if (miseAJour || voulus.equals(reglages())) {
             return;
         }
         controleur.choisir(controleur.etat.choix.avec(voulus), cause, glisse);

@@ -6,7 +6,7 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Comparator;
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -15,15 +15,14 @@ import java.util.concurrent.Future;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
-import lancer.Lancer;
+import lancer.Couleur;
 import lancer.auto.Echantillon;
-import lancer.auto.Echelon;
+import lancer.auto.Echelle;
 import lancer.auto.Mesure;
-import lancer.commande.Etape;
+import lancer.commande.Reglages;
+import lancer.contrat.Section;
 import lancer.dessin.Dessin;
-import lancer.dessin.ReglagesDessin;
 import lancer.fenetre.figures.GraphiqueVitesse;
-import lancer.image.ImageMemoire;
 
 /** L'échelle des réglages de la scène montrée, dessinée si cet onglet est visible et qu'aucun dessin n'est en cours. */
 @SuppressWarnings("serial")
@@ -37,8 +36,8 @@ final class PanneauVitesse extends JPanel {
     private static final long DUREE_NS = 300_000_000;
     /** Temps de dessin de plus du premier échelon, puis du premier anticrénelage : Java compile d'abord leur code. */
     private static final long AVANT_NS = 1_000_000_000;
-    /** Racine du nombre de rayons d'une référence. */
-    private static final int COTE = 6;
+    /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
+    private static final double VOULUE = 0.125;
     private static final int MARGE = 8;
     private static final int LIGNES = 7;
 
@@ -70,19 +69,23 @@ final class PanneauVitesse extends JPanel {
     /** Un échelon dessiné, et son dessin, ou {@code null} si son image n'est plus gardée. */
     private static final class Dessine extends GraphiqueVitesse.Reglage {
 
-        final ReglagesDessin reglages;
+        final Reglages reglages;
         volatile Dessin dessin;
 
-        Dessine(Echelon echelon, Dessin dessin, Mesure mesure) {
-            super(nom(echelon), echelon.toString(), dessin.getLancer().getDureeNs() / 1e9, mesure.erreur,
-                    mesure.incertitude);
-            reglages = dessin.getReglages();
+        Dessine(Dessin dessin, long dureeNs, Mesure mesure) {
+            super(nom(dessin.demande.reglages), Echelle.dire(dessin.demande.reglages),
+                    dureeNs / 1e9, mesure.erreur, mesure.incertitude);
+            reglages = dessin.demande.reglages;
             this.dessin = dessin;
         }
 
-        private static String nom(Echelon echelon) {
-            return echelon.section == null ? echelon.reflets + (echelon.reflets > 1 ? " réflexions" : " réflexion")
-                    : "1".equals(echelon.section.valeur("n")) ? "un rayon" : echelon.section.toString()
+        private static String nom(Reglages echelon) {
+            int reflets = echelon.getProfondeur();
+            if (echelon.getEssayee() == null) {
+                return reflets + (reflets > 1 ? " réflexions" : " réflexion");
+            }
+            Section section = echelon.getSectionEntiere(echelon.getEssayee());
+            return "1".equals(section.valeur("n")) ? "un rayon" : section.toString()
                     .replaceFirst("\\[.*] ", "").replaceFirst("(.*)methode=(\\S+) ?(.*)", "$2 $1$3").trim();
         }
     }
@@ -95,7 +98,7 @@ final class PanneauVitesse extends JPanel {
         final List<Dessine> dessines = new CopyOnWriteArrayList<>();
         volatile Dessine ici;
         private Dessin prepare;
-        private List<Echelon> echelle;
+        private List<Reglages> echelle;
         private Echantillon echantillon;
 
         Mesures(List<Object> cle) {
@@ -117,70 +120,67 @@ final class PanneauVitesse extends JPanel {
                 ici = dessines.stream().filter(d -> d.dessin == montre).findFirst().orElse(null);
             }
             if (ici == null && mesurable) {
-                ReglagesDessin siens = montre.getReglages();
-                Echelon present = new Echelon(siens.getSectionEssayee(),
-                        montre.getScene().getModele().getEchantillonnage(), siens.getProfondeur(), siens.getSeuil());
-                ici = new Dessine(present, montre, echantillon.essayer(present));
+                ici = new Dessine(montre, montre.lancer.getDureeNs(), echantillon.essayer(montre.demande.reglages));
             }
             while (dessines.size() < echelle.size()) {
                 dire("dessin de l'échelon " + (dessines.size() + 1) + " sur " + echelle.size() + "…");
-                dessiner(echelle.get(dessines.size()), montre.getReglages());
+                dessiner(echelle.get(dessines.size()));
             }
             dire("Un clic sur un point montre son image (ou flèches, et Entrée)."
-                    + (prepare.largeur == montre.largeur ? ""
-                    : " Images de " + prepare.largeur + " × " + prepare.hauteur + " pixels.")
-                    + (echelle.get(0).section != null ? "" : " antialias.jar apporte d'autres réglages."));
+                    + (prepare.image.largeur == montre.image.largeur ? ""
+                    : " Images de " + prepare.image.largeur + " × " + prepare.image.hauteur + " pixels.")
+                    + (echelle.get(0).getEssayee() != null ? "" : " antialias.jar apporte d'autres réglages."));
         }
 
         private void preparer(Dessin montre) {
             prepare = montre;
-            double part = Math.sqrt(PIXELS / montre.largeur / montre.hauteur);
+            double part = Math.sqrt(PIXELS / montre.image.largeur / montre.image.hauteur);
             if (part < 1) {
-                prepare = montre.avec((int) Math.ceil(part * montre.largeur), (int) Math.ceil(part * montre.hauteur));
-                prepare.preparer(prepare.largeur, prepare.hauteur);
+                prepare = new Dessin(montre.demande.avecTaille((int) Math.ceil(part * montre.image.largeur),
+                        (int) Math.ceil(part * montre.image.hauteur)));
             }
-            ReglagesDessin siens = montre.getReglages();
-            echelle = Echelon.echelle(prepare.getScene().getModele(), siens.getEssayees(),
-                    siens.getEtape() == Etape.REFLETS ? null : 0, null);
-            echantillon = new Echantillon(prepare.getLancer(), controleur.fils, 2, COTE, new SplittableRandom(1),
-                    new BitSet());
+            echelle = Echelle.de(montre.demande.reglages, false, false);
+            echantillon = new Echantillon(prepare.lancer, controleur.fils,
+                    prepare == montre ? rang -> couleur(montre.image.codes[rang]) : null, VOULUE, Long.MAX_VALUE,
+                    new SplittableRandom(1), new BitSet());
         }
 
-        private void dessiner(Echelon echelon, ReglagesDessin presents) {
-            ReglagesDessin voulus = presents.avec(echelon.reflets, echelon.seuil);
-            if (echelon.section != null) {
-                voulus = voulus.avec(voulus.getVariante(echelon.section.nom), echelon.section);
-            }
-            ImageMemoire image = new ImageMemoire(prepare.largeur, prepare.hauteur, true);
-            List<Lancer> lancers = new ArrayList<>();
+        private Couleur couleur(int code) {
+            return new Couleur((code >> 16 & 0xFF) / 255.0, (code >> 8 & 0xFF) / 255.0, (code & 0xFF) / 255.0);
+        }
+
+        private void dessiner(Reglages echelon) {
+            Dessin dessin = prepare.avecReglages(echelon);
+            List<Long> durees = new ArrayList<>();
             for (long duree = dessines.size() < 2 ? -AVANT_NS : 0; duree < DUREE_NS;
-                    duree += lancers.get(lancers.size() - 1).getDureeNs()) {
-                lancers.add(echelon.lancer(prepare.getLancer()));
-                lancers.get(lancers.size() - 1).TracerPixels((couleur, xe, ye) -> {
-                    image.drawPixel(couleur, xe, ye);
+                    duree += dessin.lancer.getDureeNs()) {
+                dessin.lancer.TracerPixels((couleur, xe, ye) -> {
+                    dessin.image.drawPixel(couleur, xe, ye);
                     echantillon.drawPixel(couleur, xe, ye);
-                }, echelon.reflets, controleur.fils);
+                }, echelon.getProfondeur(), controleur.fils);
+                durees.add(dessin.lancer.getDureeNs());
             }
+            dessin.finirBrouillon();
             // comme --repeter : les premiers dessins ne comptent pas
-            lancers.subList(0, lancers.size() / 2).clear();
-            lancers.sort(Comparator.comparingLong(Lancer::getDureeNs));
-            Dessin dessin = prepare.dessine(voulus, image, lancers.get((lancers.size() - 1) / 2));
-            dessines.add(new Dessine(echelon, dessin, echantillon.mesurer()));
+            durees.subList(0, durees.size() / 2).clear();
+            Collections.sort(durees);
+            dessines.add(new Dessine(dessin, durees.get((durees.size() - 1) / 2), echantillon.mesurer()));
             // les premières images oubliées sont les plus rapides à dessiner de nouveau
-            int gardes = Math.max(1, PIXELS_GARDES / image.codes.length);
+            int gardes = Math.max(1, PIXELS_GARDES / dessin.image.codes.length);
             dessines.stream().limit(Math.max(0, dessines.size() - gardes)).forEach(d -> d.dessin = null);
         }
     }
 
     /** Ce dont dépendent les mesures : les objets, la taille, l'étape, et les variantes qu'elles ne règlent pas. */
     private List<Object> cle(Dessin montre) {
-        ReglagesDessin reglages = montre.getReglages();
+        Reglages reglages = montre.demande.reglages;
         // un fichier relu sans changement garde les mesures
-        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace() ? montre.getScene().getObjets()
-                : montre.fichier + " " + controleur.etat.lecture.version, montre.largeur, montre.hauteur,
+        List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace()
+                ? montre.demande.lecture.scene.getObjets()
+                : montre.demande.lecture.fichier + " " + controleur.etat.lecture.version, montre.image.largeur, montre.image.hauteur,
                 reglages.getEtape()));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
-                reglages.getEssayees().containsKey(variante) ? variante.getSection()
+                variante.equals(reglages.getEssayee()) ? variante.getSection()
                 : reglages.getSection(variante).toString()));
         return cle;
     }
@@ -189,7 +189,7 @@ final class PanneauVitesse extends JPanel {
     private void suivre() {
         Dessin montre = controleur.etat.montre;
         boolean libre = isShowing() && montre != null && !controleur.etat.enCours
-                && controleur.etat.getImageEntiere() == montre.getImage();
+                && controleur.etat.getImageEntiere() == montre.image;
         if (travail != null && !libre) {
             travail.cancel(true);
             travail = null;
@@ -201,7 +201,7 @@ final class PanneauVitesse extends JPanel {
         etat.setText(montre == null ? "Pas encore d'image : l'échelle commencera avec elle." : mesures.texte);
         if (libre && travail == null) {
             Mesures celles = mesures;
-            boolean mesurable = montre.getVue() == null && controleur.direFautes() == null;
+            boolean mesurable = montre.demande.vue == null && controleur.direFautes() == null;
             travail = Controleur.confier(fil, () -> celles.continuer(montre, mesurable),
                     panne -> etat.setText("Mesure impossible : " + panne));
         }
@@ -211,7 +211,7 @@ final class PanneauVitesse extends JPanel {
     void montrerChoisi() {
         Dessine voulu = (Dessine) graphique.getChoisi();
         Dessin dessin = voulu.dessin;
-        if (dessin == null || dessin.largeur != controleur.etat.montre.largeur) {
+        if (dessin == null || dessin.image.largeur != controleur.etat.montre.image.largeur) {
             controleur.dessiner(voulu.reglages);
         } else {
             controleur.montrer(dessin);

@@ -121,7 +121,7 @@ final class Prise extends MouseAdapter {
     }
 
     private Camera getCamera() {
-        return controleur.etat.montre.getLancer().getCamera();
+        return controleur.etat.montre.lancer.getCamera();
     }
 
     /** Ce qui est tiré ou, avec Maj, ce qu'un bouton de la souris prendrait ; vide si la souris ne fait rien. */
@@ -159,10 +159,10 @@ final class Prise extends MouseAdapter {
             return getLue().origines.getRang(lampe.get());
         }
         try {
-            Scene montree = controleur.etat.montre.getScene();
+            Scene montree = controleur.etat.montre.lancer.getScene();
             PointContact contact = montree.avec(montree.getModele())
                     .getClosestIntersection(getCamera().getRayon(ou.getX(), ou.getY()));
-            int vu = contact == null ? -1 : controleur.etat.montre.getLue().origines.getRang(contact.objet);
+            int vu = contact == null ? -1 : controleur.etat.montre.demande.lecture.lue.origines.getRang(contact.objet);
             if (vu < 0) {
                 refus = "rien à prendre ici : aucun objet du fichier ne s'y voit";
                 return -1;

@@ -3,7 +3,6 @@ package lancer.inspection;
 import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.function.BiFunction;
-import java.util.function.Consumer;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -13,12 +12,10 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Fil;
 import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 import lancer.texte.Nombre;
@@ -47,17 +44,13 @@ public final class FaussesCouleurs {
     private final Camera camera;
     private final int profondeur;
     private final int fils;
-    private final Consumer<Lancer> siCommence;
-    private Lancer dernier;
 
     /**
      * @param lancer celui de la scène préparée
      * @param profondeur nombre de réflexions permises
-     * @param siCommence reçoit chaque lancer au début de son dessin
      */
-    public FaussesCouleurs(Lancer lancer, int profondeur, int fils, Consumer<Lancer> siCommence) {
+    public FaussesCouleurs(Lancer lancer, int profondeur, int fils) {
         this.lancer = lancer;
-        this.siCommence = siCommence;
         this.profondeur = profondeur;
         this.fils = fils;
         camera = lancer.getCamera();
@@ -69,9 +62,8 @@ public final class FaussesCouleurs {
      * @param nom un de ceux d'{@link lancer.commande.Options#VUES}
      * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
      * @param reference image à laquelle {@code difference} compare ; {@code null} pour 64 rayons par pixel
-     * @return le lancer qui a dessiné, avec ses compteurs
      */
-    public Lancer dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
+    public void dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
         if (nom.equals("difference")) {
             ImageMemoire attendue = reference;
             if (attendue == null) {
@@ -109,14 +101,10 @@ public final class FaussesCouleurs {
                     image.drawPixel(n.div(Math.max(1, nombre)), n, i, j));
         }
         image.echelle = "vue " + nom + " : " + image.echelle;
-        return dernier;
     }
 
     private void tracer(Echantillonnage echantillonnage, Toile toile) {
-        Modele modele = lancer.getScene().getModele();
-        dernier = new Lancer(lancer.getScene().avec(modele.avec(echantillonnage, modele.getSeuil())), camera);
-        siCommence.accept(dernier);
-        dernier.TracerPixels(toile, profondeur, fils);
+        lancer.TracerPixels(echantillonnage, toile, profondeur, fils);
     }
 
     /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou {@link #CIEL}. */
@@ -126,7 +114,6 @@ public final class FaussesCouleurs {
             for (int j = voulus.j0; j < voulus.j1; j++) {
                 for (int i = voulus.i0; i < voulus.i1; i++) {
                     try {
-                        Fil.commencer(i, j);
                         scene.getCompteurs().primaires++;
                         Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                         PointContact contact = scene.getClosestIntersection(rayon);

@@ -63,10 +63,10 @@ public final class Inspection implements Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        lancer = new Lancer(scene.avec(scene.getModele().ecoute(ecoute)), camera);
+        lancer = new Lancer(scene.avec(scene.getModele().avec(ecoute)), camera);
     }
 
-    /** Explique l'échantillon le plus proche du centre. @throws CancellationException après {@link #arreter()} */
+    /** Explique l'échantillon le plus proche du centre. @throws CancellationException si ce fil est interrompu */
     public void faire() {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
         equipe.faire(() -> expliquer(AU_CENTRE));
@@ -127,10 +127,6 @@ public final class Inspection implements Vue, Toile {
                 .orElse(null);
     }
 
-    public void arreter() {
-        equipe.arreter();
-    }
-
     /** Échec du calcul de ce pixel ; {@code null} s'il a une couleur. */
     public PixelFautif getFaute() {
         return faute;
@@ -170,7 +166,7 @@ public final class Inspection implements Vue, Toile {
     /** {@inheritDoc} La couleur est copiée : deux échantillons égaux restent des objets distincts. */
     @Override
     public Couleur couleur(double xe, double ye) {
-        equipe.verifier();
+        equipe.obeir();
         Couleur vu = lancer.getCouleurPixel(xe, ye, profondeur);
         Couleur sienne = new Couleur(vu.r, vu.v, vu.b);
         if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {

@@ -3,7 +3,7 @@ package lancer.rapide;
 import java.util.Arrays;
 import lancer.Constantes;
 import lancer.Point;
-import lancer.fils.Fil;
+import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
@@ -96,7 +96,7 @@ final class Carte implements Intersections, Occultations {
      * @return le nombre de cases examinées
      */
     private long noter(long cle) {
-        Fil.avancer();
+        Recherche.obeir();
         int k = (int) cle;
         float proche = Float.intBitsToFloat((int) (cle >>> 32));
         double[] g = spheres.geometrie;

@@ -2,7 +2,7 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Constantes;
-import lancer.fils.Fil;
+import lancer.contrat.Recherche;
 import lancer.precision.Intersection;
 
 /**
@@ -112,7 +112,7 @@ final class Grille implements Intersections {
         debut = new int[nx * ny * nz + 1];
         long cases = 0;
         for (int k : lesquelles) {
-            Fil.avancer();
+            Recherche.obeir();
             cases += noter(k);
             if (cases > (long) BOITES_PAR_SPHERE * lesquelles.length) {
                 return false;
@@ -125,7 +125,7 @@ final class Grille implements Intersections {
         entrees = new int[total];
         // de la dernière à la première, car chaque case se remplit par la fin
         for (int q = lesquelles.length - 1; q >= 0; q--) {
-            Fil.avancer();
+            Recherche.obeir();
             noter(lesquelles[q]);
         }
         return true;

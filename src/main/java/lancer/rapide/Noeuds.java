@@ -1,7 +1,7 @@
 package lancer.rapide;
 
 import java.util.Arrays;
-import lancer.fils.Fil;
+import lancer.contrat.Recherche;
 
 /**
  * Les nœuds d'un {@link Arbre} ; la racine est le nœud 0. Chaque division suit l'heuristique de l'aire (SAH, MacDonald
@@ -49,7 +49,7 @@ final class Noeuds {
     }
 
     private void diviser(int noeud, int debut, int fin, int profondeur) {
-        Fil.avancer();
+        Recherche.obeir();
         Boite centres = new Boite();
         Boite boite = new Boite();
         for (int i = debut; i < fin; i++) {

@@ -9,8 +9,8 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 import lancer.fils.Equipe;
-import lancer.fils.Fil;
 
 /**
  * Choix et construction des structures de recherche, selon la scène et l'image. Une préparation ne vaut que pour un
@@ -146,7 +146,7 @@ public final class Preparation implements IntConsumer {
         boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
         int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
         for (int l = 0; assez && l < masquees; l++) {
-            Fil.avancer();
+            Recherche.obeir();
             if (!Scene.estLointaine(lampes.get(l), bout)) {
                 structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
             }
@@ -163,7 +163,7 @@ public final class Preparation implements IntConsumer {
     /** Construit la grille (rang 0), la carte d'une lampe, ou celle de l'œil (dernier rang). */
     @Override
     public void accept(int k) {
-        Fil.avancer();
+        Recherche.obeir();
         if (k == 0) {
             Grille grille = Grille.de(spheres, structures.arbre);
             structures.suivants = grille == null ? structures.arbre : grille;

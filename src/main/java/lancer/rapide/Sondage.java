@@ -14,7 +14,6 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
-import lancer.fils.Fil;
 
 /**
  * Comparaison des réponses de la recherche rapide avec celles des classes du cours, au bit près : la distance de
@@ -105,7 +104,7 @@ final class Sondage {
         int rayons = Math.max(RAYONS_MIN, Math.min(RAYONS, EXAMENS / Math.max(1, scene.getObjets().size())));
         try {
             for (int k = 0; k < rayons && spheres.nombre > 0 && ecart == null; k++) {
-                Fil.avancer();
+                Recherche.obeir();
                 tirer(k);
             }
             return ecart;

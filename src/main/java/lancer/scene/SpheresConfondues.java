@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
-import lancer.fils.Fil;
+import lancer.contrat.Recherche;
 
 /** Les sphères confondues : un rayon qui part de l'une toucherait l'autre à une distance presque nulle. */
 public final class SpheresConfondues implements Comparator<Sphere> {
@@ -21,7 +21,7 @@ public final class SpheresConfondues implements Comparator<Sphere> {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
         Set<Sphere> vues = new TreeSet<>(new SpheresConfondues());
         for (Objet3D objet : objets) {
-            Fil.avancer();
+            Recherche.obeir();
             if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
                 gardes.add(objet);
             }

@@ -6,10 +6,6 @@ public final class Pile {
     /** Les noms des classes qui ne font pas partie de Java, pour {@link #ligne}. */
     public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
 
-    /** Parmi eux, les noms des classes du cours, des variantes et des formes : le reste de la base est le moteur. */
-    public static final String HORS_DU_MOTEUR = "(?!lancer\\.(auto|commande|contrat|dessin|fenetre|fils|image"
-            + "|inspection|precision|rapide|scene|texte)\\.|org\\.ini4j\\.)" + HORS_DE_JAVA;
-
     private Pile() {
     }
 

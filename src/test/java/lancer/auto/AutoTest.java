@@ -26,9 +26,10 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Etape;
+import lancer.commande.Reglages;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.dessin.Dessin;
@@ -51,13 +52,21 @@ class AutoTest {
     private static final Map<Variante, Section> SANS = Collections.emptyMap();
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
-    private static List<Echelon> echelle(Lancer prepare, Map<Variante, Section> variantes) {
-        return Echelon.echelle(prepare.getScene().getModele(), variantes, null, null);
+    private static Reglages reglages(Map<Variante, Section> variantes) {
+        return new Reglages().pour(variantes);
+    }
+
+    private static List<Reglages> echelle(Map<Variante, Section> variantes) {
+        return Echelle.de(reglages(variantes), false, false);
+    }
+
+    private static String dire(Auto auto) {
+        return Echelle.dire(auto.getChoisi());
     }
 
     private static Auto auto(Scene scene, int largeur, int hauteur, Map<Variante, Section> variantes, double voulue) {
         Lancer prepare = Dessin.lancer(scene, largeur, hauteur, false);
-        return new Auto(prepare, echelle(prepare, variantes), voulue, 2);
+        return new Auto(prepare, echelle(variantes), voulue, 2);
     }
 
     /** Dessine, contrôle, et reprend au besoin. @return les couleurs de la dernière image, ligne par ligne */
@@ -66,7 +75,7 @@ class AutoTest {
         Couleur[] image = new Couleur[largeur * auto.getLancer().getCamera().getHauteur()];
         do {
             auto.getLancer().TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur),
-                    auto.getChoisi().reflets, 2);
+                    auto.getChoisi().getProfondeur(), 2);
         } while (!auto.controler());
         return image;
     }
@@ -114,37 +123,46 @@ class AutoTest {
     @CsvSource({"0.5, 140, 0", "0.5, 70, 1", "0.5, 60, 2", "0.5, 5, 5", "0.5, 4, 1000", "0.2, 12, 1", "0.8, 100, 5"})
     void entreDeuxMiroirsLesRefletsSontCeuxDeLaSerie(double ks, double erreur, int reflets) {
         Auto auto = auto(entreDeuxMurs(ks), 16, 12, SANS, erreur);
-        assertEquals(reflets, auto.getChoisi().reflets);
+        assertEquals(reflets, auto.getChoisi().getProfondeur());
         dessiner(auto);
         // sous le seuil 1/1024, un reflet n'est plus suivi
         double manque = 255 * 0.9 * Math.pow(ks, Math.min(reflets, 10) + 1);
         assertEquals(manque, auto.getMesure().erreur, 0.02 * manque);
-        assertEquals("erreur voulue tenue", auto.getVerdict());
+        assertEquals(manque > 0.5 ? "erreur voulue tenue" : "", auto.getVerdict());
     }
 
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
-        assertEquals("[un rayon par pixel, --reflets 7 --seuil 0.0009765625]",
-                Echelon.echelle(new Modele(), SANS, 7, null).toString());
-        List<Echelon> echelle = Echelon.echelle(new Modele(), SANS, null, 0.25);
-        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(e -> e.reflets).collect(Collectors.toList()).toString());
-        assertTrue(echelle.stream().allMatch(e -> e.seuil == 0.25));
-        assertEquals("[[Grille] n=2, --reflets 3 --seuil 0.125]",
-                Echelon.echelle(new Modele(), GrilleDEssai.seule("2"), 3, 0.125).toString());
+        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 7 --seuil 0.0009765625"),
+                dites(Echelle.de(reglages(SANS).avecReflets(7).avecSeuil(0.5), true, false)));
+        List<Reglages> echelle = Echelle.de(reglages(SANS).avecSeuil(0.25), false, true);
+        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(Reglages::getReflets).collect(Collectors.toList()).toString());
+        assertTrue(echelle.stream().allMatch(e -> e.getSeuil() == 0.25));
+        assertEquals(Collections.singletonList("[Grille] n=2, --reflets 3 --seuil 0.125"),
+                dites(Echelle.de(reglages(GrilleDEssai.seule("2")).avecReflets(3).avecSeuil(0.125), true, true)));
+        assertEquals(Collections.singletonList("un rayon par pixel, --reflets 0 --seuil 0.0009765625"),
+                dites(Echelle.de(reglages(SANS).avecEtape(Etape.OMBRES), false, false)), "une étape sans reflets n'en essaie pas");
+    }
+
+    private static List<String> dites(List<Reglages> echelle) {
+        return echelle.stream().map(Echelle::dire).collect(Collectors.toList());
     }
 
     @Test
     void leCielNeDemandeQuUnRayonParPixel() {
         Auto auto = auto(CIEL, LARGEUR, HAUTEUR, GRILLES, 0.1);
-        assertEquals("[Grille] n=1", auto.getChoisi().section.toString());
+        assertTrue(dire(auto).startsWith("[Grille] n=1, "), dire(auto));
         dessiner(auto);
-        assertTrue(auto.getMesure().incertitude >= 0.01, "jamais ± 0,00");
+        assertTrue(auto.getMesure().rienVu, "" + auto.getMesure().erreur);
+        assertEquals("", auto.getVerdict(), "rien n'est promis de ce que l'on n'a pas vu");
+        assertEquals("aucun écart sur 100 pixels ; un détail de moins d'un pixel sur 33 peut manquer", auto.getMesure().enMots());
     }
 
     @Test
     void desBoulesPlusPetitesQuUnPixelDemandentPlusieursRayons() {
-        assertEquals("[Grille] n=16", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 3).getChoisi().section.toString());
-        assertEquals("[Grille] n=1", auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100).getChoisi().section.toString());
+        String fin = ", --reflets 1000 --seuil 0.0";
+        assertEquals("[Grille] n=16" + fin, dire(auto(damier(), LARGEUR, HAUTEUR, GRILLES, 3)));
+        assertEquals("[Grille] n=1" + fin, dire(auto(damier(), LARGEUR, HAUTEUR, GRILLES, 100)));
     }
 
     /** Là où la base est seule, ce qui manque est nommé. */
@@ -156,12 +174,12 @@ class AutoTest {
         assertTrue(auto.getVerdict().matches("erreur voulue dépassée : .*antialias/target/antialias\\.jar.*"), auto.getVerdict());
         Auto grilles = auto(damier(), LARGEUR, HAUTEUR, GrilleDEssai.seule("1", "2"), 0.1);
         dessiner(grilles);
-        assertTrue(grilles.getVerdict().matches("erreur voulue dépassée : .*n=64.*"), grilles.getVerdict());
+        assertEquals("erreur voulue dépassée", grilles.getVerdict(), "ce qui n'a pas été essayé n'est pas conseillé");
     }
 
     /** Juste sur les pixels essayés un à un, faux sur un pavé entier : seule l'image dessinée le montre. */
     @Test
-    void uneImagePlusFausseQueLesEssaisEstRepriseDeuxFoisAuPlus() {
+    void uneImagePlusFausseQueLesEssaisEstRepriseUneFois() {
         Echantillonnage trompeur = (pave, voulus, vue, toile) -> {
             double ecart = voulus.i1 - voulus.i0 > 1 ? 0.1 : 0;
             for (int j = voulus.j0; j < voulus.j1; j++) {
@@ -172,43 +190,70 @@ class AutoTest {
             return 0;
         };
         Lancer prepare = Dessin.lancer(CIEL, 100, 80, false);
-        Echelon faux = new Echelon(null, trompeur, 0, 0);
-        Echelon juste = new Echelon(new SectionLue("Grille", "n", "1"), null, 0, 0);
-        Auto repris = new Auto(prepare, Arrays.asList(faux, faux, juste, juste), 1, 2);
+        Variante trompeuse = new Variante() {
+            @Override
+            public String getSection() {
+                return "Trompeuse";
+            }
+
+            @Override
+            public void installer(Section valeurs, Modele modele) {
+                modele.setEchantillonnage(trompeur);
+            }
+        };
+        Reglages faux = reglages(Collections.singletonMap(trompeuse, new SectionLue("Trompeuse")));
+        Reglages juste = faux.avecVariante(trompeuse, false);
+        Auto repris = new Auto(prepare, Arrays.asList(faux, juste, juste), 1, 2);
         dessiner(repris);
-        assertEquals(juste.toString(), repris.getChoisi().toString());
-        assertEquals("erreur voulue tenue", repris.getVerdict());
-        // deux références de 16 rayons pour 600 et trois fois 1 200 pixels, un rayon d'essai par pixel, deux images remplacées
-        assertEquals(2 * 16 * 4200 + 600 + 2 * 8000, repris.getRayonsDesEssais());
-        Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, faux, juste), 1, 2);
+        assertEquals(juste, repris.getChoisi());
+        assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
+        // un essai de cent pixels, deux contrôles de deux cents, leurs références, et l'image remplacée
+        assertTrue(repris.getRayonsDesEssais() > 8000 && repris.getRayonsDesEssais() < 8000 + 6 * 9 * 700,
+                "" + repris.getRayonsDesEssais());
+        Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, juste), 1, 2);
         dessiner(depasse);
-        assertEquals(faux.toString(), depasse.getChoisi().toString());
+        assertEquals(faux, depasse.getChoisi());
         assertEquals("erreur voulue dépassée : demander deux fois moins d'erreur aiderait", depasse.getVerdict());
+        Auto vain = new Auto(prepare, Arrays.asList(faux, faux), 1, 2);
+        dessiner(vain);
+        assertEquals("erreur voulue dépassée", vain.getVerdict(), "il n'y a rien d'autre à essayer");
     }
 
     @ParameterizedTest
-    @CsvSource({"800, 600, 1200", "200, 150, 600", "300, 150, 900", "70, 60, 600"})
+    @CsvSource({"800, 600, 700", "200, 150, 250", "300, 150, 375", "70, 60, 100"})
     void lesPixelsDUnControleNOntPasServi(int largeur, int hauteur, int essai) {
         Lancer prepare = Dessin.lancer(CIEL, largeur, hauteur, false);
         BitSet tires = new BitSet();
         SplittableRandom hasard = new SplittableRandom(1);
-        long rayons = 0;
-        for (int k = 0; k < 4; k++) {
-            rayons += new Echantillon(prepare, 2, k == 0 ? 1 : 2, 1, hasard, tires).rayons;
+        for (int k = 0; k < 3; k++) {
+            new Echantillon(prepare, 2, k == 0 ? null : rang -> GRIS, 1, Long.MAX_VALUE, hasard, tires);
         }
-        assertEquals(7 * essai, tires.cardinality());
-        assertEquals(2 * 7 * essai, rayons, "deux références d'un rayon par pixel");
-        assertEquals(largeur * hauteur / 2.0, tires.stream().average().getAsDouble(), 0.03 * largeur * hauteur);
+        assertEquals(5 * essai, tires.cardinality());
+        assertEquals(largeur * hauteur / 2.0, tires.stream().average().getAsDouble(), 0.05 * largeur * hauteur);
+    }
+
+    /** Quatre pixels blancs au milieu du noir : les seize pixels de leur voisinage sont mesurés, si peu qu'ils soient. */
+    @Test
+    void laMoitieDUnControleRegardeLesBordsDeLImage() {
+        int largeur = 200;
+        Lancer prepare = Dessin.lancer(CIEL, largeur, 150, false);
+        BitSet tires = new BitSet();
+        new Echantillon(prepare, 2, rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0), 1,
+                Long.MAX_VALUE, new SplittableRandom(1), tires);
+        assertEquals(500, tires.cardinality());
+        for (int rang = 0; rang < largeur * 150; rang++) {
+            boolean bord = Math.abs(rang % largeur - 100.5) < 2 && Math.abs(rang / largeur - 60.5) < 2;
+            assertTrue(tires.get(rang) || !bord, "pixel " + rang);
+        }
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 1, 1200", "7, 3, 1218", "40, 30, 1200", "69, 60, 4140"})
-    void unePetiteImageEstMesureeEnEntierEtChaquePixelAutantDeFois(int largeur, int hauteur, int mesures) {
+    @CsvSource({"1, 1", "7, 3", "26, 30"})
+    void unePetiteImageEstMesureeEnEntier(int largeur, int hauteur) {
         Lancer prepare = Dessin.lancer(scene(boule(0, 0, 8, 2, 0)), largeur, hauteur, false);
-        assertEquals(0, mesures % (largeur * hauteur));
-        Echantillon tous = new Echantillon(prepare, 2, 2, 3, new SplittableRandom(1), new BitSet());
-        // des rayons de l'écran, et des rayons d'ombre là où la boule est éclairée
-        assertTrue(tous.rayons >= 2 * 9 * mesures && tous.rayons <= 2 * 2 * 9 * mesures, "" + tous.rayons);
+        BitSet tires = new BitSet();
+        Echantillon tous = new Echantillon(prepare, 2, null, 1, Long.MAX_VALUE, new SplittableRandom(1), tires);
+        assertEquals(largeur * hauteur, tires.cardinality());
         Couleur[] image = new Couleur[largeur * hauteur];
         prepare.TracerPixels((couleur, i, j) -> {
             image[j * largeur + i] = couleur;
@@ -218,17 +263,35 @@ class AutoTest {
         assertEquals(vraie, tous.mesurer().erreur, tous.mesurer().incertitude, "" + vraie);
     }
 
-    /** Moyenne, variance d'une moyenne et intervalle des manuels. */
+    private static Mesure mesure(int reste, int bords, double... carres) {
+        boolean[] auBord = new boolean[carres.length];
+        Arrays.fill(auBord, carres.length / 2, carres.length, bords > 0);
+        return new Mesure(new int[] {reste, bords}, auBord, carres, false);
+    }
+
     @Test
-    void lIncertitudeEstLaPlusGrandeDistanceAuxBornes() {
-        Mesure mesure = new Mesure(1, 3, 5, 7);
-        assertEquals(2, mesure.erreur);
-        double ecart = 1.96 * Math.sqrt(20.0 / 3 / 4);
-        assertEquals(2 - Math.sqrt(4 - ecart), mesure.incertitude, 1e-12);
-        assertEquals(Math.sqrt(4 + ecart), mesure.plus(1.96), 1e-12);
-        // une moyenne négative est une erreur nulle, d'écart type inchangé
-        assertEquals(0, new Mesure(-1, -3).erreur);
-        assertEquals(1.4, new Mesure(-1, -3).incertitude, 1e-12);
+    void chaqueStrateCompteSelonSaTaille() {
+        assertEquals(2, mesure(4, 0, 1, 3, 5, 7).erreur, "toutes mesurées : la moyenne");
+        // neuf dixièmes de l'image à 1, un dixième à 31
+        assertEquals(2, mesure(900, 100, 1, 1, 31, 31).erreur, 1e-12);
+        assertEquals(0, mesure(2, 0, -1, -3).erreur, "une moyenne négative est une erreur nulle");
+    }
+
+    @Test
+    void deuxReglagesSeComparentSansLeHasardDeLeursReferences() {
+        double[] hasard = {900, -800, 700, -600};
+        Mesure avant = mesure(4, 0, hasard);
+        Mesure apres = mesure(4, 0, Arrays.stream(hasard).map(c -> c - 2).toArray());
+        assertEquals(2, avant.gain(apres, -1.64), 1e-9);
+        assertTrue(avant.plus(1.64) > 10, "le hasard n'est pas caché pour autant");
+    }
+
+    @Test
+    void ceQueLeResteCacheEstCommeCeQueLesBordsMontrent() {
+        double sansBord = mesure(10_000, 0, 0, 0, 0, 0).plus(1.96);
+        double avecBords = mesure(9_900, 100, 0, 0, 400, 400).plus(1.96);
+        assertEquals(0, sansBord);
+        assertTrue(avecBords > 20, "rien n'est vu dans le reste, mais trois détails sur deux pixels tirés ne surprendraient pas");
     }
 
     /** Des boules d'un quart de pixel, un pixel sur deux. */
@@ -257,6 +320,10 @@ class AutoTest {
         return scene(boules.toArray(new Objet3D[0]));
     }
 
+    private static double[] niveaux(Couleur couleur) {
+        return Arrays.stream(new double[] {couleur.r, couleur.v, couleur.b}).map(c -> 255 * Math.max(0, Math.min(1, c))).toArray();
+    }
+
     /** L'erreur vraie, sans biais ni limite : chaque pixel contre deux fois 64 rayons, chacun au hasard dans une case du pixel. */
     private static double vraie(Lancer lancer, Couleur[] image) {
         lancer.getScene().getModele().setSeuil(0);
@@ -271,9 +338,9 @@ class AutoTest {
                     moyenne = moyenne.add(lancer.getCouleurPixel(p % largeur + (k % 8 + hasard.nextDouble()) / 8,
                             p / largeur + (k / 8 + hasard.nextDouble()) / 8, 60));
                 }
-                justes[r] = Echantillon.niveaux(moyenne.div(64));
+                justes[r] = niveaux(moyenne.div(64));
             }
-            double[] x = Echantillon.niveaux(image[p]);
+            double[] x = niveaux(image[p]);
             for (int c = 0; c < 3; c++) {
                 somme += (x[c] - justes[0][c]) * (x[c] - justes[1][c]) / 3;
             }
@@ -303,7 +370,7 @@ class AutoTest {
             String attendu = null;
             for (int fils : new int[] {1, 2, 7}) {
                 Lancer prepare = Dessin.lancer(quelquesBoules(), 80, 70, false);
-                Auto auto = new Auto(prepare, echelle(prepare, GRILLES), erreur, fils);
+                Auto auto = new Auto(prepare, echelle(GRILLES), erreur, fils);
                 dessiner(auto);
                 String choix = auto.getChoisi() + " " + auto.getMesure().erreur + " " + auto.getMesure().incertitude + " "
                         + auto.getRayonsDesEssais();
@@ -333,17 +400,14 @@ class AutoTest {
 
     @Test
     void unReglageFautifEstRefuseCommeUneSection() {
-        Map<Variante, Section> fautive = GrilleDEssai.avec(
-                Collections.singletonList(new ReglagePropose(new SectionLue("Grille", "m", "3"), 0)));
-        SceneFautive e = assertThrows(SceneFautive.class, () -> Echelon.echelle(new Modele(), fautive, null, null));
+        Map<Variante, Section> fautive = GrilleDEssai.avec(Collections.singletonMap(new SectionLue("Grille", "m", "3"), 0.0));
+        SceneFautive e = assertThrows(SceneFautive.class, () -> auto(CIEL, 4, 3, fautive, 1));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
 
     @Test
     void uneVarianteSansEchelleEstNommee() {
-        Map<Variante, Section> muette = GrilleDEssai.avec(null);
-        NullPointerException e = assertThrows(NullPointerException.class,
-                () -> Echelon.echelle(new Modele(), muette, null, null));
-        assertEquals(GrilleDEssai.class.getName() + ".getReglagesProposes a rendu null", e.getMessage());
+        NullPointerException e = assertThrows(NullPointerException.class, () -> echelle(GrilleDEssai.avec(null)));
+        assertEquals(GrilleDEssai.class.getName() + ".getSectionsProposees a rendu null", e.getMessage());
     }
 }

@@ -2,11 +2,9 @@ package lancer.auto;
 
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.stream.Collectors;
 import lancer.Couleur;
-import lancer.contrat.ReglagePropose;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
@@ -19,25 +17,23 @@ import lancer.scene.SectionLue;
 /** Une quatrième variante, d'étudiant : n × n sous-pixels. */
 final class GrilleDEssai implements Variante {
 
-    private final List<ReglagePropose> proposes;
+    private final Map<Section, Double> proposees;
 
-    /** @param proposes ce que {@code --auto} peut essayer */
-    GrilleDEssai(List<ReglagePropose> proposes) {
-        this.proposes = proposes;
+    /** @param proposees ce que {@code --auto} peut essayer */
+    GrilleDEssai(Map<Section, Double> proposees) {
+        this.proposees = proposees;
     }
 
     /** Elle seule, à essayer avec ces n. */
     static Map<Variante, Section> seule(String... n) {
-        return avec(Arrays.stream(n).map(GrilleDEssai::propose).collect(Collectors.toList()));
+        Map<Section, Double> proposees = new LinkedHashMap<>();
+        Arrays.stream(n).forEach(celui -> proposees.put(new SectionLue("Grille", "n", celui), 0.0));
+        return avec(proposees);
     }
 
-    /** Elle seule, à essayer avec ces réglages. */
-    static Map<Variante, Section> avec(List<ReglagePropose> proposes) {
-        return Collections.singletonMap(new GrilleDEssai(proposes), new SectionLue("Grille"));
-    }
-
-    static ReglagePropose propose(String n) {
-        return new ReglagePropose(new SectionLue("Grille", "n", n), 0);
+    /** Elle seule, à essayer avec ces sections. */
+    static Map<Variante, Section> avec(Map<Section, Double> proposees) {
+        return Collections.singletonMap(new GrilleDEssai(proposees), new SectionLue("Grille"));
     }
 
     @Override
@@ -51,8 +47,8 @@ final class GrilleDEssai implements Variante {
     }
 
     @Override
-    public List<ReglagePropose> getReglagesProposes(Section sienne) {
-        return proposes;
+    public Map<Section, Double> getSectionsProposees(Section sienne) {
+        return proposees;
     }
 
     private static Echantillonnage grille(int n) {

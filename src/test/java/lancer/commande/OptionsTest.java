@@ -55,8 +55,8 @@ class OptionsTest {
         assertFalse(o.sansFenetre());
         assertEquals(Constantes.LARGEUR_IMAGE, o.largeur);
         assertEquals(Constantes.HAUTEUR_IMAGE, o.hauteur);
-        assertEquals(Constantes.MAX_REFLETS, o.reflets);
-        assertEquals(1.0 / 1024, o.seuil);
+        assertEquals(Constantes.MAX_REFLETS, o.reglages.getReflets());
+        assertEquals(1.0 / 1024, o.reglages.getSeuil());
         assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
         assertEquals(1, o.repeter);
         assertFalse(o.statistiques);
@@ -86,7 +86,7 @@ class OptionsTest {
             }
             Options o = Options.lire(arguments.toArray(new String[0]));
             assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.image + " " + o.lineaire + " " + o.largeur + " " + o.hauteur
-                    + " " + o.reflets + " " + o.seuil + " " + o.fils + " " + o.repeter + " " + o.statistiques + " " + o.scene,
+                    + " " + o.reglages.getReflets() + " " + o.reglages.getSeuil() + " " + o.fils + " " + o.repeter + " " + o.statistiques + " " + o.scene,
                     arguments.toString());
         }
     }

@@ -4,8 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -15,10 +21,12 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.essai.Essai;
+import lancer.essai.Modification;
 import lancer.essai.Plan;
 import lancer.rapide.Preparation;
-import lancer.texte.Pile;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Un dessin qui échoue nomme son pixel, sa cause et la commande qui le redessine. */
 class PixelsFautifsTest {
@@ -57,16 +65,20 @@ class PixelsFautifsTest {
     }
 
     @Test
-    void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande() {
-        PixelFautif faute = faute(null, 1);
-        assertTrue(faute.x >= 20, faute.getMessage());
-        String message = Messages.duPixel(faute.x, faute.y, Pile.cause(faute, Pile.HORS_DE_JAVA), " --reflets 2", "ma scène.ini", 40, 30);
-        String pixel = faute.x + "," + faute.y;
-        assertTrue(message.startsWith("pixel " + pixel.replace(",", ", ") + " de ma scène.ini : "
-                + "java.lang.IllegalStateException: pas encore écrit (lancer.commande.PixelsFautifsTest$Mur.getNormale, "
-                + "PixelsFautifsTest.java:"), message);
-        assertTrue(message.endsWith(" --pixel " + pixel + " --taille 40x30 --reflets 2 'ma scène.ini'"), message);
-        assertEquals(1, message.split("\n").length);
+    void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande(@TempDir Path dossier) throws IOException {
+        Path scene = Files.copy(Paths.get("scenes/scene1.ini"), dossier.resolve("ma scène.ini"));
+        try (Essai.Isole programme = Modification.de(dossier, "Lancer", "Rayon initial =",
+                "if (xe > 20) { throw new IllegalStateException(\"pas encore écrit\"); } Rayon initial =")) {
+            Essai essai = programme.executer("--taille=40x30", "--reflets=2", "--fils=1", "--image", dossier.resolve("i.png").toString(),
+                    scene.toString());
+            assertEquals(1, essai.code, essai.toString());
+            Matcher pixel = Pattern.compile("lancer : pixel (\\d+), (\\d+) de .*ma scène.ini : java.lang.IllegalStateException: "
+                    + "pas encore écrit \\(lancer.Lancer.getCouleurPixel, Lancer.java:\\d+\\) ; pour le revoir : .* --pixel (\\d+,\\d+) "
+                    + "--taille 40x30 --reflets 2 '.*/ma scène.ini'").matcher(essai.erreur.trim());
+            assertTrue(pixel.matches(), essai.erreur);
+            assertTrue(Integer.parseInt(pixel.group(1)) >= 20, essai.erreur);
+            assertEquals(pixel.group(1) + "," + pixel.group(2), pixel.group(3));
+        }
     }
 
     @Test

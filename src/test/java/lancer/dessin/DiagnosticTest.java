@@ -60,7 +60,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Pile.cause(panne, Dessin.classes(scene)).replace(DiagnosticTest.class.getName(), "")
+        return Pile.cause(panne, Demande.classes(scene)).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -93,7 +93,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Pile.cause(panne, Dessin.classes(scene(new Mur())));
+        String dit = Pile.cause(panne, Demande.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 

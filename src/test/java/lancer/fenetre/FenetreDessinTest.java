@@ -29,6 +29,7 @@ import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
+import lancer.dessin.Dessin;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.image.ImageMemoire;
@@ -78,7 +79,7 @@ class FenetreDessinTest extends EssaiFenetre {
 
             @Override
             protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
-                premiere = getDessin().getImage() == null;
+                premiere = getDessin() == null;
                 return super.lireScene(fichier, suivi);
             }
         });
@@ -86,7 +87,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.controleur.etat.enCours && banc.main.getDessin().getLancer() != null);
+        attendre("le dessin suivant a commencé", () -> banc.controleur.etat.enCours && banc.main.getDessin() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         dessin.countDown();
@@ -146,7 +147,7 @@ class FenetreDessinTest extends EssaiFenetre {
                 attendreSansEtreInterrompu(lecture);
             }
         }));
-        attendre("le dessin a commencé", () -> banc.main.getDessin().getLancer() != null);
+        attendre("le dessin a commencé", () -> banc.main.getDessin() != null);
         repondA(50);
         assertTrue(banc.controleur.etat.enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
@@ -336,7 +337,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Lancer dAvant = surFilEvenements(() -> banc.controleur.etat.courant.dessin.getLancer());
+        Dessin dAvant = surFilEvenements(() -> banc.controleur.etat.courant.dessin);
         double avancement = surFilEvenements(() -> banc.controleur.etat.courant.getAvancement());
         programme.suite.countDown();
         assertNull(dAvant);

@@ -152,7 +152,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.etat.enCours && banc.controleur.etat.montre.getReglages().getReflets() == 2);
+        attendre("deux réflexions", () -> banc.controleur.etat.enCours && banc.controleur.etat.montre.demande.reglages.getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.etat.enCours));
     }
@@ -165,9 +165,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         JTree recit = composant("recit", JTree.class);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_0);
         faire(() -> banc.cadre.setSize(banc.cadre.getWidth() + 320, banc.cadre.getHeight() + 240));
-        attendre("une image plus haute", () -> banc.controleur.etat.montre.getImage().hauteur > H + 100);
+        attendre("une image plus haute", () -> banc.controleur.etat.montre.image.hauteur > H + 100);
         attendre("au même endroit, au pixel près", () -> {
-            double fois = banc.controleur.etat.montre.getImage().largeur / (double) L;
+            double fois = banc.controleur.etat.montre.image.largeur / (double) L;
             String[] dit = lu(recit).split("[ ,\\n]+");
             return Math.abs(Integer.parseInt(dit[1]) - 160.5 * fois) < 1.5 && Math.abs(Integer.parseInt(dit[2]) - 60.5 * fois) < 1.5;
         });

@@ -32,7 +32,7 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.controleur.etat.montre.getLancer().getCamera().projeter(p);
+        lancer.Point vue = banc.controleur.etat.montre.lancer.getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }

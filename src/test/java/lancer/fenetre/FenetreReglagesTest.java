@@ -14,7 +14,7 @@ import java.nio.file.Files;
 import javax.swing.JMenu;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
-import lancer.dessin.ReglagesDessin;
+import lancer.commande.Reglages;
 import org.junit.jupiter.api.Test;
 
 /** Les réglages du menu Dessin : l'image qu'ils donnent, et le fichier de la scène, qu'ils ne changent pas. */
@@ -74,8 +74,8 @@ class FenetreReglagesTest extends EssaiFenetre {
         JTextField seuil = composant("seuil", JTextField.class);
         assertEquals(40, surFilEvenements(reflexions::getValue));
         assertEquals("0.01", surFilEvenements(seuil::getText));
-        ReglagesDessin presents = banc.controleur.etat.getReglages();
-        faire(() -> banc.controleur.dessiner(presents.avec(1000, 0.25)));
+        Reglages presents = banc.controleur.etat.getReglages();
+        faire(() -> banc.controleur.dessiner(presents.avecReflets(1000).avecSeuil(0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getValue().equals(1000) && seuil.getText().equals("0.25"));
         banc.cliquer(seuil, 5, 5);

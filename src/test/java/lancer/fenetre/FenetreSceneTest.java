@@ -69,7 +69,7 @@ class FenetreSceneTest extends EssaiFenetre {
 
     private Point2D place(lancer.Point p, double dx, double dy) throws Exception {
         return surFilEvenements(() -> {
-            Camera camera = banc.controleur.etat.montre.getLancer().getCamera();
+            Camera camera = banc.controleur.etat.montre.lancer.getCamera();
             lancer.Point vue = camera.projeter(p);
             return banc.panneau.placeDe(vue.x + dx * vue.z, vue.y + dy * vue.z);
         });

@@ -98,10 +98,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         assertTrue(m.matches(), dit);
         assertTrue(Integer.parseInt(m.group(2)) > 0, "sans anticrénelage, l'erreur se voit : " + dit);
         frapper(KeyEvent.VK_ENTER);
-        attendre("l'image sans réflexion", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0
+        attendre("l'image sans réflexion", () -> banc.controleur.etat.montre.demande.reglages.getReflets() == 0
                 && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(0), banc.imageAchevee().codes);
-        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.etat.montre.getLancer().getDureeNs() / 1e9, 0.0006);
+        assertEquals(Double.parseDouble(m.group(1).replace(',', '.')), banc.controleur.etat.montre.lancer.getDureeNs() / 1e9, 0.0006);
         String resume = surFilEvenements(banc.resume::getText);
         assertTrue(resume.contains(", 0 réflexion"), resume);
     }
@@ -115,7 +115,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.cliquer(graphique, ou.x, ou.y);
         attendre("le point se dit", () -> point.getText().contains(" --reflets "));
         int reflets = Integer.parseInt(dit().replaceFirst(".* --reflets (\\d+) .*", "$1"));
-        attendre("son image", () -> banc.controleur.etat.montre.getReglages().getReflets() == reflets
+        attendre("son image", () -> banc.controleur.etat.montre.demande.reglages.getReflets() == reflets
                 && !banc.controleur.etat.enCours && banc.controleur.etat.getImageEntiere() != null);
         assertArrayEquals(sansFenetre(reflets), banc.imageAchevee().codes);
         assertSame(dernier, banc.main.getDessin(), "l'image existait");
@@ -169,13 +169,13 @@ class FenetreVitesseTest extends EssaiFenetre {
             frapper(KeyEvent.VK_RIGHT);
         }
         frapper(KeyEvent.VK_ENTER);
-        attendre("le dernier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 1000 && !banc.controleur.etat.enCours);
+        attendre("le dernier", () -> banc.controleur.etat.montre.demande.reglages.getReflets() == 1000 && !banc.controleur.etat.enCours);
         assertSame(dernier, banc.main.getDessin(), "son image est gardée");
         for (int k = 0; k < 5; k++) {
             frapper(KeyEvent.VK_LEFT);
         }
         frapper(KeyEvent.VK_ENTER);
-        attendre("le premier", () -> banc.controleur.etat.montre.getReglages().getReflets() == 0 && !banc.controleur.etat.enCours);
+        attendre("le premier", () -> banc.controleur.etat.montre.demande.reglages.getReflets() == 0 && !banc.controleur.etat.enCours);
         assertNotSame(dernier, banc.main.getDessin(), "la sienne ne l'est plus");
     }
 

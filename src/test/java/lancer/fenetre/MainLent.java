@@ -8,31 +8,26 @@ import java.util.function.DoubleConsumer;
 import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
+import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Lecture;
+import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
-class MainLent extends Main {
+class MainLent {
 
     private static final long PAUSE_NS = 1_000_000;
     final Options options;
-    final ByteArrayOutputStream sortie;
-    final ByteArrayOutputStream erreur;
+    final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
+    final ByteArrayOutputStream erreur = new ByteArrayOutputStream();
     volatile boolean lent;
     private volatile Dessin dernier;
     private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
     private Consumer<SceneLue> apresLecture = lue -> { };
 
     MainLent(String... args) {
-        this(Options.lire(args), new ByteArrayOutputStream(), new ByteArrayOutputStream());
-    }
-
-    private MainLent(Options options, ByteArrayOutputStream sortie, ByteArrayOutputStream erreur) {
-        super(options, BancFenetre.flux(sortie), BancFenetre.flux(erreur));
-        this.options = options;
-        this.sortie = sortie;
-        this.erreur = erreur;
-        dernier = new Dessin(options, this::lireScene, BancFenetre.flux(erreur), options.scene, options.largeur, options.hauteur);
+        options = Options.lire(args);
     }
 
     MainLent lent() {
@@ -42,7 +37,7 @@ class MainLent extends Main {
 
     /** Vrai si le brouillon du dessin en cours est fait. */
     boolean brouillonFait() {
-        return dernier.isBrouillonFait();
+        return dernier != null && dernier.isBrouillonFait();
     }
 
     /** Fait d'abord ceci, à chaque lecture. */
@@ -57,10 +52,9 @@ class MainLent extends Main {
         return this;
     }
 
-    @Override
     protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
         avantLecture.accept(fichier, suivi);
-        SceneLue lue = super.lireScene(fichier, suivi);
+        SceneLue lue = LecteurScene.lire(fichier, suivi);
         apresLecture.accept(lue);
         return lue;
     }
@@ -78,9 +72,12 @@ class MainLent extends Main {
         }
     }
 
-    private void dessiner(Dessin voulu) {
-        dernier = voulu;
-        new Main(this, voulu) {
+    private void dessiner(Demande demande, Consumer<Dessin> suivi) {
+        dernier = null;
+        new Main(options, BancFenetre.flux(sortie), BancFenetre.flux(erreur), demande, dessin -> {
+            dernier = dessin;
+            suivi.accept(dessin);
+        }) {
             @Override
             public void doTracerImage(int largeur, int hauteur) {
                 tracer(() -> super.doTracerImage(largeur, hauteur));
@@ -90,20 +87,17 @@ class MainLent extends Main {
             public void drawPixel(Couleur coul, int xe, int ye) {
                 peindre(ye, () -> super.drawPixel(coul, xe, ye));
             }
-
-            @Override
-            protected void dessiner() {
-                super.dessiner();
-            }
-        }.dessiner();
+        }.doTracerImage(demande.largeur, demande.hauteur);
     }
 
+    /** Le dernier dessin commencé, {@code null} s'il se prépare. */
     Dessin getDessin() {
         return dernier;
     }
 
     /** Ouvre la fenêtre de ce programme. */
     Fenetre ouvrir(Runnable fin) {
-        return Ouverture.ouvrir(options, dernier, this::dessiner, BancFenetre.flux(erreur), fin);
+        return Ouverture.ouvrir(options, (fichier, suivi) -> new Lecture(fichier, lireScene(fichier, suivi), 0), this::dessiner,
+                BancFenetre.flux(erreur), fin);
     }
 }

@@ -42,7 +42,7 @@ class FaussesCouleursTest {
 
     private ImageMemoire dessiner(Scene vue, String nom) {
         ImageMemoire image = new ImageMemoire(L, H, true);
-        new FaussesCouleurs(new Lancer(vue, camera), 5, 2, sien -> { }).dessiner(nom, image, null);
+        new FaussesCouleurs(new Lancer(vue, camera), 5, 2).dessiner(nom, image, null);
         return image;
     }
 
@@ -83,7 +83,7 @@ class FaussesCouleursTest {
     void uneSeuleDistanceEstBlanche() {
         Scene boule = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 5e-3)), Collections.<Lampe>emptyList());
         ImageMemoire image = new ImageMemoire(1, 1, true);
-        new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), 5, 1, sien -> { }).dessiner("distance", image, null);
+        new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), 5, 1).dessiner("distance", image, null);
         assertEquals(0xFFFFFFFF, image.codes[0]);
         assertEquals("d = 5.99500", image.dire(0));
     }
@@ -111,7 +111,7 @@ class FaussesCouleursTest {
         ImageMemoire meme = new ImageMemoire(L, H, true);
         new Lancer(scene, camera).TracerPixels(meme, 5, 2);
         ImageMemoire image = new ImageMemoire(L, H, false);
-        new FaussesCouleurs(new Lancer(scene, camera), 5, 2, sien -> { }).dessiner("difference", image, meme);
+        new FaussesCouleurs(new Lancer(scene, camera), 5, 2).dessiner("difference", image, meme);
         assertEquals("vue difference : écart, au plus 0 (blanc : 32 niveaux sur 255), avec l'image d'avant", image.echelle);
         String seule = dessiner(scene, "difference").echelle;
         assertTrue(seule.matches("vue difference : écart, au plus [1-9][\\d.]+ \\(.*, avec une image de 64 rayons par pixel"), seule);

@@ -6,6 +6,7 @@ import static lancer.essai.Ressources.memesBits;
 import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -13,6 +14,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.locks.LockSupport;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -116,17 +118,14 @@ class DessinTest {
     void unDessinArreteNeFinitPas() {
         Scene scene = new Scene(Ressources.chemin("reference/p1-quatre.ini"));
         Lancer lancer = new Lancer(scene, new Camera(64, 64));
+        Thread appelant = Thread.currentThread();
         int[] pixels = new int[1];
-        boolean arrete = false;
-        try {
-            lancer.TracerPixels((coul, xe, ye) -> {
-                pixels[0]++;
-                lancer.arreter();
-            }, 5, 1);
-        } catch (CancellationException e) {
-            arrete = true;
-        }
-        assertTrue(arrete);
+        assertThrows(CancellationException.class, () -> lancer.TracerPixels((coul, xe, ye) -> {
+            pixels[0]++;
+            appelant.interrupt();
+            LockSupport.parkNanos(200_000_000);
+        }, 5, 1));
+        assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");
     }
 

@@ -1,12 +1,12 @@
 package lancer.antialias;
 
-import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
-import lancer.contrat.ReglagePropose;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Texte;
@@ -18,8 +18,8 @@ public final class Antialias implements Variante {
     private static final int N_MAX = 64;
     private static final double SEUIL = 0.05;
 
-    /** Réglages proposés, du moins cher au plus juste : n, méthode, seuil, seuil des reflets. */
-    private static final String[] PROPOSES = {
+    /** Sections proposées, du moins cher au plus juste : n, méthode, seuil, seuil des reflets. */
+    private static final String[] PROPOSEES = {
         "1 coins 0 0.015625", "2 partage 0.4 0.015625", "4 partage 0.2 0.0078125", "6 partage 0.12 0.00390625",
         "8 partage 0.08 0.00390625", "16 partage 0.055 0.00390625", "16 partage 0.026 0.001953125",
         "16 partage 0.013 0.001953125", "16 coins 0 0"};
@@ -57,13 +57,13 @@ public final class Antialias implements Variante {
     }
 
     @Override
-    public List<ReglagePropose> getReglagesProposes(Section sienne) {
-        List<ReglagePropose> proposes = new ArrayList<>();
-        for (String propose : PROPOSES) {
-            String[] mots = propose.split(" ");
-            Section section = sienne.sansFichier("n", mots[0], "methode", mots[1], "seuil", mots[2]);
-            proposes.add(new ReglagePropose(section, Double.parseDouble(mots[3])));
+    public Map<Section, Double> getSectionsProposees(Section sienne) {
+        Map<Section, Double> proposees = new LinkedHashMap<>();
+        for (String proposee : PROPOSEES) {
+            String[] mots = proposee.split(" ");
+            proposees.put(sienne.sansFichier("n", mots[0], "methode", mots[1], "seuil", mots[2]),
+                    Double.parseDouble(mots[3]));
         }
-        return proposes;
+        return proposees;
     }
 }

@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import lancer.Couleur;
-import lancer.contrat.ReglagePropose;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Section;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.scene.SectionLue;
@@ -114,17 +116,18 @@ class CasesTest {
     @Test
     void lesReglagesProposesSontTousPossibles() {
         Antialias antialias = new Antialias();
-        List<ReglagePropose> proposes = antialias.getReglagesProposes(new SectionLue("Antialias"));
-        assertEquals("[Antialias] n=1 methode=coins seuil=0", proposes.get(0).section.toString(), "un rayon d'abord");
+        Map<Section, Double> proposees = antialias.getSectionsProposees(new SectionLue("Antialias"));
+        List<Section> sections = new ArrayList<>(proposees.keySet());
+        assertEquals("[Antialias] n=1 methode=coins seuil=0", sections.get(0).toString(), "un rayon d'abord");
         double seuil = 1;
-        for (ReglagePropose propose : proposes) {
+        for (Section section : sections) {
             Modele modele = new Modele();
-            antialias.installer(propose.section, modele);
-            assertNotNull(modele.getEchantillonnage(), propose.section.toString());
-            assertTrue(propose.seuil <= seuil, "de moins cher en plus juste");
-            seuil = propose.seuil;
+            antialias.installer(section, modele);
+            assertNotNull(modele.getEchantillonnage(), section.toString());
+            assertTrue(proposees.get(section) <= seuil, "de moins cher en plus juste");
+            seuil = proposees.get(section);
         }
-        assertEquals("[Antialias] n=16 methode=coins seuil=0", proposes.get(proposes.size() - 1).section.toString(),
+        assertEquals("[Antialias] n=16 methode=coins seuil=0", sections.get(sections.size() - 1).toString(),
                 "une grille pleine en dernier");
     }
 }

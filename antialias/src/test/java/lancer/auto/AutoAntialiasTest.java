@@ -19,6 +19,7 @@ import java.util.SplittableRandom;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.essai.Essai;
 import lancer.scene.SectionLue;
@@ -56,16 +57,16 @@ class AutoAntialiasTest {
     @Test
     void lErreurDeChaqueEchelonEstCelleDeSonImage() {
         Lancer prepare = Dessin.lancer(new Scene(scene.toString()), 80, 50, false);
-        List<Echelon> echelle = Echelon.echelle(prepare.getScene().getModele(),
-                Collections.singletonMap(new Antialias(), new SectionLue("Antialias")), null, null);
+        List<Reglages> echelle = Echelle.de(new Reglages().pour(
+                Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(9, echelle.size());
-        Echantillon tous = new Echantillon(prepare, 2, 2, 6, new SplittableRandom(1), new BitSet());
+        Echantillon tous = new Echantillon(prepare, 2, null, 0.125, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;
-        for (Echelon echelon : echelle) {
+        for (Reglages echelon : echelle) {
             Mesure essai = tous.essayer(echelon);
-            Lancer lancer = echelon.lancer(prepare);
-            lancer.TracerPixels(tous, echelon.reflets, 2);
+            Lancer lancer = prepare.avec(echelon.getModele());
+            lancer.TracerPixels(tous, echelon.getProfondeur(), 2);
             assertEquals(tous.mesurer().erreur, essai.erreur, echelon.toString());
             assertTrue(essai.plus(-1) <= avant, echelon + " : " + essai.erreur + " après " + avant);
             assertTrue(lancer.getCompteurs().rayons() > rayons, echelon.toString());

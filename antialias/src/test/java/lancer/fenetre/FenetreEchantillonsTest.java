@@ -14,7 +14,8 @@ import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.contrat.Section;
-import lancer.dessin.ReglagesDessin;
+import lancer.commande.Reglages;
+import lancer.contrat.Variante;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur, avec l'anticrénelage : les échantillons du pixel se voient, et chacun peut être choisi. */
@@ -75,9 +76,10 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
         banc = new BancFenetre("--taille=800x600", scene.toString());
         banc.imageAchevee();
-        ReglagesDessin presents = banc.controleur.etat.getReglages();
-        Section section = presents.getSectionEssayee().avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.dessiner(presents.avec(1000, 1.0 / 256).avec(presents.getVariante("Antialias"), section)));
+        Reglages presents = banc.controleur.etat.getReglages();
+        Variante antialias = presents.getEssayee();
+        Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
+        faire(() -> banc.controleur.dessiner(presents.avecReflets(1000).avecSeuil(1.0 / 256).avecSection(antialias, section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }

@@ -21,7 +21,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
-import lancer.dessin.ReglagesDessin;
+import lancer.commande.Reglages;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
 
@@ -103,8 +103,8 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            ReglagesDessin reglages = banc.controleur.etat.getReglages().avec(3, 0.01);
-            banc.controleur.dessiner(reglages.avec(reglages.getVariante("Brume"), brume));
+            Reglages reglages = banc.controleur.etat.getReglages().avecReflets(3).avecSeuil(0.01);
+            banc.controleur.dessiner(reglages.avecVariante(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().codes.clone();
@@ -213,7 +213,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         placer(composant("Brume.couleur, vert", JSlider.class), 20);
         placer(composant("Brume.couleur, bleu", JSlider.class), 0);
         attendre("elle s'écrit", () -> {
-            ReglagesDessin reglages = banc.controleur.etat.getReglages();
+            Reglages reglages = banc.controleur.etat.getReglages();
             return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
         });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));

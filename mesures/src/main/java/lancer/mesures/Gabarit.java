@@ -44,10 +44,15 @@ public final class Gabarit {
      * @param pas côté des carrés dont un pixel est tiré ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
+        this(scene, largeur, hauteur, pas, COTE);
+    }
+
+    /** @param cote nombre de sous-pixels par côté */
+    public Gabarit(Scene scene, int largeur, int hauteur, int pas, int cote) {
         boolean[] semes = semer(largeur, hauteur, pas);
         pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
-        a = image(scene, largeur, hauteur, k -> semes[k], COTE, 1).getComposantes();
-        b = image(scene, largeur, hauteur, k -> semes[k], COTE, 2).getComposantes();
+        a = image(scene, largeur, hauteur, k -> semes[k], cote, 1).getComposantes();
+        b = image(scene, largeur, hauteur, k -> semes[k], cote, 2).getComposantes();
     }
 
     private static boolean[] semer(int largeur, int hauteur, int pas) {
@@ -98,8 +103,10 @@ public final class Gabarit {
         double[] carres = new double[pixels.length];
         for (int p = 0; p < pixels.length; p++) {
             for (int k = 3 * pixels[p]; k < 3 * pixels[p] + 3; k++) {
+                // là où les deux ensemble saturent l'écran, limiter chacune serait un biais
+                double moins = a[k] + b[k] >= 2 ? 1 : 0;
                 double niveau = niveau(x[k]);
-                carres[p] += (niveau - niveau(a[k])) * (niveau - niveau(b[k])) / 3;
+                carres[p] += (niveau - niveau(Math.max(moins, a[k]))) * (niveau - niveau(Math.max(moins, b[k]))) / 3;
             }
         }
         return carres;

@@ -90,15 +90,15 @@ public final class Juge {
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord,commit,date");
         if (dessin.scene != null) {
-            juger(Paths.get(dessin.scene), dessin.reflets, juge);
+            juger(Paths.get(dessin.scene), dessin.reglages.getReflets(), juge);
             return;
         }
         for (Path livree : Scenes.livrees()) {
-            juger(livree, dessin.reflets, juge);
+            juger(livree, dessin.reglages.getReflets(), juge);
         }
         // miroirs avec le nombre de reflets que son commentaire conseille, puis une foule dont quelques pixels sont sur un bord
         juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
-        juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reflets, juge);
+        juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reglages.getReflets(), juge);
     }
 
     private void juger(Path fichier, int reflets, PovRay juge) throws IOException {

@@ -1,0 +1,69 @@
+package lancer.fils;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Des fils s'arrêtent au premier échec et à l'interruption ; celui qui ne s'arrête pas est abandonné. */
+@Timeout(60)
+class EquipeTest {
+
+    @Test
+    void unFilQuiNeSArretePasEstAbandonneEtLaCauseDeLArretEstDite() {
+        CountDownLatch fin = new CountDownLatch(1);
+        try {
+            Equipe equipe = new Equipe("sourd");
+            assertThrows(IllegalStateException.class, () -> equipe.faire(2, Arrays.asList(k -> attendreSourd(fin), k -> {
+                throw new IllegalStateException("la cause");
+            })));
+            assertThrows(CancellationException.class, () -> equipe.faire(() -> { }));
+        } finally {
+            fin.countDown();
+        }
+    }
+
+    @Test
+    void unFilAbandonneNePrendPlusDeTache() throws InterruptedException {
+        CountDownLatch fin = new CountDownLatch(1);
+        CountDownLatch rendue = new CountDownLatch(1);
+        AtomicInteger prises = new AtomicInteger();
+        Thread appelant = Thread.currentThread();
+        Equipe equipe = new Equipe("sourd");
+        assertThrows(CancellationException.class, () -> equipe.faire(3, Collections.singletonList(k -> {
+            prises.incrementAndGet();
+            appelant.interrupt();
+            attendreSourd(fin);
+            rendue.countDown();
+        })));
+        assertTrue(Thread.interrupted(), "l'interruption reste à voir");
+        fin.countDown();
+        rendue.await();
+        LockSupport.parkNanos(50_000_000);
+        assertEquals(1, prises.get());
+        assertThrows(CancellationException.class, equipe::obeir, "le fil abandonné s'arrête à sa prochaine lecture");
+    }
+
+    @Test
+    void chaqueTacheEstFaiteUneFoisEtLAvancementFinitAUn() {
+        AtomicInteger somme = new AtomicInteger();
+        Equipe equipe = new Equipe("somme");
+        equipe.faire(1000, Collections.nCopies(3, somme::addAndGet));
+        assertEquals(999 * 1000 / 2, somme.get());
+        assertEquals(1, equipe.getAvancement());
+    }
+
+    private static void attendreSourd(CountDownLatch fin) {
+        while (fin.getCount() > 0) {
+            LockSupport.parkNanos(10_000_000);
+        }
+    }
+}
