@@ -59,14 +59,14 @@ public final class Lancer {
      * @throws PixelFautif si un pixel ne peut être calculé
      */
     public void TracerImage(Toile toile, int profondeur, int fils) {
-        TracerBrouillon(toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+        TracerBrouillon(toile, profondeur, fils);
         toile.finirBrouillon();
         TracerPixels(toile, profondeur, fils);
     }
 
-    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre. */
+    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        partager(fils, true, null, toile, profondeur);
+        partager(fils, true, null, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON));
     }
 
     /**
@@ -134,7 +134,10 @@ public final class Lancer {
             Rayon initial = camera.getRayon(xe, ye);
             Couleur vue = scene.getCouleurVue(initial, null, profondeur);
             equipe.obeir();
-            return PixelFautif.verifier(vue, xe, ye);
+            return PixelFautif.exigerFinie(vue, xe, ye);
+        } catch (CancellationException | OutOfMemoryError e) {
+            // ni un arrêt ni le manque de mémoire n'est un échec du pixel
+            throw e;
         } catch (RuntimeException | Error e) {
             return fautes.noter(e, xe, ye);
         }
@@ -166,7 +169,21 @@ public final class Lancer {
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
     private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        Vue vue = new Vue() {
+        // une lambda serait nommée comme la cause d'un échec : voir Demande.classes
+        final class Ouvrier implements IntConsumer, Vue {
+            @Override
+            public void accept(int rang) {
+                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                if (brouillon) {
+                    TracerBrouillon(pave, toile, profondeur);
+                } else if (choisi == null) {
+                    TracerPixels(pave, toile, profondeur);
+                } else {
+                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
+                }
+                fautes.peindre(pave, toile);
+            }
+
             @Override
             public Couleur couleur(double xe, double ye) {
                 return getCouleurPixel(xe, ye, profondeur);
@@ -176,18 +193,8 @@ public final class Lancer {
             public Compteurs compteurs() {
                 return scene.getCompteurs();
             }
-        };
-        return rang -> {
-            Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-            if (brouillon) {
-                TracerBrouillon(pave, toile, profondeur);
-            } else if (choisi == null) {
-                TracerPixels(pave, toile, profondeur);
-            } else {
-                scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, vue, toile);
-            }
-            fautes.peindre(pave, toile);
-        };
+        }
+        return new Ouvrier();
     }
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */

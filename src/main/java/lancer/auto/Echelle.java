@@ -4,12 +4,9 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import lancer.Constantes;
 import lancer.commande.Etape;
 import lancer.commande.Reglages;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /** Les réglages que l'on essaie pour une scène, du moins cher au plus juste. */
@@ -36,10 +33,8 @@ public final class Echelle {
         boolean fixes = gardeReflets || presents.getEtape() != Etape.REFLETS;
         Variante essayee = presents.getEssayee();
         if (essayee != null) {
-            Map<Section, Double> proposees = Objects.requireNonNull(
-                    essayee.getSectionsProposees(presents.getSection(essayee)),
-                    essayee.getClass().getName() + ".getSectionsProposees a rendu null");
-            proposees.forEach((section, seuil) -> echelle.add(presents.avecSection(essayee, section)
+            presents.getSectionsProposees(essayee).forEach((section, seuil) -> echelle.add(presents
+                    .avecSection(essayee, section)
                     .avecReflets(fixes ? presents.getReflets() : PROFONDEUR)
                     .avecSeuil(gardeSeuil ? presents.getSeuil() : seuil)));
             return echelle;

@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Scanner;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -14,34 +13,62 @@ import lancer.texte.Texte;
 /** La ligne de commande, lue de gauche à droite. Une demande fausse est refusée par un {@link Echec}. */
 public final class Options {
 
+    /** Place d'un nom et de son exemple dans l'aide, en caractères. */
+    private static final int LARGEUR_DES_NOMS = 25;
     private static final int COTE_MAX = 16384;
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
+    private static final int REPETER_MAX = 100_000;
     public static final int REFLETS_MAX = 1000;
-
-    /** Options à valeur, chacune avec la valeur attendue. */
-    private static final String[][] A_VALEUR = {
-        {"--image", "un fichier dont le nom finit par .png"},
-        {"--lineaire", "un fichier dont le nom finit par .pfm"},
-        {"--taille", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
-                + " pixels"},
-        {"--reflets", "un entier de 0 à 1000"},
-        {"--etape", "une étape du cours : lambert, phong, ombres ou reflets"},
-        {"--vue", "une vue : normales, distance, lampes, rayons ou difference"},
-        {"--seuil", "un nombre positif ou nul, par exemple 0.001"},
-        {"--sans", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn"},
-        {"--fils", "un entier de 1 à " + FILS_MAX},
-        {"--repeter", "un entier de 1 à 100000"},
-        {"--pixel", "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426"},
-        {"--auto", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1"},
-        {"--comparer", "une image PNG ou PFM"},
-        {"--tolerance", "un nombre de niveaux positif ou nul, par exemple 1"},
-        {"--part", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%"}};
-    private static final List<String> SANS_VALEUR =
-            Arrays.asList("--statistiques", "--simple", "--aide", "--help", "-h", "--version");
 
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
+
+    /** Les options, dans l'ordre de l'aide. {@link #comprendre} lit leurs valeurs. */
+    private static final Entree[] TABLE = {
+        new Entree("--image", "FICHIER.png", "un fichier dont le nom finit par .png",
+                "écrit l'image, sans fenêtre ni écran"),
+        new Entree("--lineaire", "FICHIER.pfm", "un fichier dont le nom finit par .pfm",
+                "écrit les couleurs non limitées (PFM) ; peut aller avec --image"),
+        new Entree("--taille", "800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
+                + " chacune, et au plus " + PIXELS_MAX + " pixels",
+                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté"),
+        new Entree("--reflets", "5", "un entier de 0 à " + REFLETS_MAX,
+                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
+        new Entree("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
+                "le cours étape par étape : lambert, phong, ombres, puis reflets"),
+        new Entree("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
+                "avec --image, en fausses couleurs : normales, distance, lampes,\n"
+                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
+        new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
+                "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
+        new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
+                "sans ces variantes, même si elles sont dans le chemin des classes"),
+        new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs"),
+        new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
+                "dessine N fois avant d'écrire, pour mesurer"),
+        new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
+        new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image"),
+        new Entree("--pixel", "421,426",
+                "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
+                "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
+                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran"),
+        new Entree("--auto", "erreur=1", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
+                "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
+                + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
+                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire"),
+        new Entree("--comparer", "REF.png", "une image PNG ou PFM",
+                "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
+                + "pareilles, 1 différentes ; --image : l'image des différences"),
+        new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
+                "avec --comparer, l'écart permis, en niveaux sur 255"),
+        new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
+                "avec --comparer, les pixels qui peuvent dépasser cet écart"),
+        new Entree("--aide", "ce texte, comme --help et -h"),
+        new Entree("--help", null),
+        new Entree("-h", null),
+        new Entree("--version", "la version")};
 
     /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
@@ -53,6 +80,8 @@ public final class Options {
 
     public int largeur = Constantes.LARGEUR_IMAGE;
     public int hauteur = Constantes.HAUTEUR_IMAGE;
+
+    /** La façon de dessiner, avant la lecture de la scène et de ses variantes. */
     public Reglages reglages;
 
     /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
@@ -61,13 +90,11 @@ public final class Options {
     public int repeter = 1;
     public boolean statistiques;
 
-    /** Dit si un seul pixel est demandé ; sa colonne et sa ligne. */
-    public boolean pixel;
-    public int pixelX;
-    public int pixelY;
+    /** Colonne et ligne du seul pixel demandé ; sans lui, −1. */
+    public int pixelX = -1;
+    public int pixelY = -1;
 
-    /** Dit si le programme choisit ses réglages ; erreur voulue, en niveaux. */
-    public boolean auto;
+    /** Erreur voulue, en niveaux, si le programme choisit ses réglages ; 0 sinon. */
     public double erreurVoulue;
 
     /** Image de référence, ou {@code null} ; écart permis, en niveaux ; part des pixels, de 0 à 1, qui le passe. */
@@ -84,6 +111,34 @@ public final class Options {
     private Options() {
     }
 
+    /** Une option : son nom, un exemple de sa valeur, ce qui est attendu, son aide. */
+    private static final class Entree {
+
+        final String nom;
+        /** {@code null} si l'option ne prend pas de valeur ; de même ce qui est attendu. */
+        final String exemple;
+        final String attendu;
+        /** {@code null} si l'aide n'a pas de ligne de cette option. */
+        final String aide;
+
+        Entree(String nom, String exemple, String attendu, String aide) {
+            this.nom = nom;
+            this.exemple = exemple;
+            this.attendu = attendu;
+            this.aide = aide;
+        }
+
+        Entree(String nom, String aide) {
+            this(nom, null, null, aide);
+        }
+
+        String dire() {
+            String marge = "\n" + String.format("%" + (2 + LARGEUR_DES_NOMS) + "s", "");
+            return String.format("  %-" + LARGEUR_DES_NOMS + "s", exemple == null ? nom : nom + " " + exemple)
+                    + aide.replace("\n", marge) + "\n";
+        }
+    }
+
     /** @throws Echec si un argument est refusé */
     public static Options lire(String... arguments) {
         Options options = new Options();
@@ -96,9 +151,13 @@ public final class Options {
     }
 
     public static String getAide() {
-        try (Scanner texte = new Scanner(Options.class.getResourceAsStream("aide.txt"), "UTF-8")) {
-            return texte.useDelimiter("\\n\\z").next();
+        StringBuilder aide = new StringBuilder("Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n\n"
+                + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n\n");
+        for (Entree entree : TABLE) {
+            aide.append(entree.aide == null ? "" : entree.dire());
         }
+        return aide + "\nUne option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
+                + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";
     }
 
     public static String getVersion() {
@@ -108,11 +167,21 @@ public final class Options {
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
     public boolean sansFenetre() {
-        return versFichier() || pixel || comparer != null;
+        return versFichier() || unPixel() || comparer != null;
     }
 
     private boolean versFichier() {
         return image != null || lineaire != null;
+    }
+
+    /** Dit si un seul pixel est demandé. */
+    public boolean unPixel() {
+        return pixelX >= 0;
+    }
+
+    /** Dit si le programme choisit ses réglages. */
+    public boolean auto() {
+        return erreurVoulue > 0;
     }
 
     public boolean estDonnee(String nom) {
@@ -129,6 +198,15 @@ public final class Options {
         return Texte.minuscules(nom).endsWith(fin);
     }
 
+    private static Entree entree(String nom) {
+        for (Entree entree : TABLE) {
+            if (entree.nom.equals(nom)) {
+                return entree;
+            }
+        }
+        throw demande("option inconnue : " + Texte.cite(nom), "une de celles que montre --aide");
+    }
+
     private void separer(String... arguments) {
         for (int k = 0; k < arguments.length && !aide && !version; k++) {
             String argument = arguments[k];
@@ -139,32 +217,20 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (attendue(nom) != null) {
-                // dans « --image --fils 2 », le nom du fichier a été oublié
-                if (egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
-                    valeur = arguments[++k];
-                }
-            } else if (!SANS_VALEUR.contains(nom)) {
-                throw demande("option inconnue : " + Texte.cite(nom), "une de celles que montre --aide");
-            } else if (egal >= 0) {
+            boolean seule = entree(nom).exemple == null;
+            if (seule && egal >= 0) {
                 throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
+            }
+            // dans « --image --fils 2 », le nom du fichier a été oublié
+            if (!seule && egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
+                valeur = arguments[++k];
             }
             if (donnees.put(nom, valeur) != null) {
                 throw demande("option donnée deux fois : " + nom, "une seule fois chaque option");
             }
-            aide = nom.equals("--aide") || nom.equals("--help") || nom.equals("-h");
-            version = nom.equals("--version");
+            aide = estDonnee("--aide") || estDonnee("--help") || estDonnee("-h");
+            version = estDonnee("--version");
         }
-    }
-
-    /** La valeur que cette option attend ; {@code null} si elle n'en a pas. */
-    private static String attendue(String nom) {
-        for (String[] option : A_VALEUR) {
-            if (option[0].equals(nom)) {
-                return option[1];
-            }
-        }
-        return null;
     }
 
     private void nommerLaScene(String nom) {
@@ -178,65 +244,62 @@ public final class Options {
     }
 
     private void comprendre() {
-        image = valeur("--image");
-        exiger(image == null || finit(image, ".png"), "--image");
-        lineaire = valeur("--lineaire");
-        exiger(lineaire == null || finit(lineaire, ".pfm"), "--lineaire");
-        String taille = valeur("--taille");
-        if (taille != null) {
-            double[] cotes = deuxEntiers(taille, 'x');
-            exiger(Math.min(cotes[0], cotes[1]) >= 1 && Math.max(cotes[0], cotes[1]) <= COTE_MAX
-                    && cotes[0] * cotes[1] <= PIXELS_MAX, "--taille");
-            largeur = (int) cotes[0];
-            hauteur = (int) cotes[1];
+        image = finissant("--image", ".png");
+        lineaire = finissant("--lineaire", ".pfm");
+        if (estDonnee("--taille")) {
+            String[] cotes = deux("--taille", "x");
+            largeur = entier("--taille", cotes[0], 1, COTE_MAX);
+            hauteur = entier("--taille", cotes[1], 1, COTE_MAX);
+            exiger((long) largeur * hauteur <= PIXELS_MAX, "--taille");
         }
+        vue = valeur("--vue");
+        exiger(vue == null || VUES.contains(vue), "--vue");
+        fils = entier("--fils", fils, 1, FILS_MAX);
+        repeter = entier("--repeter", repeter, 1, REPETER_MAX);
+        statistiques = estDonnee("--statistiques");
+        if (estDonnee("--pixel")) {
+            String[] place = deux("--pixel", ",");
+            pixelX = entier("--pixel", place[0], 0, Constantes.INFINI);
+            pixelY = entier("--pixel", place[1], 0, Constantes.INFINI);
+        }
+        if (estDonnee("--auto")) {
+            exiger(valeur("--auto").startsWith("erreur="), "--auto");
+            erreurVoulue = reel("--auto", valeur("--auto").substring("erreur=".length()), 0.01, 255);
+        }
+        comparer = valeur("--comparer");
+        exiger(comparer == null || estImage(comparer), "--comparer");
+        tolerance = reel("--tolerance", tolerance);
+        if (estDonnee("--part")) {
+            boolean pourCent = valeur("--part").endsWith("%");
+            String nombre = valeur("--part").replaceFirst("%$", "");
+            part = reel("--part", nombre, 0, pourCent ? 100 : 1);
+            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
+            part = pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
+        }
+        reglages = new Reglages().avecReflets(entier("--reflets", Constantes.MAX_REFLETS, 0, REFLETS_MAX))
+                .avecSeuil(reel("--seuil", Constantes.SEUIL)).avecEtape(etape());
+        if (estDonnee("--simple")) {
+            reglages = reglages.avecLesBoucles();
+        }
+        if (estDonnee("--sans")) {
+            List<String> variantes = Arrays.asList(valeur("--sans").split(",", -1));
+            exiger(!variantes.contains(""), "--sans");
+            reglages = reglages.sans(variantes);
+        }
+    }
+
+    private Etape etape() {
         Etape etape = Etape.REFLETS;
         String nom = valeur("--etape");
         for (Etape celle : Etape.values()) {
             etape = celle.toString().equals(nom) ? celle : etape;
         }
         exiger(nom == null || etape.toString().equals(nom), "--etape");
-        String variantes = valeur("--sans");
-        List<String> sans = variantes == null ? Collections.<String>emptyList()
-                : Arrays.asList(variantes.split(",", -1));
-        exiger(!sans.contains(""), "--sans");
-        reglages = new Reglages(etape, entier("--reflets", Constantes.MAX_REFLETS, 0, REFLETS_MAX),
-                positif("--seuil", Constantes.SEUIL), estDonnee("--simple"), sans);
-        vue = valeur("--vue");
-        exiger(vue == null || VUES.contains(vue), "--vue");
-        fils = entier("--fils", fils, 1, FILS_MAX);
-        repeter = entier("--repeter", repeter, 1, 100_000);
-        statistiques = estDonnee("--statistiques");
-        String xy = valeur("--pixel");
-        pixel = xy != null;
-        if (pixel) {
-            double[] lus = deuxEntiers(xy, ',');
-            exiger(Math.min(lus[0], lus[1]) >= 0, "--pixel");
-            pixelX = (int) lus[0];
-            pixelY = (int) lus[1];
-        }
-        String souhait = valeur("--auto");
-        auto = souhait != null;
-        if (auto) {
-            erreurVoulue = souhait.startsWith("erreur=") ? Nombre.lire(souhait.substring("erreur=".length())) : 0;
-            exiger(erreurVoulue >= 0.01 && erreurVoulue <= 255, "--auto");
-        }
-        comparer = valeur("--comparer");
-        exiger(comparer == null || estImage(comparer), "--comparer");
-        tolerance = positif("--tolerance", tolerance);
-        String portion = valeur("--part");
-        if (portion != null) {
-            boolean pourCent = portion.endsWith("%");
-            String nombre = pourCent ? portion.substring(0, portion.length() - 1) : portion;
-            part = Nombre.lire(nombre);
-            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
-            part = pourCent && part >= 0 && part <= 100 ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
-        }
-        exiger(part >= 0 && part <= 1, "--part");
+        return etape;
     }
 
     private void accorder() {
-        if (pixel) {
+        if (unPixel()) {
             refuser("--pixel ne va pas avec %s", "--image", "--lineaire", "--auto", "--repeter", "--comparer");
             if (pixelX >= largeur || pixelY >= hauteur) {
                 throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
@@ -262,10 +325,10 @@ public final class Options {
                 throw demande(nom + " ne sert pas seule", "avec elle, --comparer REFERENCE.png");
             }
         }
-        if ((versFichier() || pixel) && scene == null) {
+        if ((versFichier() || unPixel()) && scene == null) {
             throw demande("aucune scène à dessiner", "un fichier, par exemple scenes/scene1.ini");
         }
-        if (auto && !versFichier()) {
+        if (auto() && !versFichier()) {
             throw demande("--auto ne sert pas dans la fenêtre",
                     "avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
         }
@@ -283,45 +346,46 @@ public final class Options {
     private String valeur(String nom) {
         String valeur = donnees.get(nom);
         if (valeur != null && valeur.isEmpty()) {
-            throw demande("option sans sa valeur : " + nom, attendue(nom));
+            throw demande("option sans sa valeur : " + nom, entree(nom).attendu);
         }
         return valeur;
     }
 
-    private int entier(String nom, int defaut, int min, int max) {
-        String texte = valeur(nom);
-        double n = texte == null ? defaut : chiffres(texte);
+    private String finissant(String nom, String fin) {
+        String valeur = valeur(nom);
+        exiger(valeur == null || finit(valeur, fin), nom);
+        return valeur;
+    }
+
+    private String[] deux(String nom, String separateur) {
+        String[] deux = valeur(nom).split(separateur, -1);
+        exiger(deux.length == 2, nom);
+        return deux;
+    }
+
+    private int entier(String nom, int defaut, double min, double max) {
+        return estDonnee(nom) ? entier(nom, valeur(nom), min, max) : defaut;
+    }
+
+    private int entier(String nom, String texte, double min, double max) {
+        exiger(texte.matches("[0-9]+"), nom);
+        return (int) reel(nom, texte, min, max);
+    }
+
+    /** Un nombre fini, positif ou nul. */
+    private double reel(String nom, double defaut) {
+        return estDonnee(nom) ? reel(nom, valeur(nom), 0, Double.MAX_VALUE) : defaut;
+    }
+
+    private double reel(String nom, String texte, double min, double max) {
+        double n = Nombre.lire(texte);
         exiger(n >= min && n <= max, nom);
-        return (int) n;
-    }
-
-    private double positif(String nom, double defaut) {
-        String texte = valeur(nom);
-        double n = texte == null ? defaut : Nombre.lire(texte);
-        exiger(n >= 0 && n <= Double.MAX_VALUE, nom);
         return n;
-    }
-
-    /** L'entier écrit, quelle que soit sa taille ; -1 si le texte n'en est pas un. */
-    private static double chiffres(String texte) {
-        // pas d'expression régulière : voir docs/etendre.md
-        for (char c : texte.toCharArray()) {
-            if (c < '0' || c > '9') {
-                return -1;
-            }
-        }
-        return Nombre.lire(texte);
-    }
-
-    private static double[] deuxEntiers(String texte, char separateur) {
-        int k = texte.indexOf(separateur);
-        return k < 0 ? new double[] {-1, -1}
-                : new double[] {chiffres(texte.substring(0, k)), chiffres(texte.substring(k + 1))};
     }
 
     private void exiger(boolean juste, String nom) {
         if (!juste) {
-            throw impossible(nom, attendue(nom));
+            throw impossible(nom, entree(nom).attendu);
         }
     }
 

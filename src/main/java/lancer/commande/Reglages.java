@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -45,19 +46,10 @@ public final class Reglages {
         this.sections = sections;
     }
 
-    /** Ceux du cours, sans variante. */
+    /** Ceux du cours, pour une scène qui n'est pas encore lue. */
     public Reglages() {
-        this(Etape.REFLETS, Constantes.MAX_REFLETS, Constantes.SEUIL, false, Collections.emptySet());
-    }
-
-    /**
-     * Les réglages d'une scène qui n'est pas encore lue.
-     *
-     * @param simple vrai pour les boucles du cours, faux pour la recherche rapide
-     * @param debranchees types de variantes, quelle que soit leur casse
-     */
-    public Reglages(Etape etape, int reflets, double seuil, boolean simple, Collection<String> debranchees) {
-        this(etape, reflets, seuil, simple, debranchees, Collections.emptyMap(), Collections.emptyMap());
+        this(Etape.REFLETS, Constantes.MAX_REFLETS, Constantes.SEUIL, false, Collections.emptySet(),
+                Collections.emptyMap(), Collections.emptyMap());
     }
 
     /**
@@ -83,6 +75,16 @@ public final class Reglages {
 
     public Reglages avecSeuil(double autre) {
         return new Reglages(etape, reflets, autre, simple, debranchees, lues, sections);
+    }
+
+    /** Les mêmes, avec les boucles du cours au lieu de la recherche rapide. */
+    public Reglages avecLesBoucles() {
+        return new Reglages(etape, reflets, seuil, true, debranchees, lues, sections);
+    }
+
+    /** Les mêmes, sans ces variantes. @param types quelle que soit leur casse, et que les variantes soient présentes */
+    public Reglages sans(Collection<String> types) {
+        return new Reglages(etape, reflets, seuil, simple, types, lues, sections);
     }
 
     public Reglages avecVariante(Variante variante, boolean branchee) {
@@ -165,10 +167,16 @@ public final class Reglages {
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 
-    /** La variante branchée dont des essais choisissent la section, absente du fichier ; {@code null} s'il n'y en a pas. */
+    /** La variante branchée, absente du fichier, dont des essais choisissent la section ; ou {@code null}. */
     public Variante getEssayee() {
         return sections.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
-                && !variante.getSectionsProposees(lues.get(variante)).isEmpty()).findFirst().orElse(null);
+                && !getSectionsProposees(variante).isEmpty()).findFirst().orElse(null);
+    }
+
+    /** Voir {@link Variante#getSectionsProposees}. */
+    public Map<Section, Double> getSectionsProposees(Variante variante) {
+        return Objects.requireNonNull(variante.getSectionsProposees(lues.get(variante)),
+                variante.getClass().getName() + ".getSectionsProposees a rendu null");
     }
 
     /** Les sections à écrire dans le fichier, à la place des siennes, pour obtenir ces réglages. */
@@ -203,10 +211,17 @@ public final class Reglages {
 
     /** Les options de la ligne de commande qui donnent ces réglages, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getOptions() {
-        return (etape == Etape.REFLETS ? "" : " --etape " + etape)
-                + (reflets == Constantes.MAX_REFLETS ? "" : " --reflets " + reflets)
-                + (seuil == Constantes.SEUIL ? "" : " --seuil " + seuil) + (simple ? " --simple" : "")
-                + (debranchees.isEmpty() ? "" : " --sans " + String.join(",", debranchees));
+        StringBuilder options = new StringBuilder();
+        ajouter(options, etape != Etape.REFLETS, " --etape " + etape);
+        ajouter(options, reflets != Constantes.MAX_REFLETS, " --reflets " + reflets);
+        ajouter(options, seuil != Constantes.SEUIL, " --seuil " + seuil);
+        ajouter(options, simple, " --simple");
+        ajouter(options, !debranchees.isEmpty(), " --sans " + String.join(",", debranchees));
+        return options.toString();
+    }
+
+    private static void ajouter(StringBuilder options, boolean donnee, String option) {
+        options.append(donnee ? option : "");
     }
 
     /** Deux réglages égaux donnent la même image d'une même scène. */
@@ -217,7 +232,7 @@ public final class Reglages {
 
     @Override
     public int hashCode() {
-        return cle().hashCode();
+        return Objects.hash(etape, reflets, seuil);
     }
 
     private List<Object> cle() {

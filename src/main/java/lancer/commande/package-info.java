@@ -1,2 +1,2 @@
-/** La ligne de commande : options, aide, messages, statuts de sortie. Ce paquet ne lit pas de scène, ne dessine pas. */
+/** La ligne de commande : options, réglages, messages, statuts. Ce paquet ne lit pas de scène, ne dessine pas. */
 package lancer.commande;

@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.commande.Messages;
@@ -18,7 +17,7 @@ import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
 
-/** Ce qui est dessiné d'une demande : l'image, et le lancer qui la dessine, avec ses compteurs, son temps, ses fautes. */
+/** Ce qui est dessiné d'une demande : l'image, et le lancer qui la dessine, avec compteurs, temps et fautes. */
 public final class Dessin {
 
     /** Nombre de pixels au-delà duquel la fenêtre ne garde pas les couleurs non limitées (48 Mo). */
@@ -71,7 +70,7 @@ public final class Dessin {
     public void dessinerLaVue(ImageMemoire reference, int fils, Runnable siBrouillonFait) {
         lancer.getFautes().tolerer();
         try {
-            lancer.TracerBrouillon(image, Math.min(demande.reglages.getProfondeur(), Constantes.REFLETS_BROUILLON), fils);
+            lancer.TracerBrouillon(image, demande.reglages.getProfondeur(), fils);
             finirBrouillon();
             siBrouillonFait.run();
             new FaussesCouleurs(lancer, demande.reglages.getProfondeur(), fils).dessiner(demande.vue, image, reference);

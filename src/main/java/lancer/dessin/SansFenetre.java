@@ -58,7 +58,7 @@ public final class SansFenetre {
             if (options.comparer != null) {
                 return comparer();
             }
-            if (options.pixel) {
+            if (options.unPixel()) {
                 expliquerUnPixel();
             } else {
                 dessinerDansDesFichiers();
@@ -78,7 +78,7 @@ public final class SansFenetre {
         lire();
         Dessin dessin = new Dessin(demande, new ImageMemoire(options.largeur, options.hauteur, options.image != null,
                 options.lineaire != null));
-        if (options.auto) {
+        if (options.auto()) {
             choisirEtDessiner(dessin, fichiers);
         } else {
             long[] traces = options.vue != null ? tracerLaVue(dessin)

@@ -1,5 +1,5 @@
 /**
- * Les étapes communes à la fenêtre et à la ligne de commande : lire une scène, la régler, la préparer, la dessiner. Ce
- * paquet ne connaît ni les formats de fichiers d'images, ni la fenêtre.
+ * Ce qui est demandé ({@link lancer.dessin.Demande}), ce qui en est dessiné ({@link lancer.dessin.Dessin}), et le
+ * programme sans fenêtre.
  */
 package lancer.dessin;

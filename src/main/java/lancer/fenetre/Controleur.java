@@ -298,8 +298,8 @@ final class Controleur {
         if (echec instanceof SceneFautive && courant.aLire) {
             refuser(Messages.message(echec));
         } else if (fautes != null && fautes.enMots() != null && !(echec instanceof Error)) {
-            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + (echec == null ? "" : ", et aucun n'a pu l'être")
-                    + " ; le premier : " + courant.dessin.demande.nommer(fautes.getPremiere()).getMessage());
+            panneau.bandeau.dire(Sujet.DESSIN, fautes.enMots() + " ; le premier : "
+                    + courant.dessin.demande.nommer(fautes.getPremiere()).getMessage());
         } else if (echec != null || courant.isAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }

@@ -75,7 +75,8 @@ final class PanneauReglages extends JScrollPane {
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(e -> changer(reglages().avecVariante(variante.get(), boite.isSelected()), null, false));
+            boite.addActionListener(
+                    e -> changer(reglages().avecVariante(variante.get(), boite.isSelected()), null, false));
             ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
@@ -211,8 +212,8 @@ final class PanneauReglages extends JScrollPane {
     private void regler(Supplier<Variante> variante, Parametre parametre, String voulue, boolean glisse) {
         Section section = reglages().getSection(variante.get());
         if (!voulue.equals(section.valeur(parametre.cle))) {
-            changer(reglages().avecSection(variante.get(), section.avec(parametre.cle, voulue, parametre.autre)), parametre,
-                    glisse);
+            Section changee = section.avec(parametre.cle, voulue, parametre.autre);
+            changer(reglages().avecSection(variante.get(), changee), parametre, glisse);
         }
     }
 

@@ -177,8 +177,8 @@ final class PanneauVitesse extends JPanel {
         // un fichier relu sans changement garde les mesures
         List<Object> cle = new ArrayList<>(Arrays.asList(controleur.etat.estDeplace()
                 ? montre.demande.lecture.scene.getObjets()
-                : montre.demande.lecture.fichier + " " + controleur.etat.lecture.version, montre.image.largeur, montre.image.hauteur,
-                reglages.getEtape()));
+                : montre.demande.lecture.fichier + " " + controleur.etat.lecture.version, montre.image.largeur,
+                montre.image.hauteur, reglages.getEtape()));
         reglages.getVariantes().stream().filter(reglages::estBranchee).forEach(variante -> cle.add(
                 variante.equals(reglages.getEssayee()) ? variante.getSection()
                 : reglages.getSection(variante).toString()));

@@ -28,7 +28,7 @@ public final class Equipe {
     private volatile int nombre = 1;
     private volatile boolean arretee;
 
-    /** @param nom celui de ses fils */
+    /** @param nom le début du nom de ses fils */
     public Equipe(String nom) {
         this.nom = nom;
     }
@@ -49,7 +49,9 @@ public final class Equipe {
         nombre = taches;
         suivante.set(0);
         faites.set(0);
-        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(), this::nouveauFil);
+        AtomicInteger crees = new AtomicInteger();
+        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(),
+                travail -> demon(nom + "-" + crees.incrementAndGet(), travail));
         CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {
@@ -61,7 +63,10 @@ public final class Equipe {
             }
             acheve = true;
         } catch (ExecutionException e) {
-            relancer(e.getCause());
+            if (e.getCause() instanceof Error) {
+                throw (Error) e.getCause();
+            }
+            throw (RuntimeException) e.getCause();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CancellationException("travail interrompu");
@@ -72,7 +77,7 @@ public final class Equipe {
         }
     }
 
-    private Thread nouveauFil(Runnable travail) {
+    private static Thread demon(String nom, Runnable travail) {
         Thread fil = new Thread(null, travail, nom, PILE);
         fil.setDaemon(true);
         return fil;
@@ -84,13 +89,6 @@ public final class Equipe {
             ouvrier.accept(k);
             faites.incrementAndGet();
         }
-    }
-
-    private static void relancer(Throwable cause) {
-        if (cause instanceof Error) {
-            throw (Error) cause;
-        }
-        throw (RuntimeException) cause;
     }
 
     /** Attend la fin de ces fils, une seconde au plus ; l'interruption du fil appelant est gardée pour la suite. */

@@ -1,7 +1,6 @@
 package lancer.fils;
 
 import java.util.BitSet;
-import java.util.concurrent.CancellationException;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
@@ -31,25 +30,22 @@ public final class Fautes {
      * Note l'échec d'un point de l'écran.
      *
      * @return la couleur à sa place
-     * @throws PixelFautif si les échecs ne sont pas tolérés ; un arrêt et le manque de mémoire ne le sont jamais
+     * @throws PixelFautif si les échecs ne sont pas tolérés
      */
     public synchronized Couleur noter(Throwable e, double xe, double ye) {
-        if (e instanceof CancellationException) {
-            throw (CancellationException) e;
-        }
-        if (e instanceof OutOfMemoryError) {
-            throw (OutOfMemoryError) e;
-        }
         PixelFautif faute = e instanceof PixelFautif ? (PixelFautif) e : new PixelFautif(xe, ye, e);
         if (!tolerees) {
             throw faute;
         }
-        int rang = faute.y * largeur + faute.x;
-        if (premiere == null || rang < pixels.nextSetBit(0)) {
+        if (premiere == null || faute.estSitue() && rang(faute) < rang(premiere)) {
             premiere = faute;
         }
-        pixels.set(rang);
+        pixels.set(rang(faute));
         return MAGENTA;
+    }
+
+    private int rang(PixelFautif faute) {
+        return faute.y * largeur + faute.x;
     }
 
     /** Oublie les échecs : le dessin est recommencé. */
@@ -75,7 +71,7 @@ public final class Fautes {
                 : pixels.cardinality() + " pixels n'ont pu être calculés";
     }
 
-    /** Première faute, ligne par ligne, {@code null} s'il n'y en a pas. */
+    /** La première faute située, ligne par ligne, {@code null} s'il n'y en a pas. */
     public synchronized PixelFautif getPremiere() {
         return premiere;
     }

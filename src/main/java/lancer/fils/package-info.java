@@ -1,5 +1,4 @@
 /**
- * Le dessin en plusieurs fils : partage de l'image, arrêt, avancement, échecs. La préparation et les essais l'utilisent
- * aussi. Ce paquet ne connaît ni la recherche d'un contact, ni la destination des pixels.
+ * Les fils : partage d'un travail, arrêt, avancement, échecs. Ce paquet ne sait ni chercher un contact, ni peindre.
  */
 package lancer.fils;

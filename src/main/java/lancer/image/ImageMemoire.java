@@ -43,7 +43,7 @@ public final class ImageMemoire implements Toile {
     /** @throws PixelFautif si cette couleur est nulle ou a une composante qui n'est pas finie */
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
-        PixelFautif.verifier(coul, xe + 0.5, ye + 0.5);
+        PixelFautif.exigerFinie(coul, xe + 0.5, ye + 0.5);
         int k = ye * largeur + xe;
         if (codes != null) {
             codes[k] = coul.getCode();

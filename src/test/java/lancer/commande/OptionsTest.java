@@ -60,8 +60,8 @@ class OptionsTest {
         assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
         assertEquals(1, o.repeter);
         assertFalse(o.statistiques);
-        assertFalse(o.pixel);
-        assertFalse(o.auto);
+        assertFalse(o.unPixel());
+        assertFalse(o.auto());
         assertFalse(o.estDonnee("--reflets"));
         assertFalse(o.estDonnee("--seuil"));
         o = Options.lire("--reflets", "5", "--seuil=0.0009765625");
@@ -86,8 +86,8 @@ class OptionsTest {
             }
             Options o = Options.lire(arguments.toArray(new String[0]));
             assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.image + " " + o.lineaire + " " + o.largeur + " " + o.hauteur
-                    + " " + o.reglages.getReflets() + " " + o.reglages.getSeuil() + " " + o.fils + " " + o.repeter + " " + o.statistiques + " " + o.scene,
-                    arguments.toString());
+                    + " " + o.reglages.getReflets() + " " + o.reglages.getSeuil() + " " + o.fils + " " + o.repeter + " " + o.statistiques
+                    + " " + o.scene, arguments.toString());
         }
     }
 
@@ -201,7 +201,7 @@ class OptionsTest {
         for (String[] arguments : new String[][] {{"--auto", souhait, "--image=a.png", "s.ini"},
                 {"--lineaire=a.pfm", "s.ini", "--auto=" + souhait}}) {
             Options o = Options.lire(arguments);
-            assertTrue(o.auto);
+            assertTrue(o.auto());
             assertEquals(erreur, o.erreurVoulue);
         }
     }
@@ -211,7 +211,7 @@ class OptionsTest {
         "--taille=16384x1 --pixel=016383;0, 16383, 0"})
     void unPixelDeLImagePeutEtreDemande(String ligne, int x, int y) {
         Options o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
-        assertTrue(o.pixel);
+        assertTrue(o.unPixel());
         assertEquals(x, o.pixelX);
         assertEquals(y, o.pixelY);
         assertTrue(o.sansFenetre());

@@ -82,7 +82,7 @@ class DiagnosticTest {
     void uneCouleurFausseDUnEchantillonnageNArrivePasALImageEtSaLigneEstDite() {
         for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
             String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
-                PixelFautif.verifier(fausse, 2.5, 1.5);
+                PixelFautif.exigerFinie(fausse, 2.5, 1.5);
                 return 0;
             }));
             assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse
@@ -95,21 +95,5 @@ class DiagnosticTest {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
         String dit = Pile.cause(panne, Demande.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
-    }
-
-    /** Un échec tel que Java en fait mille fois au même endroit : une fois compilé, il n'a plus de pile. */
-    private static final class Repete extends RuntimeException {
-        private static final long serialVersionUID = 1;
-
-        Repete(boolean pile) {
-            super("boum", null, false, pile);
-        }
-    }
-
-    @Test
-    void unEchecQueJavaNeSituePlusLEstCommeLePremierDeSaSorte() {
-        String premier = Pile.cause(new PixelFautif(1.5, 1.5, new Repete(true)), Pile.HORS_DE_JAVA);
-        assertTrue(premier.matches(".*Repete: boum \\(.*DiagnosticTest.java:\\d+\\)"), premier);
-        assertEquals(premier, Pile.cause(new PixelFautif(2.5, 1.5, new Repete(false)), Pile.HORS_DE_JAVA));
     }
 }

@@ -99,8 +99,8 @@ class DependancesTest {
     }
 
     @Test
-    void laCommandeNeDependQueDesTextesEtDesNombres() {
-        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive|contrat\\.PixelFautif)|lancer\\.texte\\..*");
+    void laCommandeNeDependQueDesContratsEtDesTextes() {
+        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive)|lancer\\.(contrat|texte)\\..*");
     }
 
     @Test
@@ -110,7 +110,7 @@ class DependancesTest {
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer\\.auto\\..*", COURS + "lancer\\.(contrat|fils)\\..*");
+        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.(Reglages|Etape)");
         String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.PanneauVitesse).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }

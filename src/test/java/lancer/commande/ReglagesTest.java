@@ -1,0 +1,102 @@
+package lancer.commande;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Map;
+import lancer.contrat.Modele;
+import lancer.contrat.Section;
+import lancer.contrat.Variante;
+import lancer.scene.SectionLue;
+import org.junit.jupiter.api.Test;
+
+/** La façon de dessiner est une valeur : égale à une autre si elle donne la même image, et écrite en options. */
+class ReglagesTest {
+
+    private static final class Gris implements Variante {
+        @Override
+        public String getSection() {
+            return "Gris";
+        }
+
+        @Override
+        public void installer(Section valeurs, Modele modele) {
+            valeurs.reel("part", 1, 0, 1);
+        }
+    }
+
+    private final Variante gris = new Gris();
+    private final Reglages lus = new Reglages().pour(lues(gris, "part", "0.5"));
+
+    private static Map<Variante, Section> lues(Variante variante, String... clesEtValeurs) {
+        return Collections.singletonMap(variante, new SectionLue("Gris", clesEtValeurs));
+    }
+
+    @Test
+    void deuxReglagesSontEgauxSiChacunDeLeursReglagesLEst() {
+        Section autre = new SectionLue("Gris", "part", "0.25");
+        Reglages[] changes = {lus.avecEtape(Etape.OMBRES), lus.avecReflets(2), lus.avecSeuil(0), lus.avecLesBoucles(),
+            lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
+        for (Reglages change : changes) {
+            assertNotEquals(lus, change);
+        }
+        assertEquals(lus, lus.avecEtape(Etape.OMBRES).avecEtape(Etape.REFLETS));
+        assertEquals(lus, lus.avecVariante(gris, false).avecVariante(gris, true));
+        assertEquals(lus, lus.avecSection(gris, autre).avecSection(gris, new SectionLue("Gris", "part", "0.5")));
+        assertEquals(lus.sans(Collections.singleton("gris")), lus.avecVariante(gris, false), "quelle que soit la casse");
+        assertEquals(lus.sans(Collections.singleton("gris")).hashCode(), lus.avecVariante(gris, false).hashCode());
+        // une autre lecture du même fichier crée d'autres variantes
+        assertEquals(lus, new Reglages().pour(lues(new Gris(), "part", "0.5")));
+    }
+
+    @Test
+    void lesOptionsEcritesRedonnentLesReglages() {
+        Reglages[] tous = {new Reglages(), new Reglages().avecEtape(Etape.PHONG).avecReflets(7),
+            new Reglages().avecSeuil(0.25).avecLesBoucles(), new Reglages().sans(Arrays.asList("Brume", "Blinn"))};
+        for (Reglages ecrits : tous) {
+            String options = ecrits.getOptions().trim();
+            assertEquals(ecrits, Options.lire(options.isEmpty() ? new String[0] : options.split(" ")).reglages, options);
+        }
+    }
+
+    @Test
+    void aUneRelectureUneSectionChangeeResteSiLeFichierNAPasChangeLaSienne() {
+        Section changee = new SectionLue("Gris", "part", "0.75");
+        Reglages changes = lus.avecSection(gris, changee).avecReflets(2);
+        Variante relue = new Gris();
+        Reglages gardes = changes.pour(lues(relue, "part", "0.5"));
+        assertEquals("[[Gris] part=0.75]", gardes.getSectionsChangees().toString());
+        assertEquals(changes, gardes);
+        Reglages perdus = changes.pour(lues(relue, "part", "0.1"));
+        assertEquals("[Gris] part=0.1", perdus.getSection(relue).toString());
+        assertTrue(perdus.getSectionsChangees().isEmpty());
+        assertEquals(2, perdus.getReflets());
+    }
+
+    @Test
+    void seuleUneVarianteBrancheeAbsenteDuFichierEtQuiProposeDesSectionsEstEssayee() {
+        assertNull(lus.getEssayee());
+        Variante proposeuse = new Variante() {
+            @Override
+            public String getSection() {
+                return "Proposeuse";
+            }
+
+            @Override
+            public void installer(Section valeurs, Modele modele) {
+            }
+
+            @Override
+            public Map<Section, Double> getSectionsProposees(Section sienne) {
+                return Collections.singletonMap(sienne.sansFichier("n", "2"), 0.5);
+            }
+        };
+        Reglages absente = new Reglages().pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
+        assertEquals(proposeuse, absente.getEssayee());
+        assertNull(absente.avecVariante(proposeuse, false).getEssayee());
+    }
+}
