@@ -21,7 +21,7 @@ public final class Auto {
     private static final double PART = 0.55;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
-    private static final double UN = (1 << 21) - 1;
+    private static final long UN = (1 << 21) - 1;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
@@ -91,7 +91,8 @@ public final class Auto {
     }
 
     private Couleur couleur(int rang) {
-        return new Couleur((image[rang] >> 42) / UN, (image[rang] >> 21 & (long) UN) / UN, (image[rang] & (long) UN) / UN);
+        return new Couleur((image[rang] >> 42) / (double) UN, (image[rang] >> 21 & UN) / (double) UN,
+                (image[rang] & UN) / (double) UN);
     }
 
     /** Mesure l'erreur de l'image dessinée. @return faux s'il faut dessiner, une fois, l'échelon désormais choisi */
@@ -135,7 +136,10 @@ public final class Auto {
 
     /** L'erreur voulue est tenue, dépassée ou incertaine, et un conseil ; vide là où rien n'est vu. */
     public String getVerdict() {
-        return mesure.rienVu ? "" : "erreur voulue " + (mesure.plus(SUR) <= voulue ? "tenue"
+        if (mesure.rienVu) {
+            return "";
+        }
+        return "erreur voulue " + (mesure.plus(SUR) <= voulue ? "tenue"
                 : mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine") + conseil;
     }
 }

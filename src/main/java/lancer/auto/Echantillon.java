@@ -55,7 +55,8 @@ public final class Echantillon implements Toile {
      *        pixels sont des bords de cette image ; {@code null} pour un essai
      * @param voulue erreur voulue, en niveaux, dont dépend le nombre de rayons d'une référence
      * @param permis nombre de premiers rayons à ne pas dépasser, si toutes les références en avaient neuf fois plus
-     * @param tires les pixels déjà tirés, auxquels les nouveaux s'ajoutent ; d'une très petite image, tous le sont chaque fois
+     * @param tires les pixels déjà tirés, auxquels les nouveaux s'ajoutent ; une très petite image donne chaque fois
+     *        tous les siens
      */
     public Echantillon(Lancer prepare, int fils, IntFunction<Couleur> dessinee, double voulue, long permis,
             SplittableRandom hasard, BitSet tires) {
@@ -89,7 +90,8 @@ public final class Echantillon implements Toile {
         }
         long graine = hasard.nextLong();
         tracer(Echelle.PROFONDEUR, prepare.getScene().getModele().avec(null, SANS_LIMITE),
-                (pave, voulus, vue, toile) -> parcourir(pave, k -> juger(k, cote, new SplittableRandom(graine + k), vue)));
+                (pave, voulus, vue, toile) -> parcourir(pave,
+                        k -> juger(k, cote, new SplittableRandom(graine + k), vue)));
     }
 
     /** Les pixels dont un des huit voisins ne leur ressemble pas. */
@@ -130,8 +132,8 @@ public final class Echantillon implements Toile {
     /** Visite les pixels tirés d'un pavé. */
     private int parcourir(Pave pave, IntConsumer visite) {
         for (int j = pave.j0; j < pave.j1; j++) {
-            int premier = Arrays.binarySearch(rangs, j * largeur + pave.i0);
-            for (int k = premier < 0 ? -1 - premier : premier; k < rangs.length && rangs[k] < j * largeur + pave.i1; k++) {
+            int k = Arrays.binarySearch(rangs, j * largeur + pave.i0);
+            for (k = k < 0 ? -1 - k : k; k < rangs.length && rangs[k] < j * largeur + pave.i1; k++) {
                 visite.accept(k);
             }
         }

@@ -159,8 +159,9 @@ public final class SansFenetre {
             String incertitude = mesure.rienVu ? ""
                     : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
             Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
-                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d%nauto.essais.ms: %.3f",
-                    mesure.erreur, incertitude, auto.getRayonsDesEssais(), 1e3 * essais), sortie);
+                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%n%s"
+                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, incertitude,
+                    auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         Messages.avertir(Arrays.asList("auto, choisi : " + Echelle.dire(auto.getChoisi()),
                 String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s", mesure.enMots(),

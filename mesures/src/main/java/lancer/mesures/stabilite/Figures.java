@@ -48,7 +48,8 @@ public final class Figures {
         Volet volet = new Volet("À " + Nombres.nombre(distance) + " r du centre", "1 − l/r, vers la tangente",
                 "erreur relative de t, la pire").versZero();
         courbes(volet, figure, r -> r.erreurRelative, true);
-        return guide(guide(volet, "8 u (1 + r/h), la borne promise", figure, Bilan.PROMESSE), "u (1 + r/h), l'effet d'un arrondi", figure, 1);
+        guide(volet, "8 u (1 + r/h), la borne promise", figure, Bilan.PROMESSE);
+        return guide(volet, "u (1 + r/h), l'effet d'un arrondi", figure, 1);
     }
 
     private Volet guide(Volet volet, String nom, String figure, double facteur) {
@@ -84,7 +85,7 @@ public final class Figures {
     private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
         for (Formule methode : Formule.values()) {
             volet.serie(methode.nom, true, bilan.de(figure, methode).stream().filter(r -> !juste || Bilan.estClasse(r))
-                    .map(r -> new Volet.Point(r.x, Math.max(Double.MIN_NORMAL, y.applyAsDouble(r)))).collect(Collectors.toList()));
+                    .map(r -> new Volet.Point(r.x, y.applyAsDouble(r))).filter(Volet.Point::seMontre).collect(Collectors.toList()));
         }
     }
 }

@@ -65,6 +65,11 @@ public final class Volet {
         public Point(double x, double y) {
             this(Intervalle.exact(x), Intervalle.exact(y), "");
         }
+
+        /** Faux d'une ordonnée nulle, qu'un axe logarithmique n'a pas. */
+        public boolean seMontre() {
+            return y.valeur > 0;
+        }
     }
 
     public Volet(String titre, String nomX, String nomY) {

@@ -35,7 +35,8 @@ import lancer.scene.SectionLue;
  */
 public final class MesureAuto {
 
-    private static final String COLONNES = "scene,taille,voulue,reglage,vraie,mesuree,incertitude,verdict,rayons,essais,moins_cher,commit,date";
+    private static final String COLONNES =
+            "scene,taille,voulue,reglage,vraie,mesuree,incertitude,verdict,rayons,essais,moins_cher,commit,date";
 
     private static final Taille TAILLE = new Taille(200, 150);
 

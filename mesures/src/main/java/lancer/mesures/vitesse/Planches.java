@@ -72,15 +72,15 @@ final class Planches {
 
     /** Le temps selon le nombre de lampes, de pixels, de fils : des droites, et leurs pentes. */
     Planche couts() {
-        return new Planche(3, 620).volet(droite(Catalogue.LAMPES, "lampes", "par lampe"))
-                .volet(droite(Catalogue.PIXELS, "millions de pixels", "par million")).volet(fils());
+        return new Planche(3, 620).volet(droite(Catalogue.LAMPES, "lampes", "Une lampe"))
+                .volet(droite(Catalogue.PIXELS, "millions de pixels", "Un million de pixels")).volet(fils());
     }
 
-    private Volet droite(String nom, String axe, String par) {
+    private Volet droite(String nom, String axe, String unite) {
         Resultats siens = tous.volet(nom).tels(m -> m.rapport.valeur > 0);
         double[] droite = droite(siens);
         double max = siens.toutes.stream().mapToDouble(m -> m.x).max().orElse(1);
-        return volet(siens, axe, Nombres.arrondi(droite[1]) + " s " + par).serie("droite", true,
+        return volet(siens, axe, unite + " : " + Nombres.arrondi(droite[1]) + " s").serie("droite", true,
                 Arrays.asList(new Volet.Point(0, droite[0]), new Volet.Point(max, droite[0] + max * droite[1])));
     }
 
@@ -93,7 +93,7 @@ final class Planches {
         Resultats siens = tous.volet(Catalogue.FILS).tels(m -> m.rapport.valeur > 0);
         double un = siens.toutes.get(0).rapport.valeur;
         double mieux = siens.toutes.stream().mapToDouble(m -> m.rapport.valeur).min().getAsDouble();
-        return volet(siens, "fils", "au mieux " + Nombres.arrondi(un / mieux) + " fois plus vite qu'un fil");
+        return volet(siens, "fils", "Fils : au mieux ÷ " + Nombres.arrondi(un / mieux));
     }
 
     /** L'ordonnée à l'origine et la pente de la droite des moindres carrés des temps, en secondes. */

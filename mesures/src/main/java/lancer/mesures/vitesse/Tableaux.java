@@ -35,7 +35,8 @@ final class Tableaux {
         pages.put("comptes", comptes() + source(choix.toutes, m -> m.compte));
         pages.put("couts", table(Arrays.asList("ce qui change", "temps, divisé par celui du programme sans option", "processeurs",
                 "mémoire"), couts.toutes.stream().map(m -> Arrays.asList(m.nom(), m.estDe(Reglage.UN_RAYON) ? "l'unité"
-                : rapport(m.rapport), processeurs(m), memoire(m))).collect(Collectors.toList())) + source(couts.toutes, m -> m.chronometre));
+                : rapport(m.rapport), processeurs(m), memoire(m))).collect(Collectors.toList()))
+                + source(couts.toutes, m -> m.chronometre));
         pages.put("options", couts.de(Reglage.MAKE).map(m -> processeurs(m) + " de processeur et " + memoire(m) + " au lieu de "
                 + couts.de(Reglage.UN_RAYON).map(u -> processeurs(u) + " de processeur et " + memoire(u)).orElse("")).orElse(PAS_ENCORE));
         pages.put("scenes", scenes());
