@@ -1,4 +1,4 @@
-# Ce que partagent le Makefile de la racine et ceux des variantes. Voir « make aide ».
+# Ce que partagent le Makefile de la racine, celui d'outils et ceux des variantes. Voir « make aide ».
 
 RACINE := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
 MVN ?= mvn -B -ntp
@@ -15,7 +15,7 @@ export LC_ALL := C.UTF-8
 endif
 
 BASE := $(RACINE)/target/lancer.jar
-JARS := $(if $(strip $(VARIANTES)),$(foreach v,$(VARIANTES),$(RACINE)/$(v)/target/$(v).jar),$(BASE))
+JARS := $(or $(foreach v,$(VARIANTES),$(RACINE)/$(v)/target/$(v).jar),$(BASE))
 vide :=
 CHEMIN := $(subst $(vide) $(vide),:,$(strip $(JARS)))
 PROGRAMME := -cp $(CHEMIN) lancer.Main
@@ -24,9 +24,6 @@ PROGRAMME := -cp $(CHEMIN) lancer.Main
 OPTIONS_IMAGE := $(if $(filter undefined,$(origin JAVA_OPTIONS)),-XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m,$(JAVA_OPTIONS))
 JAVA_IMAGE := $(JAVA) $(OPTIONS_IMAGE)
 JAVA_FENETRE := $(JAVA) $(JAVA_OPTIONS)
-POMS := $(RACINE)/ensemble.xml $(RACINE)/pom.xml
-# Les sources d'un dossier, et leur liste : d'un fichier effacé, elle garde la trace jusqu'à ce que tout soit construit de nouveau.
-sources = $(1)/target/sources.txt $(shell find $(1)/src/main -type f 2>/dev/null)
 
 .DEFAULT_GOAL := run
 .PHONY: run outils toujours
@@ -50,7 +47,7 @@ ifeq ($(origin VARIANTE),file)
 .PHONY: test
 test: outils
 	$(MVN) -f $(RACINE)/ensemble.xml -pl :$(VARIANTE) -am -Dtest='lancer/$(VARIANTE)/*' \
-	    -Dsurefire.failIfNoSpecifiedTests=false verify
+	    -Dsurefire.failIfNoSpecifiedTests=false package
 endif
 
 outils:
@@ -59,28 +56,13 @@ outils:
 	@mkdir -p $(RACINE)/target 2>/dev/null && [ -w $(RACINE)/target ] || { echo "Tout se construit dans $$(cd $(RACINE) && pwd)/target," \
 	    "où rien ne peut s'écrire : copier le projet dans un dossier à soi, et y lancer make" >&2; exit 1; }
 
-# Quand une source ou une ressource n'est plus là, tout ce que Maven en avait fait s'en va : il ne l'ôterait pas de lui-même.
-LISTES := $(RACINE)/target/sources.txt \
-	$(foreach m,$(sort $(VARIANTES) brume antialias blinn mesures correction),$(RACINE)/$(m)/target/sources.txt)
-$(LISTES): toujours | outils
-	@mkdir -p $(@D) && cd $(@D) && find ../src/main -type f 2>/dev/null | LC_ALL=C sort > sources.neuves; \
-	if [ -e sources.txt ] && [ -n "$$(LC_ALL=C comm -23 sources.txt sources.neuves)" ]; then rm -rf classes; fi; \
-	if cmp -s sources.txt sources.neuves; then rm sources.neuves; else mv sources.neuves sources.txt; fi
+# Maven refait un jar là où quelque chose est plus récent que lui : un pom, une source, ou le dossier d'une source ajoutée ou effacée.
+# Il travaille sans rien dire : la première fois, une demi-minute.
+%.jar: toujours | outils
+	@if [ ! -e $@ ] || [ -n "$$(find $(RACINE)/*.xml $(RACINE)/*/pom.xml $(RACINE)/src/main $(if $(filter lancer,$(notdir $*)),,$(@D)/../src) \
+	        $(if $(filter mesures correction,$(notdir $*)),$(RACINE)/*/src/main $(RACINE)/src/test/java/lancer/Tests.java) -newer $@ | head -n 1)" ]; then \
+	    echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"; \
+	    $(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(notdir $*) -am -DskipTests package && touch $@; \
+	fi
 
 toujours:
-
-# Maven travaille sans rien dire : la première fois, une demi-minute.
-DIRE = @echo "Construction de $@$(if $(wildcard $(HOME)/.m2/repository/org/ini4j),, : Maven télécharge d'abord une trentaine de Mo)"
-
-$(BASE): $(POMS) $(call sources,$(RACINE)) | outils
-	$(DIRE)
-	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :lancer -DskipTests package
-	@touch $@
-
-define jar_de_variante
-$(RACINE)/$(1)/target/$(1).jar: $(POMS) $(RACINE)/$(1)/pom.xml $(call sources,$(RACINE)) $(call sources,$(RACINE)/$(1)) | outils
-	$$(DIRE)
-	@$(MVN) -q -f $(RACINE)/ensemble.xml -pl :$(1) -am -DskipTests package
-	@touch $$@
-endef
-$(foreach v,$(sort $(VARIANTES) brume antialias blinn),$(eval $(call jar_de_variante,$(v))))

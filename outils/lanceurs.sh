@@ -14,7 +14,7 @@ prendre() {
     [ -e "$jars/$1-$2.jar" ] || $MVN -q dependency:copy -Dartifact="org.junit.platform:$1:$2" -DoutputDirectory="$jars"
 }
 
-$MVN -q -f ensemble.xml -pl :lancer test-compile dependency:build-classpath -DincludeScope=test \
+$MVN -q -pl :lancer test-compile dependency:build-classpath -DincludeScope=test \
     -Dmdep.outputFile="$PWD/$jars/chemin"
 chemin=target/test-classes:target/classes:$(cat $jars/chemin)
 sortie=$jars/sortie.txt

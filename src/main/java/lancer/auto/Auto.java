@@ -3,32 +3,40 @@ package lancer.auto;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.commande.Reglages;
 import lancer.contrat.Toile;
 
 /**
  * {@code --auto} : essaie des réglages sur quelques pixels, du moins cher au plus juste, et choisit le premier qui
- * convient. L'erreur de l'image dessinée est mesurée sur d'autres pixels. Si elle dépasse l'erreur voulue, l'échelon
- * suivant est choisi. Le choix ne dépend que de la scène, de la taille et de l'erreur voulue.
+ * convient. L'erreur de l'image dessinée est mesurée sur d'autres pixels. Si elle dépasse l'erreur voulue, un échelon
+ * plus juste est choisi. Le choix ne dépend que de la scène, de la taille et de l'erreur voulue.
  */
 public final class Auto {
 
-    /** Facteur de prudence sur l'erreur d'un essai, et nombre maximal d'images refaites. */
+    /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
-    private static final int REPRISES = 2;
+    /** Part des rayons de l'image dessinée que peut demander son contrôle. */
+    private static final double PART = 0.55;
+    /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
+    private static final double SUR = 1.64;
+    private static final long UN = (1 << 21) - 1;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
     private final double voulue;
     private final int fils;
-    private final SplittableRandom hasard = new SplittableRandom(1);
+    private final SplittableRandom hasard;
     private final BitSet tires = new BitSet();
+    /** L'image dessinée : les trois composantes d'un pixel, limitées à [0, 1], en 21 bits chacune. */
+    private final long[] image;
     private int rang;
-    private final int dernier;
+    private boolean repris;
     private Lancer lancer;
-    private Echantillon controle;
+    private Echantillon echantillon;
     private Mesure mesure;
+    private String conseil = "";
     private long rayons;
 
     /** @param prepare la scène, préparée @param echelle un réglage au moins @param voulue l'erreur, en niveaux */
@@ -37,18 +45,27 @@ public final class Auto {
         this.echelle = echelle;
         this.voulue = voulue;
         this.fils = fils;
-        Echantillon essai = tirer(1);
-        while (rang < echelle.size() - 1 && PRUDENCE * essai.essayer(getChoisi()).erreur > voulue) {
-            rang++;
-        }
-        dernier = Math.min(rang + REPRISES, echelle.size() - 1);
-        rayons = essai.rayons;
-        lancer = prepare.avec(getChoisi().getModele());
+        // deux demandes ne regardent pas les mêmes pixels
+        hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
+        image = new long[prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur()];
+        echantillon = new Echantillon(prepare, fils, null, voulue, image.length, hasard, tires);
+        choisir();
     }
 
-    private Echantillon tirer(int essais) {
-        int cote = (int) Math.max(3, Math.min(12, Math.rint(4 / Math.cbrt(voulue))));
-        return new Echantillon(prepare, fils, essais, cote, hasard, tires);
+    /** Monte jusqu'au premier échelon qui convient à cet échantillon, ou que le suivant n'améliore pas assez. */
+    private void choisir() {
+        Mesure ici = echantillon.essayer(getChoisi());
+        while (PRUDENCE * ici.erreur > voulue && rang < echelle.size() - 1) {
+            Mesure suivante = echantillon.essayer(echelle.get(rang + 1));
+            // ce qui reste n'est peut-être que le hasard des références : seule leur différence en est libre
+            if (ici.plus(-SUR) == 0 && ici.gain(suivante, SUR) < voulue * voulue / 4) {
+                break;
+            }
+            rang++;
+            ici = suivante;
+        }
+        rayons += echantillon.rayons;
+        lancer = prepare.avec(getChoisi().getModele());
     }
 
     public Reglages getChoisi() {
@@ -60,26 +77,52 @@ public final class Auto {
         return lancer;
     }
 
-    /** Toile qui dessine sur {@code toile}, et retient de nouveaux pixels pour {@link #controler()}. */
+    /** Toile qui dessine sur {@code toile}, et retient l'image pour {@link #controler()}. */
     public Toile surveiller(Toile toile) {
-        controle = tirer(2);
+        int largeur = prepare.getCamera().getLargeur();
         return (couleur, xe, ye) -> {
             toile.drawPixel(couleur, xe, ye);
-            controle.drawPixel(couleur, xe, ye);
+            image[ye * largeur + xe] = fixe(couleur.r) << 42 | fixe(couleur.v) << 21 | fixe(couleur.b);
         };
     }
 
-    /** Mesure l'erreur de l'image dessinée. @return faux s'il faut dessiner l'échelon suivant, désormais choisi */
+    private static long fixe(double composante) {
+        return Math.round(UN * Math.max(0, Math.min(1, composante)));
+    }
+
+    private Couleur couleur(int rang) {
+        return new Couleur((image[rang] >> 42) / (double) UN, (image[rang] >> 21 & UN) / (double) UN,
+                (image[rang] & UN) / (double) UN);
+    }
+
+    /** Mesure l'erreur de l'image dessinée. @return faux s'il faut dessiner, une fois, l'échelon désormais choisi */
     public boolean controler() {
-        mesure = controle.mesurer();
-        rayons += controle.rayons;
-        boolean fini = mesure.plus(-1) <= voulue || rang == dernier;
-        if (!fini) {
+        echantillon = new Echantillon(prepare, fils, this::couleur, voulue,
+                (long) (PART * lancer.getCompteurs().rayons()), hasard, tires);
+        mesure = echantillon.mesurer();
+        boolean depassee = mesure.plus(-SUR) > voulue;
+        if (depassee && rang < echelle.size() - 1 && !repris) {
+            repris = true;
             rang++;
             rayons += lancer.getCompteurs().rayons();
-            lancer = prepare.avec(getChoisi().getModele());
+            choisir();
+            return false;
         }
-        return fini;
+        conseil = mesure.plus(SUR) <= voulue ? "" : conseiller();
+        rayons += echantillon.rayons;
+        return true;
+    }
+
+    /** Ce qui, sur les pixels du contrôle, diminue l'erreur ; rien, si rien ne le fait. */
+    private String conseiller() {
+        if (rang < echelle.size() - 1) {
+            return mesure.gain(echantillon.essayer(echelle.get(rang + 1)), -SUR) <= 0 ? ""
+                    : " : demander deux fois moins d'erreur aiderait";
+        }
+        // toutes les réflexions sont suivies : ce qui reste est le crénelage
+        return lancer.getScene().getModele().getEchantillonnage() != null
+                || getChoisi().getProfondeur() < Echelle.PROFONDEUR ? ""
+                : " : il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar";
     }
 
     public Mesure getMesure() {
@@ -91,13 +134,12 @@ public final class Auto {
         return rayons;
     }
 
-    /** Verdict à un écart type près : l'erreur voulue est tenue, dépassée ou incertaine. Un conseil suit. */
+    /** L'erreur voulue est tenue, dépassée ou incertaine, et un conseil ; vide là où rien n'est vu. */
     public String getVerdict() {
-        return mesure.plus(1) <= voulue ? "erreur voulue tenue"
-                : "erreur voulue " + (mesure.plus(-1) > voulue ? "dépassée : " : "incertaine : ")
-                + (rang < echelle.size() - 1 ? "demander deux fois moins d'erreur aiderait"
-                : lancer.getScene().getModele().getEchantillonnage() == null
-                ? "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar"
-                : "il faudrait une grille plus fine, n=64 et seuil=0 au plus");
+        if (mesure.rienVu) {
+            return "";
+        }
+        return "erreur voulue " + (mesure.plus(SUR) <= voulue ? "tenue"
+                : mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine") + conseil;
     }
 }

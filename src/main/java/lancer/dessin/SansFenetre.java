@@ -159,16 +159,17 @@ public final class SansFenetre {
         Ecriture.ecrire(dessin.image, fichiers);
         Mesure mesure = auto.getMesure();
         if (options.statistiques) {
+            String incertitude = mesure.rienVu ? ""
+                    : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
             Messages.repondre(dessin.statistiques(auto.getLancer(), traces) + System.lineSeparator()
-                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%nauto.erreur.incertitude: %.2f%n"
-                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, mesure.incertitude,
+                    + String.format(Locale.ROOT, "auto.erreur.mesuree: %.2f%n%s"
+                    + "auto.rayons.essais: %d%nauto.essais.ms: %.3f", mesure.erreur, incertitude,
                     auto.getRayonsDesEssais(), 1e3 * essais), sortie);
         }
         Messages.avertir(Arrays.asList("auto, choisi : " + Echelle.dire(auto.getChoisi()),
-                String.format(Locale.ROOT,
-                        "auto, mesuré : erreur de %.2f ± %.2f ; dessin en %.3f s, essais en %.3f s ; %s", mesure.erreur,
-                        mesure.incertitude, auto.getLancer().getDureeNs() / NS_PAR_S, essais, auto.getVerdict())),
-                erreur);
+                String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s", mesure.enMots(),
+                        auto.getLancer().getDureeNs() / NS_PAR_S, essais,
+                        mesure.rienVu ? "" : " ; " + auto.getVerdict())), erreur);
     }
 
     private void expliquerUnPixel() {

@@ -194,7 +194,7 @@ final class Fenetre {
         } else {
             horloge.stop();
             if (cadre.getIconImages().isEmpty()) {
-                // les icônes montrent la scène du cours ; « make images » les refait
+                // les icônes montrent la scène du cours ; outils/Makefile les refait
                 cadre.setIconImages(Stream.of("16", "32", "48", "128").map(cote -> cadre.getToolkit().getImage(
                         Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
             }

@@ -25,6 +25,7 @@ import lancer.dessin.Dessin;
 import lancer.dessin.Durees;
 import lancer.fenetre.figures.Essai;
 import lancer.fenetre.figures.GraphiqueVitesse;
+import lancer.image.ImageMemoire;
 
 /** Le temps et l'erreur de chaque réglage de l'échelle, mesurés si cet onglet est visible et que rien ne se dessine. */
 @SuppressWarnings("serial")
@@ -32,8 +33,8 @@ final class PanneauVitesse extends JPanel {
 
     /** Nombre de pixels au-delà duquel l'échelle est dessinée en plus petit. */
     private static final double PIXELS = 2_000_000;
-    /** Racine du nombre de rayons d'une référence. */
-    private static final int COTE = 6;
+    /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
+    private static final double VOULUE = 0.125;
     private static final int MARGE = 8;
     private static final int LIGNES = 6;
 
@@ -80,10 +81,13 @@ final class PanneauVitesse extends JPanel {
     private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
         private final Demande demande;
+        /** L'image de cette demande, dont l'échantillon cherche les bords ; {@code null} si une vue est montrée. */
+        private final ImageMemoire montree;
         private final List<Essai> siens = new ArrayList<>(essais);
 
-        Mesureur(Demande demande) {
+        Mesureur(Demande demande, ImageMemoire montree) {
             this.demande = demande;
+            this.montree = montree;
         }
 
         @Override
@@ -91,8 +95,9 @@ final class PanneauVitesse extends JPanel {
             double part = Math.min(1, Math.sqrt(PIXELS / demande.largeur / demande.hauteur));
             Dessin prepare = new Dessin(demande.avecTaille((int) Math.ceil(part * demande.largeur),
                     (int) Math.ceil(part * demande.hauteur)));
-            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), 2, COTE,
-                    new SplittableRandom(1), new BitSet());
+            boolean enEntier = prepare.image.largeur == demande.largeur && montree != null;
+            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(),
+                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
@@ -161,7 +166,7 @@ final class PanneauVitesse extends JPanel {
                 essais.add(nouveau(demande.reglages));
             }
             etat = "préparation…";
-            mesureur = new Mesureur(demande);
+            mesureur = new Mesureur(demande, controleur.montre.demande.equals(demande) ? controleur.montre.image : null);
             mesureur.execute();
         }
         dire(null);

@@ -55,6 +55,11 @@ public final class ImageMemoire implements Toile {
         }
     }
 
+    /** La couleur que montre ce pixel, limitée et arrondie. @param k son rang, ligne par ligne */
+    public Couleur getCouleur(int k) {
+        return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
+    }
+
     /** Dit si ce pixel est celui que cette couleur dessinerait. */
     public boolean contient(Couleur coul, int xe, int ye) {
         int k = ye * largeur + xe;

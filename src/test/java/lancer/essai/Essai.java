@@ -235,7 +235,7 @@ public final class Essai {
 
     /**
      * L'image que {@link #dessiner} vient d'écrire dans ce dossier est celle de référence, aux arrondis des doubles et des flottants
-     * près. {@code make references} met l'image à la place d'une référence dont elle s'écarte.
+     * près. {@code make -f outils/Makefile references} met l'image à la place d'une référence dont elle s'écarte.
      */
     public static void verifierReference(String reference, Path dossier) throws IOException {
         Path image = dossier.resolve("image.pfm");

@@ -22,12 +22,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Une fenêtre du programme sur un vrai écran, et une petite scène à lui donner. */
 @Tag("fenetre")
-@ExtendWith(UnSeulEcran.class)
 @Timeout(900)
 abstract class EssaiFenetre {
 

@@ -12,11 +12,9 @@ import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.extension.ExtendWith;
 
 /** Un programme dont la fenêtre est ouverte, arrêté pendant qu'il dessine : il finit sans rien dire ni rien laisser. */
 @Tag("fenetre")
-@ExtendWith(UnSeulEcran.class)
 @Timeout(900)
 class FenetreFermeeTest extends EssaiProcessus {
 

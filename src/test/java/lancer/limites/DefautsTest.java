@@ -33,7 +33,7 @@ class DefautsTest {
             String fichier = "images/" + image.getKey();
             assertTrue(page.contains(fichier), fichier);
             Comparaison comparaison = new Comparaison(image.getValue(), LectureImage.lire(fichier), 1, 0);
-            assertTrue(comparaison.sontPareilles(), fichier + " : make images le refait ; " + comparaison);
+            assertTrue(comparaison.sontPareilles(), fichier + " : make -f outils/Makefile images le refait ; " + comparaison);
         }
     }
 }

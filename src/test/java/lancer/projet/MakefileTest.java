@@ -10,7 +10,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -96,7 +97,7 @@ class MakefileTest extends EssaiProcessus {
         Path comparer = dossier.resolve("comparer");
         Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
         Files.delete(dossier.resolve("images/nouvelle.png"));
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("outils/Makefile").getAbsolutePath(),
                 "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "JAVA_OPTIONS=", "BASE=./target/lancer.jar", "--eval",
                 "essai:;@$(call actualiser,neuves,images)", "essai"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
@@ -133,7 +134,7 @@ class MakefileTest extends EssaiProcessus {
                 + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
                 + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
                 + ">> target/pit-reports/mutations.csv\n").getBytes());
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("Makefile").getAbsolutePath(),
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("outils/Makefile").getAbsolutePath(),
                 "-I", new File("").getAbsolutePath(), "MVN=sh pit", "mutations"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
@@ -146,37 +147,48 @@ class MakefileTest extends EssaiProcessus {
         Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
         // à la place d'un dossier en lecture seule, où root écrirait
         Files.write(dossier.resolve("target"), new byte[1]);
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/lancer.jar"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(2, statut(make));
         assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"),
                 erreur());
     }
 
-    @Test
-    void uneSourceEffaceeEmporteCeQuiEnEtaitConstruit() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
-        Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
-        Path plan = Files.write(sources.resolve("Plan.java"), new byte[1]);
-        Files.write(sources.resolve("Autre.java"), new byte[1]);
-        Path construit = Files.createDirectories(dossier.resolve("target/classes")).resolve("Plan.class");
-        Files.write(construit, new byte[1]);
-        verifierListe();
-        verifierListe();
-        assertTrue(Files.exists(construit), "rien n'a changé");
-        Files.write(sources.resolve("Neuve.java"), new byte[1]);
-        verifierListe();
-        assertTrue(Files.exists(construit), "une source de plus");
-        Files.delete(plan);
-        verifierListe();
-        assertFalse(Files.exists(construit.getParent()), "une source de moins");
-    }
-
-    /** Le jar dépend d'une liste des sources, que make ne refait que si elle change. */
-    private void verifierListe() throws IOException, InterruptedException {
-        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"), StandardCopyOption.REPLACE_EXISTING);
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/sources.txt"));
+    /** Make demande-t-il le jar à Maven ? */
+    private boolean jarRefait() throws IOException, InterruptedException {
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "MVN=sh maven", "target/lancer.jar"));
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
+        return sortie().startsWith("Construction de target/lancer.jar");
+    }
+
+    private static void dater(Path fichier, int secondes) throws IOException {
+        Files.setLastModifiedTime(fichier, FileTime.from(Instant.parse("2026-01-01T00:00:00Z").plusSeconds(secondes)));
+    }
+
+    @Test
+    void leJarEstRefaitLaOuUneSourceEstNeuveChangeeOuEffaceeQuelQueSoitSonNom() throws Exception {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
+        Path pom = Files.write(dossier.resolve("pom.xml"), new byte[1]);
+        Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
+        Path copie = Files.write(sources.resolve("Sphere - Copie.java"), new byte[1]);
+        Files.createSymbolicLink(sources.resolve(".#Sphere.java"), Paths.get("emacs@ici:1"));
+        Path jar = dossier.resolve("target/lancer.jar");
+        Files.createDirectories(jar.getParent());
+        Files.write(dossier.resolve("maven"), ("touch " + jar).getBytes());
+        assertTrue(jarRefait(), "pas de jar");
+        for (Path fichier : Arrays.asList(pom, copie, sources, sources.getParent())) {
+            dater(fichier, 0);
+        }
+        assertFalse(jarRefait(), "rien n'a changé");
+        dater(jar, 1);
+        dater(copie, 2);
+        assertTrue(jarRefait(), "une source changée");
+        dater(copie, 0);
+        dater(jar, 1);
+        Files.delete(copie);
+        assertTrue(jarRefait(), "une source de moins");
+        assertFalse(jarRefait(), "le jar est à jour");
     }
 }

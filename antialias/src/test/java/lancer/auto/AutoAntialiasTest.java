@@ -60,7 +60,7 @@ class AutoAntialiasTest {
         List<Reglages> echelle = Echelle.de(new Reglages().pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(9, echelle.size());
-        Echantillon tous = new Echantillon(prepare, 2, 2, 6, new SplittableRandom(1), new BitSet());
+        Echantillon tous = new Echantillon(prepare, 2, null, 0.125, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;
         for (Reglages echelon : echelle) {

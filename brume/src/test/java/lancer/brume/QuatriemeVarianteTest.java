@@ -104,7 +104,7 @@ class QuatriemeVarianteTest {
             @Override
             public FileVisitResult preVisitDirectory(Path d, BasicFileAttributes a) throws IOException {
                 String chemin = projet.relativize(d).toString().replace(File.separatorChar, '/');
-                if (d.getFileName().toString().matches("target|\\..*") || AILLEURS.matcher(chemin).matches()) {
+                if (d.getFileName().toString().matches("target|\\.(?!mvn).*") || AILLEURS.matcher(chemin).matches()) {
                     return FileVisitResult.SKIP_SUBTREE;
                 }
                 Files.createDirectories(copie.resolve(projet.relativize(d).toString()));

@@ -2,7 +2,7 @@ package lancer.mesures;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import java.util.function.DoubleSupplier;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -44,10 +44,15 @@ public final class Gabarit {
      * @param pas côté des carrés dont un pixel est tiré ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
+        this(scene, largeur, hauteur, pas, COTE);
+    }
+
+    /** @param cote nombre de sous-pixels par côté */
+    public Gabarit(Scene scene, int largeur, int hauteur, int pas, int cote) {
         boolean[] semes = semer(largeur, hauteur, pas);
         pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
-        a = image(scene, largeur, hauteur, semes, 1).getComposantes();
-        b = image(scene, largeur, hauteur, semes, 2).getComposantes();
+        a = image(scene, largeur, hauteur, k -> semes[k], cote, 1).getComposantes();
+        b = image(scene, largeur, hauteur, k -> semes[k], cote, 2).getComposantes();
     }
 
     private static boolean[] semer(int largeur, int hauteur, int pas) {
@@ -62,14 +67,18 @@ public final class Gabarit {
         return semes;
     }
 
-    /** Une estimation : un rayon en un point au hasard de chaque sous-pixel des pixels tirés, toujours le même pour une graine. */
-    private static ImageLineaire image(Scene scene, int largeur, int hauteur, boolean[] semes, long graine) {
-        Echantillonnage auHasard = (pave, voulus, vue, toile) -> {
+    /**
+     * Une estimation de la vérité : un rayon en un point au hasard de chaque sous-pixel, toujours le même pour une graine.
+     *
+     * @param voulus les pixels à estimer, par leurs rangs ; les autres restent noirs
+     */
+    public static ImageLineaire image(Scene scene, int largeur, int hauteur, IntPredicate voulus, int cote, long graine) {
+        Echantillonnage auHasard = (pave, demandes, vue, toile) -> {
             for (int j = pave.j0; j < pave.j1; j++) {
                 for (int i = pave.i0; i < pave.i1; i++) {
-                    if (semes[j * largeur + i]) {
+                    if (voulus.test(j * largeur + i)) {
                         SplittableRandom hasard = new SplittableRandom(graine << 2 * Short.SIZE | j << Short.SIZE | i);
-                        toile.drawPixel(moyenne(vue, i, j, COTE, hasard::nextDouble), i, j);
+                        toile.drawPixel(moyenne(vue, i, j, cote, hasard), i, j);
                     }
                 }
             }
@@ -79,15 +88,11 @@ public final class Gabarit {
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());
     }
 
-    /**
-     * La moyenne d'un rayon par sous-pixel d'un pixel.
-     *
-     * @param ou position dans le sous-pixel, de 0 à 1, pour x puis pour y
-     */
-    public static Couleur moyenne(Vue vue, int i, int j, int cote, DoubleSupplier ou) {
+    /** La moyenne d'un rayon au hasard dans chacun des sous-pixels d'un pixel. */
+    private static Couleur moyenne(Vue vue, int i, int j, int cote, SplittableRandom hasard) {
         Couleur somme = new Couleur();
         for (int k = 0; k < cote * cote; k++) {
-            somme = somme.add(vue.couleur(i + (k % cote + ou.getAsDouble()) / cote, j + (k / cote + ou.getAsDouble()) / cote));
+            somme = somme.add(vue.couleur(i + (k % cote + hasard.nextDouble()) / cote, j + (k / cote + hasard.nextDouble()) / cote));
         }
         return somme.div(cote * cote);
     }
@@ -98,8 +103,10 @@ public final class Gabarit {
         double[] carres = new double[pixels.length];
         for (int p = 0; p < pixels.length; p++) {
             for (int k = 3 * pixels[p]; k < 3 * pixels[p] + 3; k++) {
+                // là où les deux ensemble saturent l'écran, limiter chacune serait un biais
+                double moins = a[k] + b[k] >= 2 ? 1 : 0;
                 double niveau = niveau(x[k]);
-                carres[p] += (niveau - niveau(a[k])) * (niveau - niveau(b[k])) / 3;
+                carres[p] += (niveau - niveau(Math.max(moins, a[k]))) * (niveau - niveau(Math.max(moins, b[k]))) / 3;
             }
         }
         return carres;

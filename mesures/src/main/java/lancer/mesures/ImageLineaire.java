@@ -1,5 +1,13 @@
 package lancer.mesures;
 
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.contrat.Toile;
@@ -24,6 +32,22 @@ public final class ImageLineaire implements Toile {
         return image;
     }
 
+    /** L'image d'un fichier PFM en couleurs, tel que {@code --lineaire} l'écrit. */
+    public static ImageLineaire lire(Path pfm) throws IOException {
+        byte[] octets = Files.readAllBytes(pfm);
+        String[] entete = new String(octets, 0, Math.min(octets.length, 64), StandardCharsets.ISO_8859_1).split("\\s", 5);
+        int largeur = Integer.parseInt(entete[1]);
+        int hauteur = Integer.parseInt(entete[2]);
+        ImageLineaire image = new ImageLineaire(largeur, hauteur);
+        ByteBuffer flottants = ByteBuffer.wrap(octets).order(ByteOrder.LITTLE_ENDIAN);
+        int debut = octets.length - 4 * 3 * largeur * hauteur;
+        for (int k = 0; k < image.composantes.length; k++) {
+            int ligne = hauteur - 1 - k / (3 * largeur);
+            image.composantes[k] = flottants.getFloat(debut + 4 * (3 * largeur * ligne + k % (3 * largeur)));
+        }
+        return image;
+    }
+
     @Override
     public void drawPixel(Couleur coul, int xe, int ye) {
         int k = 3 * (ye * largeur + xe);
@@ -40,5 +64,29 @@ public final class ImageLineaire implements Toile {
     /** Le pixel de rang {@code k}, ligne par ligne. */
     public Couleur getCouleur(int k) {
         return new Couleur(composantes[3 * k], composantes[3 * k + 1], composantes[3 * k + 2]);
+    }
+
+    private int hauteur() {
+        return composantes.length / 3 / largeur;
+    }
+
+    /** L'image à l'écran. */
+    public BufferedImage image() {
+        BufferedImage image = new BufferedImage(largeur, hauteur(), BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < composantes.length / 3; k++) {
+            image.setRGB(k % largeur, k / largeur, getCouleur(k).getCode());
+        }
+        return image;
+    }
+
+    /** Un gris par pixel : le plus grand écart de ses composantes limitées à [0, 1], en niveaux, tant de fois grossi. */
+    public BufferedImage ecarts(ImageLineaire autre, int grossi) {
+        BufferedImage image = new BufferedImage(largeur, hauteur(), BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < composantes.length / 3; k++) {
+            double ecart = IntStream.range(3 * k, 3 * k + 3).mapToDouble(c -> Math.abs(Math.min(1, composantes[c])
+                    - Math.min(1, autre.composantes[c]))).max().getAsDouble();
+            image.setRGB(k % largeur, k / largeur, 0x010101 * (int) Math.min(255, Math.round(255 * grossi * ecart)));
+        }
+        return image;
     }
 }

@@ -24,6 +24,9 @@ public final class Scenes {
     /** Trois scènes engendrées, difficiles à échantillonner. */
     public static final List<String> DIFFICILES = Difficiles.NOMS;
 
+    /** Scènes engendrées où quelques pixels portent presque toute l'erreur. */
+    public static final List<String> RARES = Rares.NOMS;
+
     private Scenes() {
     }
 
@@ -47,7 +50,7 @@ public final class Scenes {
      * @throws lancer.SceneFautive si une scène livrée manque
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
-        if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom)) {
+        if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom) && !Rares.NOMS.contains(nom)) {
             return FichierScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");

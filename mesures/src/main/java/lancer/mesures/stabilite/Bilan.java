@@ -34,11 +34,6 @@ public final class Bilan {
         return r.part() <= TROP;
     }
 
-    /** Exactitude d'une méthode dans un régime. */
-    public Exactitude en(Regime regime, Formule methode) {
-        return de("regime-" + regime.cle(), methode).get(0);
-    }
-
     /** La plus grande de ces valeurs pour le programme. */
     double max(String figure, ToDoubleFunction<Exactitude> valeur) {
         return de(figure, Formule.PROGRAMME).stream().mapToDouble(valeur).max().orElse(0);

@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 
@@ -56,8 +55,7 @@ public final class Exactitude {
     /** @param fichier écrit par {@link #ecrire} */
     static List<Exactitude> lire(Path fichier) throws IOException {
         List<Exactitude> exactitudes = new ArrayList<>();
-        for (Map<String, String> champs : FichierCsv.lire(fichier)) {
-            String[] c = champs.values().toArray(new String[0]);
+        for (String[] c : FichierCsv.lire(fichier)) {
             exactitudes.add(new Exactitude(c[0], c[1], Double.parseDouble(c[2]), Integer.parseInt(c[3]), Integer.parseInt(c[4]),
                     Double.parseDouble(c[5]), Double.parseDouble(c[6])));
         }

@@ -3,7 +3,6 @@ package lancer.mesures.stabilite;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
@@ -32,9 +31,6 @@ public final class Mesures {
     static final double PRES = 3;
     static final double LOINTAIN = 1000;
 
-    /** Méthodes que comparent les courbes. */
-    static final List<Formule> DES_COURBES = Arrays.asList(Formule.MANUEL, Formule.PERPENDICULAIRE, Formule.PROGRAMME);
-
     /** Part minimale de rayons jugés pour tracer une abscisse. */
     private static final double PART_JUGEE = 0.5;
 
@@ -58,9 +54,6 @@ public final class Mesures {
         tous.addAll(courbe(RAS_LOIN, 3, -12, -1, 1, m -> h -> Cas.rasant(h, LOINTAIN, m)));
         tous.addAll(sol());
         tous.addAll(courbe(POSE, 5, -16, -1, 1, e -> h -> Cas.pose(h, e)));
-        for (Regime regime : Regime.values()) {
-            tous.addAll(regime.juger());
-        }
         tous.addAll(Reflets.mesurer(pas > 1 ? 15 : 41));
         return tous;
     }
@@ -74,25 +67,19 @@ public final class Mesures {
             Function<Double, Function<Random, Cas>> tirage) {
         return IntStream.rangeClosed(0, (a - de) * parDecade / pas).parallel().boxed().flatMap(k -> {
             double x = Math.pow(10, de + (double) k * pas / parDecade);
-            return juger(figure, x, rayons, 1000L * graine + k, tirage.apply(x), DES_COURBES).stream();
+            return juger(figure, x, 1000L * graine + k, tirage.apply(x)).stream();
         }).collect(Collectors.toList());
     }
 
-    /** Les cas jugés, parmi des rayons au hasard. */
-    static List<Cas> tirer(int tires, long graine, Function<Random, Cas> tirage) {
-        Random hasard = new Random(graine);
-        return IntStream.range(0, tires).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
-    }
-
     /** Juge chaque méthode sur les mêmes rayons ; liste vide si la plupart ne peuvent être jugés. */
-    static List<Exactitude> juger(String figure, double x, int tires, long graine, Function<Random, Cas> tirage,
-            List<Formule> methodes) {
-        List<Cas> cas = tirer(tires, graine, tirage);
+    private List<Exactitude> juger(String figure, double x, long graine, Function<Random, Cas> tirage) {
+        Random hasard = new Random(graine);
+        List<Cas> cas = IntStream.range(0, rayons).mapToObj(k -> tirage.apply(hasard)).filter(Cas::seJuge).collect(Collectors.toList());
         List<Exactitude> exactitudes = new ArrayList<>();
-        if (cas.size() < PART_JUGEE * tires) {
+        if (cas.size() < PART_JUGEE * rayons) {
             return exactitudes;
         }
-        for (Formule methode : methodes) {
+        for (Formule methode : Formule.values()) {
             int faux = 0;
             double relative = 0;
             double unites = 0;

@@ -1,72 +1,153 @@
 package lancer.mesures.trace;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Paint;
-import java.awt.geom.Line2D;
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
+import java.awt.Stroke;
+import java.text.DecimalFormat;
 import java.util.List;
-import java.util.Map;
+import lancer.mesures.Intervalle;
+import lancer.mesures.Nombres;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.axis.AxisLocation;
-import org.jfree.chart.axis.AxisSpace;
+import org.jfree.chart.StandardChartTheme;
+import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.labels.XYItemLabelGenerator;
+import org.jfree.chart.plot.DefaultDrawingSupplier;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleAnchor;
-import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.Range;
-import org.jfree.data.general.DatasetUtils;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
 
-/** Séries entre deux axes logarithmiques : une partie d'une {@link Planche}. */
+/**
+ * Un graphique : des séries entre deux axes, logarithmiques ou ordinaires. Les places sont celles que choisit JFreeChart ; les couleurs se
+ * distinguent pour un daltonien (M. Okabe et K. Ito, <i>Color Universal Design</i>, 2008).
+ */
 public final class Volet {
 
-    /** Demi-distance d'un point à son nom. */
-    private static final double DEMI_COTE = 7;
+    /** Couleurs des séries, dans l'ordre où elles sont ajoutées. */
+    private static final Paint[] COULEURS = {new Color(0xD55E00), new Color(0x0072B2), new Color(0xE69F00), new Color(0x009E73),
+        new Color(0xCC79A7), new Color(0x56B4E9), new Color(0x222222)};
 
-    /** Largeur des ordonnées et de leur nom. */
-    private static final double GAUCHE = 120;
+    private static final Color GRIS = new Color(0x707070);
+    private static final Color GRILLE = new Color(0xD8D8D8);
 
-    private final String constat;
-    private final String nomX;
-    private final String nomY;
-    private final List<Serie> series = new ArrayList<>();
-    private final Map<Double, String> niveaux = new LinkedHashMap<>();
-    private boolean versZero;
-    private boolean lineaire;
+    /** Rapport des bornes d'un axe au-delà duquel il est gradué par puissances de dix, et non de deux. */
+    private static final double LONG = 1000;
 
-    /** Abscisse qui vaut 1 sur l'échelle du haut, 0 sans cette échelle ; nom de cette échelle. */
-    private double un;
-    private String nomHaut;
+    private static final int GRADUATIONS = 8;
 
-    /** Étendue supplémentaire des axes, pour qu'ils soient ceux d'autres volets. */
-    private Range autresX;
-    private Range autresY;
+    private final XYIntervalSeriesCollection series = new XYIntervalSeriesCollection();
+    private final JFreeChart graphique;
+    private final XYPlot plot;
 
-    /** @param constat ce que montre le volet ; vide si le titre de la planche le dit */
-    public Volet(String constat, String nomX, String nomY) {
-        this.constat = constat;
-        this.nomX = nomX;
-        this.nomY = nomY;
+    /** Un point mesuré, la barre de chaque intervalle, et le texte écrit à côté, vide s'il n'y en a pas. */
+    public static final class Point {
+
+        private final Intervalle x;
+        private final Intervalle y;
+        private final String texte;
+
+        public Point(Intervalle x, Intervalle y, String texte) {
+            this.x = x.montrable();
+            this.y = y.montrable();
+            this.texte = texte;
+        }
+
+        public Point(double x, double y) {
+            this(Intervalle.exact(x), Intervalle.exact(y), "");
+        }
+
+        /** Faux d'une ordonnée nulle, qu'un axe logarithmique n'a pas. */
+        public boolean seMontre() {
+            return y.valeur > 0;
+        }
     }
 
-    /** Ajoute une échelle en haut, où cette abscisse vaut 1. Une barre peut alors sortir du cadre, mais pas un point. */
-    public Volet enHaut(double abscisse, String nom) {
-        un = abscisse;
-        nomHaut = nom;
+    public Volet(String titre, String nomX, String nomY) {
+        plot = new XYPlot(series, new LogAxis(nomX), new LogAxis(nomY), new XYErrorRenderer());
+        plot.setDrawingSupplier(new DefaultDrawingSupplier(COULEURS, DefaultDrawingSupplier.DEFAULT_OUTLINE_PAINT_SEQUENCE,
+                new Stroke[] {new BasicStroke(3)}, DefaultDrawingSupplier.DEFAULT_OUTLINE_STROKE_SEQUENCE,
+                DefaultDrawingSupplier.DEFAULT_SHAPE_SEQUENCE));
+        graphique = new JFreeChart(titre, plot);
+    }
+
+    /** Remplace l'axe logarithmique des abscisses par un axe ordinaire, qui contient 0. */
+    public Volet xOrdinaire() {
+        plot.setDomainAxis(ordinaire(plot.getDomainAxis().getLabel()));
         return this;
     }
 
-    /** Remplace l'axe logarithmique des abscisses par un axe ordinaire. */
-    public Volet lineaire() {
-        lineaire = true;
+    /** Remplace l'axe logarithmique des ordonnées par un axe ordinaire, qui contient 0. */
+    public Volet yOrdinaire() {
+        plot.setRangeAxis(ordinaire(plot.getRangeAxis().getLabel()));
+        return this;
+    }
+
+    private static NumberAxis ordinaire(String nom) {
+        NumberAxis axe = new NumberAxis(nom);
+        axe.setAutoRangeIncludesZero(true);
+        return axe;
+    }
+
+    JFreeChart graphique() {
+        StandardChartTheme theme = new StandardChartTheme("mesures");
+        theme.setExtraLargeFont(new Font(Font.SANS_SERIF, Font.BOLD, 28));
+        theme.setLargeFont(new Font(Font.SANS_SERIF, Font.PLAIN, 24));
+        theme.setRegularFont(new Font(Font.SANS_SERIF, Font.PLAIN, 22));
+        theme.setSmallFont(new Font(Font.SANS_SERIF, Font.PLAIN, 20));
+        theme.setPlotBackgroundPaint(Color.WHITE);
+        theme.setDomainGridlinePaint(GRILLE);
+        theme.setRangeGridlinePaint(GRILLE);
+        theme.setDrawingSupplier(plot.getDrawingSupplier());
+        theme.apply(graphique);
+        graduer(plot.getDomainAxis());
+        graduer(plot.getRangeAxis());
+        return graphique;
+    }
+
+    /** Ajoute une série, si elle a des points. @param reliee vrai si un trait les joint, dans l'ordre donné */
+    public Volet serie(String nom, boolean reliee, List<Point> points) {
+        if (points.isEmpty()) {
+            return this;
+        }
+        int rang = series.getSeriesCount();
+        XYIntervalSeries serie = new XYIntervalSeries(nom, false, true);
+        points.forEach(p -> serie.add(p.x.valeur, p.x.min, p.x.max, p.y.valeur, p.y.min, p.y.max));
+        series.addSeries(serie);
+        XYErrorRenderer rendu = (XYErrorRenderer) plot.getRenderer();
+        XYItemLabelGenerator textes = (donnees, s, k) -> points.get(k).texte;
+        rendu.setSeriesItemLabelGenerator(rang, textes);
+        rendu.setSeriesItemLabelsVisible(rang, true);
+        rendu.setSeriesLinesVisible(rang, Boolean.valueOf(reliee));
+        rendu.setSeriesItemLabelPaint(rang, COULEURS[rang % COULEURS.length]);
+        return this;
+    }
+
+    /** Ajoute une droite horizontale, et son nom. */
+    public Volet repere(double y, String nom) {
+        ValueMarker repere = new ValueMarker(y, GRIS, new BasicStroke(2));
+        repere.setLabel(nom);
+        repere.setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 20));
+        repere.setLabelPaint(GRIS);
+        repere.setLabelBackgroundColor(Color.WHITE);
+        repere.setLabelAnchor(RectangleAnchor.TOP_RIGHT);
+        repere.setLabelTextAnchor(TextAnchor.BOTTOM_RIGHT);
+        plot.addRangeMarker(repere, Layer.BACKGROUND);
+        return this;
+    }
+
+    /** Fait décroître les abscisses vers la droite : les cas difficiles sont à droite. */
+    public Volet versZero() {
+        plot.getDomainAxis().setInverted(true);
         return this;
     }
 
@@ -75,153 +156,25 @@ public final class Volet {
         Range x = null;
         Range y = null;
         for (Volet v : volets) {
-            x = Range.combine(x, DatasetUtils.iterateDomainBounds(v.donnees(), v.un == 0));
-            y = Range.combine(y, DatasetUtils.iterateRangeBounds(v.donnees(), true));
+            x = Range.combine(x, v.plot.getDomainAxis().getRange());
+            y = Range.combine(y, v.plot.getRangeAxis().getRange());
         }
         for (Volet v : volets) {
-            v.autresX = x;
-            v.autresY = y;
+            v.plot.getDomainAxis().setRange(x);
+            v.plot.getRangeAxis().setRange(y);
         }
     }
 
-    /** Fait décroître les abscisses vers la droite : les cas difficiles sont à droite. */
-    public Volet versZero() {
-        versZero = true;
-        return this;
-    }
-
-    /** Ajoute une série, si elle a des marques. */
-    public Volet serie(Serie serie) {
-        if (!serie.marques.isEmpty()) {
-            series.add(serie);
-        }
-        return this;
-    }
-
-    /** Ajoute une droite horizontale en pointillé, et son nom. */
-    public Volet repere(double y, String nom) {
-        niveaux.put(y, nom);
-        return this;
-    }
-
-    JFreeChart graphique() {
-        JFreeChart graphique = new JFreeChart(null, null, plot(), false);
-        graphique.setBackgroundPaint(null);
-        graphique.setPadding(new RectangleInsets(10, 0, 0, 16));
-        if (!constat.isEmpty()) {
-            graphique.setTitle(Style.titre(constat, Style.CONSTAT, Style.ENCRE));
-        }
-        return graphique;
-    }
-
-    private XYPlot plot() {
-        // JFreeChart peint les séries de la dernière à la première : un trait large reste derrière les points
-        series.sort(Comparator.comparing(s -> s.forme == FormeDePoint.AUCUNE));
-        Range etendueX = Range.combine(autresX, DatasetUtils.iterateDomainBounds(donnees(), un == 0));
-        Range etendueY = Range.combine(autresY, DatasetUtils.iterateRangeBounds(donnees(), true));
-        for (double niveau : niveaux.keySet()) {
-            etendueY = Range.expandToInclude(etendueY, niveau);
-        }
-        ValueAxis axeX = lineaire ? new NumberAxis(nomX) : axe(nomX, etendueX);
-        axeX.setInverted(versZero);
-        XYPlot plot = new XYPlot(donnees(), axeX, axe(nomY, etendueY), new Points(series));
-        plot.setBackgroundPaint(null);
-        // deux volets l'un sous l'autre ont ainsi les mêmes abscisses
-        AxisSpace gauche = new AxisSpace();
-        gauche.setLeft(GAUCHE);
-        plot.setFixedRangeAxisSpace(gauche);
-        plot.setOutlinePaint(Style.GRIS);
-        plot.setDomainGridlinePaint(Style.GRILLE);
-        plot.setRangeGridlinePaint(Style.GRILLE);
-        plot.setDomainGridlineStroke(Style.TRAIT_FIN);
-        plot.setRangeGridlineStroke(Style.TRAIT_FIN);
-        habiller(axeX);
-        habiller(plot.getRangeAxis());
-        if (un > 0) {
-            plot.setDomainAxis(1, habiller(new Axe(nomHaut, axeX.getLowerBound() / un, axeX.getUpperBound() / un)));
-            plot.setDomainAxisLocation(1, AxisLocation.TOP_OR_LEFT);
-        }
-        niveaux.forEach((y, nom) -> {
-            ValueMarker repere = new ValueMarker(y, Style.GRIS, Style.POINTILLE);
-            repere.setLabel(nom);
-            repere.setLabelFont(Style.ETIQUETTE);
-            repere.setLabelPaint(Style.GRIS);
-            repere.setLabelBackgroundColor(Color.WHITE);
-            // les courbes du temps descendent vers la droite
-            repere.setLabelAnchor(un > 0 ? RectangleAnchor.BOTTOM_LEFT : RectangleAnchor.TOP_RIGHT);
-            repere.setLabelTextAnchor(un > 0 ? TextAnchor.TOP_LEFT : TextAnchor.BOTTOM_RIGHT);
-            plot.addRangeMarker(repere, Layer.BACKGROUND);
-        });
-        return plot;
-    }
-
-    private static ValueAxis habiller(ValueAxis axe) {
-        axe.setLabelFont(Style.TEXTE);
-        axe.setLabelPaint(Style.ENCRE);
-        axe.setTickLabelFont(Style.TEXTE);
-        axe.setTickLabelPaint(Style.ENCRE);
-        axe.setAxisLinePaint(Style.GRIS);
-        axe.setTickMarkPaint(Style.GRIS);
-        axe.setMinorTickMarksVisible(false);
-        return axe;
-    }
-
-    /** Un axe plus long que l'étendue de ses marques, dont le dessin doit tenir aussi. */
-    private static Axe axe(String nom, Range montre) {
-        double min = montre.getLowerBound();
-        double max = montre.getUpperBound();
-        double jeu = Math.max(1 + 0.2 * Math.min(1, max / min - 1), Math.pow(max / min, 0.04));
-        return new Axe(nom, min / jeu, max * jeu);
-    }
-
-    private XYIntervalSeriesCollection donnees() {
-        XYIntervalSeriesCollection donnees = new XYIntervalSeriesCollection();
-        for (Serie serie : series) {
-            XYIntervalSeries points = new XYIntervalSeries(serie.nom, false, true);
-            serie.marques.forEach(m -> points.add(m.x.valeur, m.x.min, m.x.max, m.y.valeur, m.y.min, m.y.max));
-            donnees.addSeries(points);
-        }
-        return donnees;
-    }
-
-    /** Peint les traits, puis les points et leurs barres, en creux pour les points sans intérêt. */
-    private static final class Points extends XYErrorRenderer {
-
-        private static final long serialVersionUID = 1;
-
-        private final transient List<Serie> partie;
-
-        Points(List<Serie> partie) {
-            this.partie = partie;
-            setErrorStroke(Style.TRAIT_FIN);
-            setLegendLine(new Line2D.Double(-26, 0, 26, 0));
-            setCapLength(10);
-            setItemLabelAnchorOffset(DEMI_COTE);
-            setUseFillPaint(true);
-            for (int s = 0; s < partie.size(); s++) {
-                Serie serie = partie.get(s);
-                boolean points = serie.forme != FormeDePoint.AUCUNE;
-                setSeriesPaint(s, serie.couleur);
-                setSeriesFillPaint(s, serie.couleur);
-                setSeriesLinesVisible(s, Boolean.valueOf(serie.reliee));
-                setSeriesShapesVisible(s, points);
-                setSeriesShape(s, serie.forme.dessin);
-                setSeriesShapesFilled(s, serie.forme != FormeDePoint.ANNEAU);
-                setSeriesItemLabelsVisible(s, true);
-                setSeriesItemLabelGenerator(s, (donnees, rang, point) -> serie.marques.get(point).etiquette);
-                setSeriesItemLabelPaint(s, serie.couleur.darker());
-                setSeriesItemLabelFont(s, Style.ETIQUETTE);
-                setSeriesPositiveItemLabelPosition(s, serie.place);
-                // un trait plus large reste visible derrière les autres
-                setSeriesStroke(s, points ? Style.TRAIT : Style.TRAIT_FRONT);
-                setSeriesOutlineStroke(s, Style.TRAIT);
-                setSeriesVisibleInLegend(s, !serie.nom.isEmpty());
-            }
-        }
-
-        @Override
-        public Paint getItemFillPaint(int s, int point) {
-            return partie.get(s).marques.get(point).pleine ? partie.get(s).couleur : Color.WHITE;
+    private static void graduer(ValueAxis axe) {
+        double rapport = axe.getUpperBound() / axe.getLowerBound();
+        if (axe instanceof NumberAxis) {
+            ((NumberAxis) axe).setNumberFormatOverride(Nombres.format(2));
+        } else if (rapport < LONG) {
+            ((LogAxis) axe).setBase(2);
+            ((LogAxis) axe).setNumberFormatOverride(Nombres.format(2));
+            ((LogAxis) axe).setTickUnit(new NumberTickUnit(1));
+        } else {
+            ((LogAxis) axe).setTickUnit(new NumberTickUnit(Math.ceil(Math.log10(rapport) / GRADUATIONS), new DecimalFormat("0")));
         }
     }
 }

@@ -1,17 +1,13 @@
 package lancer.mesures.vitesse;
 
-import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -28,143 +24,179 @@ import lancer.mesures.FichierCsv;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
+import lancer.mesures.Nombres;
 import lancer.mesures.scenes.Scenes;
-import lancer.mesures.trace.Style;
 import lancer.scene.SectionLue;
 
 /**
  * Mesure de {@code --auto erreur=E} : l'erreur annoncée est-elle juste, l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont
- * les scènes livrées, deux foules, et les scènes difficiles. Chaque échelon est dessiné en entier : le prix de la commande est comparé
- * à celui du moins cher des échelons qui tiennent l'erreur.
+ * les scènes livrées, deux foules, et celles où quelques pixels portent l'erreur. Chaque échelon est dessiné en entier : le prix de la
+ * commande, en rayons, est comparé à celui du moins cher des échelons qui tiennent l'erreur.
  */
 public final class MesureAuto {
 
-    static final String COLONNES = "scene,taille,erreur_voulue,reglage,erreur,mesuree,incertitude,verdict,rayons,rayons_des_essais,"
-            + "moins_cher,rayons_moins_cher,secondes,secondes_moins_cher,commit,date";
+    private static final String COLONNES =
+            "scene,taille,voulue,reglage,vraie,mesuree,incertitude,verdict,rayons,essais,moins_cher,commit,date";
 
     private static final Taille TAILLE = new Taille(200, 150);
 
     /** Une taille ordinaire, pour quelques scènes seulement. */
     private static final Taille GRANDE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
-    private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "ombres-fines");
+    private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "ombres-fines", "etincelles",
+            "fentes");
     private static final int PAS_EN_GRAND = 4;
 
-    private static final double[] ERREURS = {0.5, 1, 2, 4};
+    /** Côté de la grille de rayons de chacune des deux images de vérité. */
+    private static final int COTE = 11;
+
+    private static final double[] VOULUES = {0.5, 1, 2, 4};
+
+    /** Erreur, en niveaux, au-dessus de laquelle la demi-largeur de l'intervalle est comparée à l'erreur. */
+    private static final double SENSIBLE = 0.3;
+
+    /** Une demande, et ce qui en est su ; des nombres de rayons par pixel. NaN s'il n'y a pas d'intervalle, ou d'échelon qui tienne. */
+    static final class Reponse {
+
+        String scene;
+        String taille;
+        double voulue;
+        String reglage;
+        double vraie;
+        double mesuree;
+        double incertitude;
+        String verdict;
+        double rayons;
+        double essais;
+        double moinsCher;
+        String commit;
+        String date;
+
+        String ligne() {
+            return FichierCsv.ligne(scene, taille, voulue, reglage, Nombres.champ(vraie), Nombres.champ(mesuree),
+                    Nombres.champ(incertitude), verdict, Nombres.champ(rayons), Nombres.champ(essais), Nombres.champ(moinsCher), commit,
+                    date);
+        }
+
+        static Reponse lire(String... c) {
+            Reponse r = new Reponse();
+            r.scene = c[0];
+            r.taille = c[1];
+            r.voulue = Nombres.champ(c[2]);
+            r.reglage = c[3];
+            r.vraie = Nombres.champ(c[4]);
+            r.mesuree = Nombres.champ(c[5]);
+            r.incertitude = Nombres.champ(c[6]);
+            r.verdict = c[7];
+            r.rayons = Nombres.champ(c[8]);
+            r.essais = Nombres.champ(c[9]);
+            r.moinsCher = Nombres.champ(c[10]);
+            r.commit = c[11];
+            r.date = c[12];
+            return r;
+        }
+
+        boolean aUnIntervalle() {
+            return !Double.isNaN(incertitude);
+        }
+    }
 
     private MesureAuto() {
     }
 
-    /** @param args le fichier, écrit à la fin */
+    /** @param args le fichier, écrit à la fin ; puis les scènes, toutes si aucune n'est nommée */
     public static void main(String[] args) throws IOException {
         Path csv = Paths.get(args[0]);
         List<String> lignes = new ArrayList<>(Collections.singletonList(COLONNES));
         Path dossier = Files.createTempDirectory("mesure-auto");
-        List<String> noms = new ArrayList<>();
-        for (Path fichier : Scenes.livrees()) {
-            noms.add(fichier.getFileName().toString().replace(".ini", ""));
+        List<String> noms = new ArrayList<>(Arrays.asList(args).subList(1, args.length));
+        if (noms.isEmpty()) {
+            noms.addAll(Catalogue.livrees());
+            noms.addAll(Arrays.asList("foule-300", "foule-10000"));
+            noms.addAll(Scenes.DIFFICILES);
+            noms.addAll(Scenes.RARES);
         }
-        noms.addAll(Arrays.asList("foule-300", "foule-10000"));
-        noms.addAll(Scenes.DIFFICILES);
         for (String nom : noms) {
             Scene scene = Scenes.lire(Scenes.fichier(nom, dossier));
             for (Taille taille : SCENES_EN_GRAND.contains(nom) ? new Taille[] {TAILLE, GRANDE} : new Taille[] {TAILLE}) {
-                lignes.addAll(lignes(nom, scene, taille, ERREURS));
-                System.out.println(String.join("\n", lignes.subList(lignes.size() - ERREURS.length, lignes.size())));
+                for (Reponse reponse : repondre(nom, scene, taille, VOULUES)) {
+                    lignes.add(reponse.ligne());
+                    System.out.println(reponse.ligne());
+                }
             }
         }
         Files.write(csv, lignes);
         System.out.println(tableau(FichierCsv.lire(csv)).trim());
-        System.out.println("noté dans " + csv);
     }
 
     /** Choix, mesure et verdict du programme pour chaque erreur voulue ; l'erreur vraie ; le moins cher des échelons qui la tiennent. */
-    static List<String> lignes(String nom, Scene scene, Taille taille, double... voulues) {
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1);
+    static List<Reponse> repondre(String nom, Scene scene, Taille taille, double... voulues) {
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1, COTE);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        List<Reglages> echelle = echelle();
-        double[][] dessines = echelle.stream().map(e -> dessiner(e, prepare, gabarit, taille)).toArray(double[][]::new);
+        List<Reglages> echelle = Echelle.de(new Reglages().pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))),
+                false, false);
+        // l'erreur de chaque échelon, et ses rayons
+        double[][] dessines = echelle.stream().map(e -> {
+            Lancer lancer = prepare.avec(e.getModele());
+            ImageLineaire image = ImageLineaire.de(lancer, e.getProfondeur(), taille.fils);
+            return new double[] {erreur(image, gabarit), (double) lancer.getCompteurs().rayons() / taille.pixels()};
+        }).toArray(double[][]::new);
         Circonstances c = new Circonstances();
-        List<String> lignes = new ArrayList<>();
+        List<Reponse> reponses = new ArrayList<>();
         for (double voulue : voulues) {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-            double debut = secondes();
-            Auto auto = dessiner(scene, taille, voulue, image);
-            double secondes = secondes() - debut;
-            int mieux = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).boxed()
-                    .min(Comparator.comparingDouble(k -> dessines[k][1])).orElse(-1);
-            lignes.add(FichierCsv.ligne(nom, taille, voulue, Echelle.dire(auto.getChoisi()), Releve.reel(erreur(image, gabarit)),
-                    Releve.reel(auto.getMesure().erreur), Releve.reel(auto.getMesure().incertitude),
-                    auto.getVerdict().replaceAll("erreur voulue | : .*", ""),
-                    Releve.reel((double) auto.getLancer().getCompteurs().rayons() / taille.pixels()),
-                    Releve.reel((double) auto.getRayonsDesEssais() / taille.pixels()), mieux < 0 ? "" : Echelle.dire(echelle.get(mieux)),
-                    mieux < 0 ? "" : Releve.reel(dessines[mieux][1]), Releve.reel(secondes),
-                    mieux < 0 ? "" : Releve.reel(dessines[mieux][2]), c.commit, c.date));
+            Auto auto = new Auto(prepare, echelle, voulue, taille.fils);
+            do {
+                auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().getProfondeur(), taille.fils);
+            } while (!auto.controler());
+            Reponse r = new Reponse();
+            r.scene = nom;
+            r.taille = taille.toString();
+            r.voulue = voulue;
+            r.reglage = Echelle.dire(auto.getChoisi()).replace(',', ' ');
+            r.vraie = erreur(image, gabarit);
+            r.mesuree = auto.getMesure().erreur;
+            r.incertitude = auto.getMesure().rienVu ? Double.NaN : auto.getMesure().incertitude;
+            r.verdict = auto.getMesure().rienVu ? "rien vu" : auto.getVerdict().replaceAll("erreur voulue | : .*", "");
+            r.rayons = (double) auto.getLancer().getCompteurs().rayons() / taille.pixels();
+            r.essais = (double) auto.getRayonsDesEssais() / taille.pixels();
+            r.moinsCher = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).mapToDouble(k -> dessines[k][1]).min()
+                    .orElse(Double.NaN);
+            r.commit = c.commit;
+            r.date = c.date.replaceFirst("T.*", "");
+            reponses.add(r);
         }
-        return lignes;
+        return reponses;
     }
 
     private static double erreur(ImageLineaire image, Gabarit gabarit) {
         return Intervalle.deLaRacine(gabarit.carres(image)).valeur;
     }
 
-    private static List<Reglages> echelle() {
-        return Echelle.de(new Reglages().pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
-    }
-
-    /** L'erreur de l'image de cet échelon, ses rayons de toutes sortes par pixel, son temps de processeur en secondes. */
-    private static double[] dessiner(Reglages echelon, Lancer prepare, Gabarit gabarit, Taille taille) {
-        double debut = secondes();
-        Lancer lancer = prepare.avec(echelon.getModele());
-        ImageLineaire image = ImageLineaire.de(lancer, echelon.getProfondeur(), taille.fils);
-        double secondes = secondes() - debut;
-        return new double[] {erreur(image, gabarit), (double) lancer.getCompteurs().rayons() / taille.pixels(), secondes};
-    }
-
-    /** Temps des processeurs de ce processus, dans tous ses fils, en secondes. */
-    static double secondes() {
-        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime() / 1e9;
-    }
-
-    static Auto dessiner(Scene scene, Taille taille, double voulue, ImageLineaire image) {
-        Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        Auto auto = new Auto(prepare, echelle(), voulue, taille.fils);
-        do {
-            auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().getProfondeur(), taille.fils);
-        } while (!auto.controler());
-        return auto;
-    }
-
     /** Tableau de la page : une ligne par taille. */
-    static String tableau(List<Map<String, String>> lignes) {
-        List<String> titres = Arrays.asList("image", "l'intervalle contient l'erreur vraie", "demandes tenables tenues", "dites « tenue »",
-                "à tort", "dites « dépassée »", "dites « incertaine »", "rayons, médiane", "temps, en tout");
-        return Tableaux.table(titres, lignes.stream().map(l -> l.get("taille")).distinct().map(taille -> bilan(taille,
-                lignes.stream().filter(l -> l.get("taille").equals(taille)).collect(Collectors.toList()))).collect(Collectors.toList()));
+    static String tableau(List<String[]> lues) {
+        List<Reponse> reponses = lues.stream().map(Reponse::lire).collect(Collectors.toList());
+        List<String> titres = Arrays.asList("image", "l'intervalle contient l'erreur vraie", "dites « tenue »", "à tort",
+                "dites « dépassée » ou « incertaine »", "rien vu", "demi-largeur plus petite que l'erreur", "rayons, médiane",
+                "rayons, au pire");
+        return Tableaux.table(titres, reponses.stream().map(r -> r.taille).distinct().map(taille -> bilan(taille,
+                reponses.stream().filter(r -> r.taille.equals(taille)).collect(Collectors.toList()))).collect(Collectors.toList()))
+                + Tableaux.source(reponses.stream().map(r -> r.commit + " " + r.date).distinct().collect(Collectors.toList()));
     }
 
-    private static List<String> bilan(String taille, List<Map<String, String>> lignes) {
-        List<Map<String, String>> tenables = lignes.stream().filter(l -> !l.get("moins_cher").isEmpty()).collect(Collectors.toList());
-        double[] prix = tenables.stream().mapToDouble(l -> (x(l, "rayons") + x(l, "rayons_des_essais")) / x(l, "rayons_moins_cher"))
-                .toArray();
-        // l'horloge des processeurs avance par centièmes de seconde : seule la somme peut être comparée
-        double temps = tenables.stream().mapToDouble(l -> x(l, "secondes")).sum()
-                / tenables.stream().mapToDouble(l -> x(l, "secondes_moins_cher")).sum();
+    private static List<String> bilan(String taille, List<Reponse> reponses) {
+        double[] prix = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.moinsCher).filter(p -> !Double.isNaN(p)).toArray();
+        double pire = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.rayons).max().orElse(Double.NaN);
         return Arrays.asList(taille.replace("x", " × "),
-                compte(lignes, l -> Math.abs(x(l, "mesuree") - x(l, "erreur")) <= x(l, "incertitude")),
-                compte(tenables, l -> x(l, "erreur") <= x(l, "erreur_voulue")), dites(lignes, "tenue"),
-                compte(lignes, l -> l.get("verdict").equals("tenue") && x(l, "erreur") > x(l, "erreur_voulue")),
-                dites(lignes, "dépassée"), dites(lignes, "incertaine"), Style.nombre(Intervalle.mediane(prix)), Style.nombre(temps));
+                compte(reponses, Reponse::aUnIntervalle, r -> Math.abs(r.mesuree - r.vraie) <= r.incertitude),
+                compte(reponses, r -> true, r -> r.verdict.equals("tenue")),
+                compte(reponses, r -> r.verdict.equals("tenue"), r -> r.vraie > r.voulue),
+                compte(reponses, r -> true, r -> r.verdict.matches("dépassée|incertaine")),
+                compte(reponses, r -> true, r -> !r.aUnIntervalle()),
+                compte(reponses, r -> r.aUnIntervalle() && r.vraie > SENSIBLE, r -> r.incertitude < r.mesuree),
+                "× " + Nombres.nombre(Intervalle.mediane(prix)), "× " + Nombres.nombre(pire));
     }
 
-    private static String dites(List<Map<String, String>> lignes, String verdict) {
-        return compte(lignes, l -> l.get("verdict").equals(verdict));
-    }
-
-    private static String compte(List<Map<String, String>> lignes, Predicate<Map<String, String>> condition) {
-        return lignes.stream().filter(condition).count() + " fois sur " + lignes.size();
-    }
-
-    private static double x(Map<String, String> ligne, String colonne) {
-        return Double.parseDouble(ligne.get(colonne));
+    private static String compte(List<Reponse> reponses, Predicate<Reponse> parmi, Predicate<Reponse> condition) {
+        return reponses.stream().filter(parmi).filter(condition).count() + " fois sur " + reponses.stream().filter(parmi).count();
     }
 }

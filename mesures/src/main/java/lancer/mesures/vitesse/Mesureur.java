@@ -6,179 +6,198 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import lancer.Constantes;
-import lancer.Scene;
 import lancer.mesures.Circonstances;
+import lancer.mesures.Gabarit;
+import lancer.mesures.ImageLineaire;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 import lancer.mesures.scenes.Scenes;
-import lancer.mesures.stabilite.Noyau;
 
-/** Mesure un groupe après l'autre, et écrit chaque résultat dès qu'il est connu. */
+/** Mesure les groupes du {@link Catalogue}, par les commandes mêmes d'un utilisateur. */
 final class Mesureur {
 
     /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Nombre de manches d'un programme entier, et d'un calcul de distance. */
-    private static final int PROGRAMMES = 6;
-    private static final int NOYAUX = 9;
+    /** Nombre de manches : chacune lance une fois l'unité, puis chaque réglage du groupe. */
+    private static final int MANCHES = 7;
 
-    private final boolean court;
-    private final Path csv;
+    /** Nombre maximal de rayons d'une référence. */
+    private static final double VERITE = 1.5e8;
+
+    /** Une ligne de {@code --statistiques}, et celles dont la somme est le nombre de rayons, puis d'examens. */
+    private static final Pattern STATISTIQUE = Pattern.compile("(?m)^([a-z.]+): ([0-9.]+)$");
+    private static final List<String> RAYONS = Arrays.asList("rayons.primaires", "rayons.ombre", "rayons.reflechis",
+            "auto.rayons.essais");
+    private static final List<String> EXAMENS = Arrays.asList("tests.spheres", "noeuds.visites");
+
     private final Path dossier;
-
     private final PrintStream sortie;
-    private final Manches manches;
     private final PovRay povray;
+    private final int manches;
+
+    /** Taille des images de l'unité. */
+    private final Taille taille;
+
+    /** Arguments de {@code java} qui lancent le programme d'un réglage. */
+    private final Function<Reglage, List<String>> programme;
     private final Circonstances circonstances = new Circonstances();
 
-    /** Arguments de {@code java} pour lancer le programme d'une méthode. */
-    private final Function<Methode, String[]> lancer;
+    /** Une commande que l'on peut répéter. */
+    private interface Commande {
 
-    private Taille taille;
+        /** Temps réel et temps des processeurs, en nanosecondes, puis mémoire, en octets, NaN si elle n'est pas connue. */
+        double[] prendre() throws IOException;
+    }
 
     /**
+     * @param dossier celui des fichiers provisoires
      * @param povray {@code null} s'il n'est pas installé
-     * @param csv fichier des résultats ; les fichiers provisoires sont à côté
-     * @param lancer arguments de {@code java} pour lancer le programme d'une méthode
+     * @param taille celle des images de l'unité
+     * @param court vrai pour une seule manche, dont aucun intervalle ne se déduit
      */
-    Mesureur(boolean court, PovRay povray, Path csv, PrintStream sortie, Function<Methode, String[]> lancer) throws IOException {
-        this.court = court;
-        this.csv = csv;
-        this.sortie = sortie;
-        this.lancer = lancer;
+    Mesureur(Path dossier, PovRay povray, PrintStream sortie, Taille taille, boolean court,
+            Function<Reglage, List<String>> programme) {
+        this.dossier = dossier;
         this.povray = povray;
-        dossier = Files.createDirectories(csv.resolveSibling("provisoire"));
-        manches = new Manches(new Etalon()::estCalme, court);
-        sortie.println(circonstances.machine + ", " + circonstances.jvm + ", commit " + circonstances.commit);
-        Files.write(csv, Collections.singletonList(String.join(",", Releve.COLONNES)));
+        this.sortie = sortie;
+        this.programme = programme;
+        this.taille = taille;
+        manches = court ? 1 : MANCHES;
     }
 
-    /** @throws IOException si la machine n'est pas assez souvent disponible */
-    void mesurer(Taille images, List<Catalogue.Groupe> groupes) throws IOException {
-        taille = images;
-        long debut = System.nanoTime();
-        for (Catalogue.Groupe groupe : groupes) {
-            long secondes = (System.nanoTime() - debut) / 1_000_000_000;
-            sortie.println(groupe.famille + ", " + groupe.scene + ", " + taille + ", à " + secondes + " s");
-            groupe.methodes.removeIf(m -> m.povray && povray == null || m.nom.equals(Catalogue.EMBREE) && !Files.isExecutable(EMBREE));
-            if (groupe.famille.equals(Catalogue.INTERSECTIONS)) {
-                enNoyaux(groupe);
-            } else {
-                enProcessus(groupe, Scenes.fichier(groupe.scene, dossier));
+    // ---- ce qui se compte
+
+    /** Note les rayons, les examens et l'erreur de chaque réglage. */
+    void compter(Groupe groupe, Resultats resultats) throws IOException {
+        sortie.println("rayons et erreurs de " + groupe.scene + ", " + groupe.volet);
+        Path fichier = Scenes.fichier(groupe.scene, dossier);
+        Path pfm = dossier.resolve("image.pfm");
+        double rayons = rayons(Reglage.UN_RAYON.par("", "", "--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0"), fichier);
+        int pas = (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
+        Gabarit gabarit = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, pas);
+        for (Groupe.Essai essai : groupe.essais) {
+            Mesure m = resultats.noter(groupe, essai);
+            String dit = lancer(essai.reglage, fichier, taille, "--lineaire", pfm, "--statistiques").dit;
+            ImageLineaire image = ImageLineaire.lire(pfm);
+            m.rayons = somme(dit, RAYONS);
+            m.examens = somme(dit, EXAMENS);
+            m.erreur = Intervalle.deLaRacine(gabarit.carres(image));
+            m.visibles = gabarit.visibles(image);
+            m.compte = circonstances.commit + " " + circonstances.date.replaceFirst("T.*", "");
+        }
+    }
+
+    /** Les rayons de toutes sortes d'une image de ce réglage. */
+    double rayons(Reglage reglage, Path fichier) throws IOException {
+        return somme(lancer(reglage, fichier, taille, "--lineaire", dossier.resolve("image.pfm"), "--statistiques").dit, RAYONS);
+    }
+
+    /** La somme des statistiques de ces noms. */
+    private static double somme(String dit, List<String> noms) {
+        double somme = 0;
+        for (Matcher m = STATISTIQUE.matcher(dit); m.find();) {
+            somme += noms.contains(m.group(1)) ? Double.parseDouble(m.group(2)) : 0;
+        }
+        return somme;
+    }
+
+    private Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
+        Path scene = fichier;
+        if (!reglage.section.isEmpty()) {
+            scene = dossier.resolve("changee.ini");
+            Files.write(scene, (new String(Files.readAllBytes(fichier), StandardCharsets.UTF_8) + "\n" + reglage.section)
+                    .getBytes(StandardCharsets.UTF_8));
+        }
+        List<Object> commande = new ArrayList<>(Collections.singletonList(Lancement.JAVA));
+        commande.addAll(reglage.machine());
+        commande.addAll(programme.apply(reglage));
+        commande.addAll(Arrays.asList("--taille", sienne, scene));
+        commande.addAll(Arrays.asList(sorties));
+        commande.addAll(reglage.options);
+        return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi();
+    }
+
+    // ---- ce qui se chronomètre
+
+    /** Note le temps de chaque réglage, divisé dans chaque manche par celui de l'unité. */
+    void chronometrer(Groupe groupe, Resultats resultats) throws IOException {
+        Path fichier = Scenes.fichier(groupe.scene, dossier);
+        Path unite = Scenes.fichier(groupe.sceneUnite, dossier);
+        groupe.essais.removeIf(e -> e.reglage.methode.equals(Reglage.POVRAY) && povray == null
+                || e.reglage.methode.equals(Reglage.EMBREE) && !Files.isExecutable(EMBREE));
+        List<Commande> commandes = new ArrayList<>(Collections.singletonList(() -> image(Reglage.UN_RAYON, unite, taille)));
+        for (Groupe.Essai essai : groupe.essais) {
+            commandes.add(commande(essai, fichier));
+        }
+        sortie.println(groupe.volet + ", " + groupe.scene + " : " + commandes.size() + " commandes, " + manches + " manches");
+        // un premier passage charge le cache du disque
+        for (Commande c : commandes) {
+            c.prendre();
+        }
+        double[][][] pris = new double[commandes.size()][manches][];
+        for (int manche = 0; manche < manches; manche++) {
+            for (int k = 0; k < commandes.size(); k++) {
+                pris[k][manche] = commandes.get(k).prendre();
             }
         }
-    }
-
-    private void enNoyaux(Catalogue.Groupe groupe) throws IOException {
-        for (Methode methode : groupe.methodes) {
-            noter(groupe, methode, 1, new HashMap<>(), manches.mesurer(noyau(groupe.scene, groupe.methodes.get(0).nom),
-                    noyau(groupe.scene, methode.nom), court ? 1 : NOYAUX));
+        for (int k = 1; k < commandes.size(); k++) {
+            noter(resultats.noter(groupe, groupe.essais.get(k - 1)), pris[0], pris[k]);
         }
     }
 
-    private Manches.Echantillon noyau(String regime, String formule) {
-        return () -> Arrays.stream(new Lancement(dossier.resolve("pris"), Lancement.JAVA, "-cp", System.getProperty("java.class.path"),
-                Noyau.class.getName(), regime, formule).reussi().derniereLigne().split(" ")).mapToDouble(Double::parseDouble).toArray();
+    private void noter(Mesure m, double[][] unite, double[][] pris) {
+        m.unite = mediane(unite, 0) / 1e9;
+        m.rapport = Intervalle.desRapports(IntStream.range(0, pris.length).mapToDouble(k -> pris[k][0] / unite[k][0]).toArray());
+        m.processeurs = mediane(pris, 1) / 1e9;
+        m.memoire = mediane(pris, 2) / (1 << 20);
+        m.chronometre = circonstances.commit + " " + circonstances.date.replaceFirst("T.*", "");
+        m.machine = (circonstances.machine + " ; " + circonstances.coeurs + " cœurs ; " + circonstances.jvm).replace(',', ' ');
+        sortie.println(String.format(Locale.ROOT, "  %-45s %8.4g × %8.4g – %-8.4g %8.4g s", m.nom(), m.rapport.valeur, m.rapport.min,
+                m.rapport.max, m.rapport.valeur * m.unite));
     }
 
-    private void enProcessus(Catalogue.Groupe groupe, Path fichier) throws IOException {
-        for (Methode methode : groupe.methodes) {
-            Map<String, String> champs = new HashMap<>();
-            // le programme est comparé à lui-même sur une seule sphère ; les autres, à lui sur la même scène
-            boolean leNotre = methode.nom.equals(Catalogue.PROGRAMME);
-            Programme repere = new Programme("repere.png", leNotre ? Scenes.fichier("foule-1", dossier) : fichier,
-                    new Methode(Catalogue.UN_RAYON, ""));
-            Path sien = avec(methode, fichier);
-            Scene scene = Scenes.lire(sien);
-            Programme programme = new Programme("image.png", sien, methode);
-            Manches.Echantillon echantillon = programme;
-            if (methode.povray) {
-                SceneJugee jugee = new SceneJugee(povray, groupe.scene, Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
-                        taille.hauteur);
-                echantillon = () -> {
-                    jugee.dessiner(methode.options);
-                    return povray.pris();
-                };
-            } else if (methode.nom.equals(Catalogue.EMBREE)) {
-                echantillon = () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
-                        dossier.resolve("embree.ppm")).reussi().pris;
-            }
-            // un premier passage charge le cache du disque
-            repere.prendre();
-            echantillon.prendre();
-            Manches.Temps temps = manches.mesurer(repere, echantillon, court ? 2 : PROGRAMMES);
-            if (methode.nom.equals(Catalogue.EMBREE)) {
-                Controle.comparer(dossier.resolve("embree.ppm"), repere.png, taille);
-            } else if (methode.boucles) {
-                if (!Arrays.equals(Files.readAllBytes(programme.png), Files.readAllBytes(repere.png))) {
-                    throw new IllegalStateException("image fausse : " + groupe.scene + ", " + taille + ", " + methode.nom + " "
-                            + methode.parametres);
-                }
-                champs.put("pixels_verifies", String.valueOf(taille.pixels()));
-            } else if (!methode.povray) {
-                champs.putAll(Controle.controler(methode, scene, taille, programme.png));
-            }
-            noter(groupe, methode, scene.getObjets().size(), champs, temps);
+    private static double mediane(double[][] pris, int rang) {
+        return Intervalle.mediane(Arrays.stream(pris).mapToDouble(p -> p[rang]).toArray());
+    }
+
+    private Commande commande(Groupe.Essai essai, Path fichier) throws IOException {
+        Taille sienne = essai.taille;
+        if (essai.reglage.methode.equals(Reglage.POVRAY)) {
+            SceneJugee jugee = new SceneJugee(povray, "povray", Scenes.lire(fichier), Constantes.MAX_REFLETS, sienne.largeur,
+                    sienne.hauteur);
+            return () -> {
+                jugee.dessiner();
+                return povray.pris();
+            };
         }
-        Files.deleteIfExists(dossier.resolve(groupe.scene + ".pov"));
-    }
-
-    /** La scène, avec la section de cette méthode. */
-    private Path avec(Methode methode, Path fichier) throws IOException {
-        return methode.section.isEmpty() ? fichier : Files.write(dossier.resolve("changee.ini"), (new String(Files.readAllBytes(fichier),
-                StandardCharsets.UTF_8) + "\n" + methode.section).getBytes(StandardCharsets.UTF_8));
-    }
-
-    /** Un programme entier, de la commande au PNG écrit. */
-    private final class Programme implements Manches.Echantillon {
-
-        private final Path png;
-        private final List<Object> commande;
-
-        Programme(String image, Path fichier, Methode methode) {
-            png = dossier.resolve(image);
-            commande = new ArrayList<>(Collections.singletonList(Lancement.JAVA));
-            commande.addAll(methode.machine);
-            commande.addAll(Arrays.asList(lancer.apply(methode)));
-            commande.addAll(Arrays.asList("--image", png, "--taille", taille, fichier));
-            commande.addAll(Arrays.asList(methode.options));
+        if (essai.reglage.methode.equals(Reglage.EMBREE)) {
+            return () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, sienne.largeur, sienne.hauteur, sienne.fils,
+                    dossier.resolve("embree.ppm")).reussi().pris;
         }
-
-        @Override
-        public double[] prendre() throws IOException {
-            return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi().pris;
-        }
+        return () -> image(essai.reglage, fichier, sienne);
     }
 
-    private void noter(Catalogue.Groupe groupe, Methode methode, int spheres, Map<String, String> champs, Manches.Temps temps)
-            throws IOException {
-        Circonstances c = circonstances;
-        double reference = temps.reference() / 1e6;
-        Intervalle rapport = temps.rapport();
-        champs.putAll(Releve.champs("machine", c.machine, "coeurs", c.coeurs, "jvm", c.jvm, "date", c.date, "commit", c.commit, "famille",
-                groupe.famille, "scene", groupe.scene, "spheres", spheres, "methode", methode.nom, "parametres", methode.parametres,
-                "largeur", taille.largeur, "hauteur", taille.hauteur, "fils", taille.fils, "manches", temps.manches, "jetees",
-                temps.jetees(), "reference_ms", Releve.reel(reference), "processeur_ms",
-                Releve.reel(temps.cout(Manches.PROCESSEURS) / 1e6), "memoire_mo",
-                Releve.reel(temps.cout(Manches.MEMOIRE) / (1 << 20)), "rapport", Releve.reel(rapport.valeur),
-                "rapport_min", Releve.reel(rapport.min), "rapport_max", Releve.reel(rapport.max)));
-        String ligne = new Releve(champs).ligne(Releve.COLONNES);
-        Files.write(csv, Collections.singletonList(ligne), StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-        sortie.println(String.format(Locale.ROOT, "  %-17s %-40s %10.4g × %8.4g – %-8.4g %10.4g ms %2d/%d", methode.nom,
-                methode.parametres, rapport.valeur, rapport.min, rapport.max, rapport.valeur * reference, temps.couts.size(),
-                temps.manches));
+    private double[] image(Reglage reglage, Path fichier, Taille sienne) throws IOException {
+        return lancer(reglage, fichier, sienne, "--image", dossier.resolve("image.png")).pris;
+    }
+
+    /** L'image que dessine ce réglage. */
+    ImageLineaire image(Reglage reglage, Path fichier) throws IOException {
+        Path pfm = dossier.resolve("image.pfm");
+        lancer(reglage, fichier, taille, "--lineaire", pfm);
+        return ImageLineaire.lire(pfm);
     }
 }

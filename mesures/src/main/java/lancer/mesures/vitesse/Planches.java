@@ -1,115 +1,120 @@
 package lancer.mesures.vitesse;
 
-import java.awt.Color;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
-import lancer.Constantes;
 import lancer.mesures.Intervalle;
-import lancer.mesures.trace.FormeDePoint;
-import lancer.mesures.trace.Marque;
+import lancer.mesures.Nombres;
 import lancer.mesures.trace.Planche;
-import lancer.mesures.trace.Serie;
-import lancer.mesures.trace.Style;
 import lancer.mesures.trace.Volet;
 
-/** Courbes de vitesse et de précision. */
+/** Les courbes de vitesse et de précision. */
 final class Planches {
 
     /** Erreur quadratique moyenne de l'arrondi de l'écran, en niveaux. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
-    /** Lignes d'une courbe : nom dans la légende, méthodes, couleur et forme des points, vrai pour des noms de points à gauche. */
-    private static final Object[][] LIGNES = {
-        {"reflets : 0, 1, 2… à un rayon par pixel", Arrays.asList(Catalogue.REFLETS, Catalogue.UN_RAYON), Style.VERMILLON,
-            FormeDePoint.ROND, true},
-        {Catalogue.GRILLE, Arrays.asList(Catalogue.GRILLE), Style.BLEU, FormeDePoint.CARRE, false},
-        {Catalogue.COINS, Arrays.asList(Catalogue.COINS), Style.ORANGE, FormeDePoint.TRIANGLE, false},
-        {Catalogue.SANS_SECTION, Arrays.asList(Catalogue.SANS_SECTION), Style.ENCRE, FormeDePoint.TRIANGLE, false},
-        {Catalogue.PARTAGE, Arrays.asList(Catalogue.PARTAGE), Style.VERT, FormeDePoint.LOSANGE, true},
-        {Catalogue.BOUCLES, Arrays.asList(Catalogue.BOUCLES), Style.GRIS, FormeDePoint.ROND, false},
-        {Catalogue.POVRAY + ", grille adaptative", Arrays.asList(Catalogue.POVRAY), Style.CIEL, FormeDePoint.POINTE, false},
-        {Catalogue.AUTO + " erreur=1", Arrays.asList(Catalogue.AUTO), Style.POURPRE, FormeDePoint.CROIX, false}};
+    private static final String[] METHODES = {Reglage.GRILLE, Reglage.COINS, Reglage.PARTAGE, Reglage.AUTO};
 
-    /** Ordre des points d'une ligne : par nombre de réflexions, sinon celui des mesures ; « un rayon » a le nombre ordinaire. */
-    private static final Comparator<Releve> PAR_REGLAGE = Comparator.comparingInt(r -> r.methode.equals(Catalogue.UN_RAYON)
-            ? Constantes.MAX_REFLETS : r.methode.equals(Catalogue.REFLETS) ? Integer.parseInt(r.parametres) : 0);
+    private final Resultats tous;
 
-    /** Méthodes dont chaque point porte son réglage ; programmes à qui rien n'est demandé, entourés. */
-    private static final List<String> A_NOMMER = Arrays.asList(Catalogue.REFLETS, Catalogue.GRILLE, Catalogue.COINS, Catalogue.PARTAGE);
-    private static final List<String> SANS_DEMANDE = Arrays.asList(Catalogue.UN_RAYON, Catalogue.SANS_SECTION);
-
-    private final Releves releves;
-
-    Planches(Releves releves) {
-        this.releves = releves.de(Catalogue.METHODES).tels(r -> r.nombre("rapport") > 0);
+    Planches(Resultats tous) {
+        this.tous = tous;
     }
 
-    /** Les scènes qui ont une courbe. */
-    List<String> scenes() {
-        return releves.scenes();
+    boolean aDesTemps(String volet) {
+        return tous.volet(volet).toutes.stream().anyMatch(m -> m.rapport.valeur > 0);
     }
 
-    /** L'erreur selon le temps, pour une scène ou pour plusieurs sur des axes communs. */
-    Planche scenes(List<String> scenes) {
-        boolean seule = scenes.size() == 1;
-        List<Volet> volets = scenes.stream().map(scene -> volet(scene, seule)).collect(Collectors.toList());
+    /** L'erreur selon le temps de chaque réglage que l'on choisit, sur une scène. */
+    private Volet choix(String scene, boolean nommer) {
+        Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport.valeur > 0);
+        Volet volet = new Volet(nommer ? "Choisir : l'erreur de chaque réglage, et son temps" : scene, "secondes de la commande entière",
+                "erreur, en niveaux").repere(1, "1 niveau").repere(ARRONDI, "l'arrondi de l'écran");
+        volet.serie("sans option", false, points(siens.methode(Reglage.UN_RAYON.methode), siens.unite(), false));
+        for (String methode : METHODES) {
+            volet.serie(methode, true, points(siens.methode(methode), siens.unite(), nommer));
+        }
+        return volet;
+    }
+
+    private static List<Volet.Point> points(Resultats mesures, double unite, boolean nommer) {
+        return mesures.toutes.stream().map(m -> new Volet.Point(m.rapport.fois(unite), m.erreur,
+                nommer && !m.methode.equals(Reglage.AUTO)
+                ? m.parametres.replaceFirst("n=(.*) seuil=", "$1/") : "")).collect(Collectors.toList());
+    }
+
+    Planche cours() {
+        return new Planche(1, 1000).volet(choix(Catalogue.COURS, true));
+    }
+
+    /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
+    Planche scenes() {
+        List<Volet> volets = tous.volet(Catalogue.CHOIX).tels(m -> m.rapport.valeur > 0).scenes().stream()
+                .map(scene -> choix(scene, false)).collect(Collectors.toList());
         Volet.memesAxes(volets);
-        Planche planche = new Planche(seule ? "Scène du cours : l'erreur de chaque réglage, et son temps"
-                : "La même chose sur quatre scènes", "Près d'un point de coins ou de partage : n, puis le seuil. Autour des réglages sans "
-                + "section ni option, un cercle. Plus bas et plus à gauche, c'est mieux. make mesures").colonnes(2)
-                .taille(Style.LARGEUR, seule ? 1150 : 1600);
+        Planche planche = new Planche(2, 700);
         volets.forEach(planche::volet);
         return planche;
     }
 
-    private Volet volet(String scene, boolean seule) {
-        Releves siens = releves.scene(scene);
-        double secondes = siens.secondes();
-        Volet volet = new Volet(seule ? "" : scene, "secondes de la commande entière", "erreur, en niveaux")
-                .enHaut(secondes, "un rayon par pixel = 1").repere(1, "1 niveau").repere(ARRONDI, "0,29 : l'arrondi de l'écran");
-        List<Marque> sansDemande = new ArrayList<>();
-        for (Object[] ligne : LIGNES) {
-            List<Marque> marques = new ArrayList<>();
-            siens.tels(r -> ((List<?>) ligne[1]).contains(r.methode)).get().stream().sorted(PAR_REGLAGE).forEach(r -> {
-                marques.add(marque(r, secondes).nommee(seule && A_NOMMER.contains(r.methode) ? nom(r) : ""));
-                if (SANS_DEMANDE.contains(r.methode)) {
-                    sansDemande.add(marque(r, secondes).nommee(seule && r.methode.equals(Catalogue.UN_RAYON) ? r.methode : ""));
-                }
-            });
-            Serie serie = new Serie((String) ligne[0], (Color) ligne[2], (FormeDePoint) ligne[3], true, marques);
-            volet.serie((boolean) ligne[4] ? serie.nommeeAGauche() : serie);
+    /** L'erreur selon le nombre de réflexions, avec anticrénelage : une ligne par scène. */
+    Planche reflets() {
+        Resultats siens = tous.volet(Catalogue.REFLETS);
+        Volet volet = new Volet("Combien de réflexions ? L'erreur, avec anticrénelage", "--reflets", "erreur, en niveaux").xOrdinaire()
+                .repere(1, "1 niveau").repere(ARRONDI, "l'arrondi de l'écran");
+        for (String scene : siens.scenes()) {
+            volet.serie(scene, true, siens.scene(scene).toutes.stream().map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, ""))
+                    .collect(Collectors.toList()));
         }
-        return volet.serie(new Serie("", Style.NOIR, FormeDePoint.ANNEAU, false, sansDemande));
+        return new Planche(1, 1000).volet(volet);
     }
 
-    private static Marque marque(Releve r, double secondes) {
-        return new Marque(r.rapport().fois(secondes), r.erreur());
+    /** Le temps selon le nombre de lampes, de pixels, de fils : des droites, et leurs pentes. */
+    Planche couts() {
+        return new Planche(3, 620).volet(droite(Catalogue.LAMPES, "lampes", "Une lampe"))
+                .volet(droite(Catalogue.PIXELS, "millions de pixels", "Un million de pixels")).volet(fils());
     }
 
-    /** Ce qui distingue ce réglage de ceux de la même ligne : « 8/0.06 ». */
-    private static String nom(Releve r) {
-        return r.parametres.replaceFirst("n=(.*) seuil=", "$1/");
+    private Volet droite(String nom, String axe, String unite) {
+        Resultats siens = tous.volet(nom).tels(m -> m.rapport.valeur > 0);
+        double[] droite = droite(siens);
+        double max = siens.toutes.stream().mapToDouble(m -> m.x).max().orElse(1);
+        return volet(siens, axe, unite + " : " + Nombres.arrondi(droite[1]) + " s").serie("droite", true,
+                Arrays.asList(new Volet.Point(0, droite[0]), new Volet.Point(max, droite[0] + max * droite[1])));
+    }
+
+    private static Volet volet(Resultats siens, String axe, String titre) {
+        return new Volet(titre, axe, "secondes").xOrdinaire().yOrdinaire().serie("mesures", false, siens.toutes.stream()
+                .map(m -> new Volet.Point(Intervalle.exact(m.x), m.rapport.fois(siens.unite()), "")).collect(Collectors.toList()));
+    }
+
+    private Volet fils() {
+        Resultats siens = tous.volet(Catalogue.FILS).tels(m -> m.rapport.valeur > 0);
+        double un = siens.toutes.get(0).rapport.valeur;
+        double mieux = siens.toutes.stream().mapToDouble(m -> m.rapport.valeur).min().getAsDouble();
+        return volet(siens, "fils", "Fils : au mieux ÷ " + Nombres.arrondi(un / mieux));
+    }
+
+    /** L'ordonnée à l'origine et la pente de la droite des moindres carrés des temps, en secondes. */
+    static double[] droite(Resultats mesures) {
+        double unite = mesures.unite();
+        double n = mesures.toutes.size();
+        double x = mesures.toutes.stream().mapToDouble(m -> m.x).sum() / n;
+        double t = mesures.toutes.stream().mapToDouble(m -> m.rapport.valeur * unite).sum() / n;
+        double xx = mesures.toutes.stream().mapToDouble(m -> (m.x - x) * (m.x - x)).sum();
+        double xt = mesures.toutes.stream().mapToDouble(m -> (m.x - x) * (m.rapport.valeur * unite - t)).sum();
+        return new double[] {t - x * xt / xx, xt / xx};
     }
 
     /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */
-    static Planche spheres(Releves spheres) {
-        Volet volet = new Volet("", "nombre de sphères", "de la commande au PNG écrit, en secondes");
-        Object[][] series = {{Catalogue.BOUCLES, "les boucles du cours", Style.BLEU, FormeDePoint.CARRE},
-            {Catalogue.POVRAY, "POV-Ray", Style.CIEL, FormeDePoint.TRIANGLE},
-            {Catalogue.EMBREE, "Embree, en C++", Style.VERT, FormeDePoint.POINTE},
-            {Catalogue.PROGRAMME, "le programme", Style.VERMILLON, FormeDePoint.ROND}};
-        for (Object[] s : series) {
-            volet.serie(new Serie((String) s[1], (Color) s[2], (FormeDePoint) s[3], true,
-                    spheres.methode((String) s[0]).get().stream().map(r -> {
-                        Intervalle t = r.rapport().fois(r.nombre("reference_ms") / 1000);
-                        return new Marque(Intervalle.exact(r.nombre("spheres")), t);
-                    }).collect(Collectors.toList())));
+    Planche spheres() {
+        Resultats siens = tous.volet(Catalogue.SPHERES).tels(m -> m.rapport.valeur > 0);
+        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères", "secondes de la commande entière");
+        for (String methode : new String[] {Catalogue.PROGRAMME, Reglage.BOUCLES.methode, Reglage.POVRAY, Reglage.EMBREE}) {
+            volet.serie(methode, true, siens.methode(methode).toutes.stream()
+                    .map(m -> new Volet.Point(Intervalle.exact(m.x), m.rapport.fois(siens.unite()), "")).collect(Collectors.toList()));
         }
-        return new Planche("Le temps selon le nombre de sphères, de 1 à un million", "Démarrage de Java, lecture, préparation, dessin, "
-                + "écriture, à froid. Les boucles sont mesurées jusqu'à 1 000 sphères, et POV-Ray jusqu'à 100 000. make mesures")
-                .volet(volet);
+        return new Planche(1, 900).volet(volet);
     }
 }

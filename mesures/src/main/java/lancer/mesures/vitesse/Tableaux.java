@@ -4,83 +4,149 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import lancer.Constantes;
 import lancer.mesures.Intervalle;
-import lancer.mesures.trace.Style;
+import lancer.mesures.Nombres;
 
-/** Tableaux des pages, par leurs noms. */
+/** Les tableaux des pages, par leurs noms. */
 final class Tableaux {
 
     private static final Intervalle UN = Intervalle.exact(1);
+    private static final String PAS_ENCORE = "pas encore mesuré";
 
-    private final Releves releves;
-    private final List<Map<String, String>> besoins;
+    private final Resultats tous;
+    private final Resultats choix;
 
-    /** @param besoins lignes de {@code besoins.csv} */
-    Tableaux(Releves releves, List<Map<String, String>> besoins) {
-        this.releves = releves;
-        this.besoins = besoins;
+    Tableaux(Resultats tous) {
+        this.tous = tous;
+        choix = tous.volet(Catalogue.CHOIX);
     }
 
     /** Tous les tableaux ; les temps manquent s'ils n'ont pas été mesurés. */
     Map<String, String> pages() {
-        Releves methodes = releves.de(Catalogue.METHODES);
-        Releves cours = methodes.scene(Catalogue.COURS);
         Map<String, String> pages = new TreeMap<>();
-        pages.put("choisir", choisir(methodes) + source(cours));
-        pages.put("resultat", resultat(cours));
-        pages.put("comptes", comptes(methodes) + source(methodes));
-        Releves demandes = new Releves(Stream.of(cours.methode(Catalogue.UN_RAYON), releves.de(Catalogue.DEMANDES),
-                cours.methode(Catalogue.SANS_SECTION), cours.methode(Catalogue.REFLETS).tels(r -> r.parametres.equals("0")),
-                cours.methode(Catalogue.BOUCLES)).flatMap(r -> r.get().stream()).filter(r -> r.nombre("rapport") > 0)
-                .collect(Collectors.toList()));
-        pages.put("demandes", table(Arrays.asList("ce qui change", "temps, divisé par celui de la scène du cours", "processeurs",
-                "mémoire"), demandes.get().stream().map(r -> Arrays.asList(r.nom(), r.methode.equals(Catalogue.UN_RAYON) ? "l'unité"
-                : rapport(r.rapport()), processeurs(r), memoire(r))).collect(Collectors.toList()))
-                + source(demandes));
-        pages.put("options", demandes.methode(Catalogue.MAKE).get().isEmpty() ? "pas encore mesuré"
-                : couts(demandes.le(Catalogue.MAKE, "")) + " au lieu de " + couts(demandes.le(Catalogue.UN_RAYON, "")));
-        pages.put("besoins", besoins() + source(besoins.stream().map(Releve::new).collect(Collectors.toList())));
-        pages.put("machine", releves.get().stream().filter(r -> !r.texte("machine").isEmpty()).findFirst().map(r -> table(
-                Arrays.asList("machine", "cœurs", "machine virtuelle", "commit", "date"), Arrays.asList(Arrays.asList(r.texte("machine"),
-                r.texte("coeurs"), r.texte("jvm"), r.texte("commit"), r.texte("date").replace('T', ' '))))).orElse(""));
-        pages.put("lui-meme", methodes.methode(Catalogue.UN_RAYON).tels(r -> r.nombre("rapport") > 0).get().stream()
-                .map(r -> fois(r.mesure()) + " sur `" + r.scene + "`").collect(Collectors.joining(", ")));
+        Resultats couts = tous.volet(Catalogue.COUTS);
+        pages.put("choisir", choisir() + source(choix.toutes, m -> m.chronometre));
+        pages.put("resultat", resultat());
+        pages.put("comptes", comptes() + source(choix.toutes, m -> m.compte));
+        pages.put("couts", table(Arrays.asList("ce qui change", "temps, divisé par celui du programme sans option", "processeurs",
+                "mémoire"), couts.toutes.stream().map(m -> Arrays.asList(m.nom(), m.estDe(Reglage.UN_RAYON) ? "l'unité"
+                : rapport(m.rapport), processeurs(m), memoire(m))).collect(Collectors.toList()))
+                + source(couts.toutes, m -> m.chronometre));
+        pages.put("options", couts.de(Reglage.MAKE).map(m -> processeurs(m) + " de processeur et " + memoire(m) + " au lieu de "
+                + couts.de(Reglage.UN_RAYON).map(u -> processeurs(u) + " de processeur et " + memoire(u)).orElse("")).orElse(PAS_ENCORE));
+        pages.put("scenes", scenes());
+        pages.put("machine", tous.toutes.stream().filter(m -> !m.machine.isEmpty()).findFirst()
+                .map(m -> m.machine + ", commit " + m.chronometre.replace(" ", ", le ")).orElse(PAS_ENCORE));
         return pages;
     }
 
-    private static String couts(Releve r) {
-        return processeurs(r) + " de processeur et " + memoire(r);
+    // ---- la première table
+
+    /** Une question, le réglage qui y répond, ce qu'il coûte en rayons et en temps ; dessous, ce qu'il faut écrire. */
+    private String choisir() {
+        Map<String, Optional<Mesure>> lignes = new LinkedHashMap<>();
+        lignes.put("aller au plus vite", choix.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
+        lignes.put("le mieux, en deux fois ce temps", choix.lePlusJuste(Catalogue.COURS, 2));
+        lignes.put("le mieux, en quatre fois ce temps", choix.lePlusJuste(Catalogue.COURS, 4));
+        lignes.put("deux niveaux au plus", choix.lePlusRapide(Catalogue.COURS, 2));
+        lignes.put("un niveau au plus", choix.lePlusRapide(Catalogue.COURS, 1));
+        lignes.put("moins que l'arrondi de l'écran", choix.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
+        StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>réglage</th><th>erreur</th><th>pire scène</th>"
+                + "<th>rayons</th><th>temps</th></tr>\n");
+        List<String> ecrits = new ArrayList<>();
+        lignes.forEach((besoin, choisi) -> table.append("<tr><td>" + besoin + "</td>" + choisi.map(m -> "<td>" + m.nom() + "</td><td>"
+                + Nombres.niveaux(m.erreur.valeur) + "</td><td>" + choix.pire(m).map(p -> Nombres.niveaux(p.erreur.valeur) + " ("
+                + p.scene + ")").orElse("") + "</td><td>" + rayons(m) + "</td><td>" + temps(m) + "</td></tr>\n" + aEcrire(m, ecrits))
+                .orElse("<td colspan=\"5\">rien de ce qui est mesuré</td></tr>\n")));
+        return table.append("</table>\n").toString();
     }
 
-    private static String processeurs(Releve r) {
-        return avec(r.nombre("processeur_ms") / 1000, " s");
+    /** Ce qu'il faut écrire pour ce réglage, une seule fois par réglage. */
+    private static String aEcrire(Mesure m, List<String> ecrits) {
+        if (ecrits.contains(m.nom())) {
+            return "";
+        }
+        ecrits.add(m.nom());
+        Reglage reglage = Catalogue.reglage(m);
+        return "<tr><td colspan=\"6\">\n" + bloc("dans la scène", reglage.section) + bloc("dans un terminal", reglage.commande())
+                + "\n</td></tr>\n";
     }
 
-    private static String memoire(Releve r) {
-        return avec(r.nombre("memoire_mo"), " Mo");
+    /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
+    private static String bloc(String titre, String texte) {
+        return texte.isEmpty() ? "" : titre + " :\n\n" + texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
+    }
+
+    private String rayons(Mesure m) {
+        return "× " + Nombres.arrondi(m.rayons / choix.scene(m.scene).de(Reglage.UN_RAYON).map(u -> u.rayons).orElse(Double.NaN));
+    }
+
+    private String temps(Mesure m) {
+        return Nombres.arrondi(choix.scene(m.scene).unite() * m.rapport.valeur) + " s, "
+                + (m.estDe(Reglage.UN_RAYON) ? "l'unité" : fois(m.rapport));
+    }
+
+    /** Deux réglages dont l'erreur est voisine, leurs rayons et leurs temps. */
+    private String resultat() {
+        Resultats cours = choix.scene(Catalogue.COURS);
+        Optional<Mesure> partage = cours.de(Reglage.partage(8, 0.1));
+        Optional<Mesure> grille = cours.de(Reglage.grille(4));
+        if (!partage.isPresent() || !grille.isPresent()) {
+            return PAS_ENCORE;
+        }
+        double temps = grille.get().rapport.valeur / partage.get().rapport.valeur;
+        return Nombres.niveaux(partage.get().erreur.valeur) + ". La grille de 4 × 4 rayons par pixel lance "
+                + Nombres.arrondi(grille.get().rayons / partage.get().rayons) + " fois plus de rayons" + (Double.isNaN(temps) ? ""
+                : ", en " + Nombres.arrondi(temps) + " fois plus de temps") + ", pour une erreur de "
+                + Nombres.niveaux(grille.get().erreur.valeur);
+    }
+
+    // ---- les autres
+
+    /** Chaque réglage de chaque scène : rayons, erreur, pixels visiblement faux, temps. */
+    private String comptes() {
+        return table(Arrays.asList("scène", "réglage", "rayons", "erreur, en niveaux", "pixels visiblement faux", "temps",
+                "plus rapide et plus juste"), choix.toutes.stream().map(m -> Arrays.asList("`" + m.scene + "`", m.nom(), rayons(m),
+                Nombres.nombre(m.erreur.valeur) + " (de " + Nombres.nombre(m.erreur.min) + " à " + Nombres.nombre(m.erreur.max) + ")",
+                Nombres.arrondi(100 * m.visibles) + " %", m.estDe(Reglage.UN_RAYON) ? "1" : fois(m.rapport),
+                choix.vainqueur(m).map(Mesure::nom).orElse(""))).collect(Collectors.toList()));
+    }
+
+    /** Ce que demande chaque scène livrée à un rayon par pixel. */
+    private String scenes() {
+        Resultats siennes = tous.volet(Catalogue.SCENES);
+        return table(Arrays.asList("scène", "temps", "processeurs", "mémoire"), siennes.toutes.stream().map(m -> Arrays.asList(
+                "`" + m.scene + "`", avec(siennes.unite() * m.rapport.valeur, " s"), processeurs(m), memoire(m)))
+                .collect(Collectors.toList())) + source(siennes.toutes, m -> m.chronometre);
+    }
+
+    private static String processeurs(Mesure m) {
+        return avec(m.processeurs, " s");
+    }
+
+    private static String memoire(Mesure m) {
+        return avec(m.memoire, " Mo");
     }
 
     /** Le nombre et son unité ; vide s'il n'est pas mesuré. */
     private static String avec(double nombre, String unite) {
-        return Double.isNaN(nombre) ? "" : Style.nombre(nombre) + unite;
+        return Double.isNaN(nombre) ? "" : Nombres.nombre(nombre) + unite;
     }
 
-    private static String source(Releves mesures) {
-        return source(mesures.get());
+    /** La ligne sous un tableau : le commit et le jour de ses mesures ; vide s'ils ne sont pas connus. */
+    private static String source(List<Mesure> mesures, Function<Mesure, String> quand) {
+        return source(mesures.stream().map(quand).filter(s -> !s.isEmpty()).distinct().collect(Collectors.toList()));
     }
 
-    /** Ligne sous un tableau : le commit et le jour de ses mesures ; vide s'ils ne sont pas connus. */
-    static String source(List<Releve> mesures) {
-        String sources = mesures.stream().filter(r -> !r.texte("commit").isEmpty()).map(r -> r.texte("commit") + ", le "
-                + r.texte("date").replaceFirst("T.*", "")).distinct().collect(Collectors.joining(" ; "));
-        return sources.isEmpty() ? "" : "\nMesures du commit " + sources + ".\n";
+    /** @param quand un commit et un jour, séparés par une espace */
+    static String source(List<String> quand) {
+        return quand.isEmpty() ? "" : "\nMesures du commit " + quand.stream().map(s -> s.replace(" ", ", le "))
+                .collect(Collectors.joining(" ; ")) + ".\n";
     }
 
     /** Un tableau Markdown. */
@@ -91,88 +157,14 @@ final class Tableaux {
                 .collect(Collectors.joining("\n", "\n", "\n"));
     }
 
-    /** Tableau des conseils : le besoin, l'erreur sur la scène du cours et sur la pire, le temps ; dessous, ce qu'il faut écrire. */
-    private static String choisir(Releves methodes) {
-        Releves cours = methodes.scene(Catalogue.COURS);
-        Map<String, Optional<Releve>> lignes = new LinkedHashMap<>();
-        lignes.put("aller vite", cours.methode(Catalogue.UN_RAYON).get().stream().findFirst());
-        lignes.put("deux niveaux au plus", methodes.lePlusRapide(Catalogue.COURS, 2));
-        lignes.put("un niveau au plus", methodes.lePlusRapide(Catalogue.COURS, 1));
-        lignes.put("moins que l'arrondi de l'écran", methodes.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
-        lignes.put("ne pas choisir", cours.methode(Catalogue.AUTO).get().stream().findFirst());
-        StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>erreur, sur la scène du cours</th><th>erreur, sur la "
-                + "pire scène</th><th>temps, sur la scène du cours</th></tr>\n");
-        lignes.forEach((besoin, choisi) -> {
-            table.append("<tr><td>" + besoin + "</td>");
-            if (!choisi.isPresent()) {
-                table.append("<td colspan=\"3\">rien de ce qui est mesuré</td></tr>\n");
-                return;
-            }
-            Releve r = choisi.get();
-            Methode methode = Catalogue.methode(r.famille, r.scene, r.methode + "/" + r.parametres);
-            table.append("<td>" + Style.niveaux(r.erreur().valeur) + "</td><td>" + methodes.pire(r).map(p ->
-                    Style.niveaux(p.erreur().valeur) + " (" + p.scene + ")").orElse("") + "</td><td>" + secondes(cours, r)
-                    + "</td></tr>\n<tr><td colspan=\"4\">\n" + bloc("dans la scène", methode.section)
-                    + bloc("dans un terminal", methode.commande()) + "\n</td></tr>\n");
-        });
-        return table.append("</table>\n").toString();
-    }
-
-    /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
-    private static String bloc(String titre, String texte) {
-        return texte.isEmpty() ? "" : titre + " :\n\n" + texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
-    }
-
-    /** Deux réglages dont l'erreur est voisine, et leurs rayons ; vide s'ils ne sont pas mesurés. */
-    private static String resultat(Releves cours) {
-        List<Releve> deux = cours.tels(r -> (r.methode + " " + r.parametres).matches("partage n=8 seuil=0.1|grille 4 × 4")).get();
-        return deux.size() < 2 ? "" : Style.niveaux(deux.get(0).erreur().valeur) + ". La grille de 4 × 4 rayons par pixel lance "
-                + Style.arrondi(deux.get(1).rayons() / deux.get(0).rayons()) + " fois plus de rayons, pour une erreur de "
-                + Style.niveaux(deux.get(1).erreur().valeur);
-    }
-
-    private static String secondes(Releves siens, Releve r) {
-        double secondes = siens.secondes() * r.rapport().valeur;
-        return Double.isNaN(secondes) ? "" : Style.nombre(secondes) + " s, " + (r.methode.equals(Catalogue.UN_RAYON) ? "l'unité"
-                : fois(r.rapport()));
-    }
-
-    /** Tableau de chaque réglage de chaque scène : rayons, erreur, pixels visiblement faux, temps. */
-    private static String comptes(Releves methodes) {
-        return table(Arrays.asList("scène", "réglage", "rayons", "erreur, en niveaux", "pixels visiblement faux", "temps",
-                "plus rapide et plus juste"), methodes.get().stream().map(r -> Arrays.asList("`" + r.scene + "`", r.nom(),
-                "× " + Style.arrondi(r.rayons() / methodes.scene(r.scene).le(Catalogue.UN_RAYON, "").rayons()),
-                Style.nombre(r.erreur().valeur) + " (de " + Style.nombre(r.erreur().min) + " à " + Style.nombre(r.erreur().max) + ")",
-                Style.arrondi(100 * r.nombre("visibles")) + " %", r.methode.equals(Catalogue.UN_RAYON) ? "1" : fois(r.rapport()),
-                methodes.scene(r.scene).vainqueur(r).map(Releve::nom).orElse(""))).collect(Collectors.toList()));
-    }
-
     /** « × 2,6 (de 2,4 à 2,9) » ; vide si le rapport n'est pas mesuré. */
     private static String fois(Intervalle i) {
-        return i.valeur > 0 ? "× " + Style.nombre(i.valeur) + " (de " + Style.nombre(i.min) + " à " + Style.nombre(i.max) + ")" : "";
+        return i.valeur > 0 ? "× " + Nombres.nombre(i.valeur) + " (de " + Nombres.nombre(i.min) + " à " + Nombres.nombre(i.max) + ")" : "";
     }
 
     /** Facteur, ou phrase qui dit qu'aucune différence n'est sûre. */
     static String rapport(Intervalle i) {
         return UN.nettementSous(i) || i.nettementSous(UN) ? fois(i)
-                : "autant, à l'intervalle près (de " + Style.nombre(i.min) + " à " + Style.nombre(i.max) + ")";
-    }
-
-    /** Tableau des besoins de chaque scène, et des structures que le programme choisit. */
-    private String besoins() {
-        return table(Arrays.asList("scène", "rayons par pixel", "lampes", "reflets qui changent l'écran", "sphères",
-                "essayées par rayon", "structures", "première image", "mémoire"), besoins.stream().map(b -> {
-                    Releves temps = releves.scene(b.get("scene")).tels(r -> !r.famille.equals(Catalogue.DEMANDES));
-                    return Arrays.asList("`" + b.get("scene") + "`", Style.nombre(nombre(b, "rayons") / nombre(b, "largeur")
-                            / nombre(b, "hauteur")), b.get("lampes"), b.get("profondeur_utile")
-                            + (nombre(b, "profondeur_utile") > Constantes.MAX_REFLETS ? ", " + Constantes.MAX_REFLETS + " suivis" : ""),
-                            Style.nombre(nombre(b, "spheres")), Style.nombre(nombre(b, "tests_par_rayon")),
-                            b.get("structures").toLowerCase(Locale.ROOT), avec(temps.secondes(), " s"),
-                            temps.methode(Catalogue.UN_RAYON).get().stream().findFirst().map(Tableaux::memoire).orElse(""));
-                }).collect(Collectors.toList()));
-    }
-
-    private static double nombre(Map<String, String> b, String colonne) {
-        return Double.parseDouble(b.get(colonne));
+                : "autant, à l'intervalle près (de " + Nombres.nombre(i.min) + " à " + Nombres.nombre(i.max) + ")";
     }
 }

@@ -3,25 +3,19 @@ package lancer.mesures.vitesse;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UnsupportedEncodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Collectors;
-import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
-import lancer.mesures.Circonstances;
+import lancer.mesures.juge.DeuxProgrammes;
 import lancer.mesures.juge.PovRay;
-import lancer.mesures.scenes.Scenes;
 import lancer.mesures.stabilite.Mesures;
 import lancer.texte.ErreurSysteme;
 
@@ -29,22 +23,18 @@ import lancer.texte.ErreurSysteme;
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
  * {@code make mesures}, avec {@code --rapide} et au plus une des autres options.
  *
- * <p>Statut de sortie : 0 si tout est juste ; 1 si une image est fausse, ou si la machine a échoué ou n'est pas disponible ({@code
- * mesures/resultats} ne change pas) ; 2 si la demande est fausse.
+ * <p>Statut de sortie : 0 si tout est mesuré ; 1 si un programme ou la machine a échoué ({@code mesures/resultats} ne change pas) ; 2 si la
+ * demande est fausse.
  */
 public final class Vitesse {
 
-    static final String CSV = "vitesse.csv";
-    static final String BESOINS = "besoins.csv";
-
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--noyaux", "--stabilite", "--dessiner");
+    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--stabilite", "--dessiner");
 
     /** Dossier des résultats d'une mesure complète, et de ses courbes. */
-    private static final String RESULTATS = "mesures/resultats";
+    private static final Path RESULTATS = Paths.get("mesures/resultats");
 
     private final Set<String> options;
     private final boolean rapide;
-    private final Taille taille;
     private final PrintStream sortie;
 
     /** Dossier où les mesures se font, et dossier où leurs résultats sont copiés. */
@@ -57,10 +47,9 @@ public final class Vitesse {
         if (options.size() < args.length || !OPTIONS.containsAll(options)) {
             throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
         }
-        rapide = options.contains("--rapide");
-        taille = rapide ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+        rapide = options.remove("--rapide");
         travail = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
-        resultats = rapide ? travail : Paths.get(RESULTATS);
+        resultats = rapide ? travail : RESULTATS;
     }
 
     /** @param args voir la description de la classe */
@@ -87,46 +76,47 @@ public final class Vitesse {
         }
     }
 
+    private boolean demande(String option) {
+        return options.isEmpty() || options.contains(option);
+    }
+
     private void faire() throws IOException {
         if (!Files.isDirectory(Paths.get("scenes"))) {
             throw new IllegalArgumentException("pas de dossier scenes ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
-        boolean tout = options.stream().allMatch(o -> o.equals("--rapide"));
-        boolean comptes = tout || options.contains("--comptes");
-        boolean temps = tout || options.contains("--temps");
-        List<String> neufs = new ArrayList<>();
         Files.createDirectories(travail);
-        PovRay povray = comptes || temps ? povray() : null;
-        // les mesures qui ne dépendent pas de la charge de la machine viennent d'abord
-        if (comptes) {
-            Comptes lesComptes = new Comptes(taille, povray, travail, sortie);
-            lesComptes.ecrire(Catalogue.reglages());
-            compterLesBesoins();
-            neufs.addAll(Arrays.asList(Comptes.CSV, BESOINS));
-            if (povray != null) {
-                lesComptes.comparer();
-                neufs.add(Comptes.PROGRAMMES);
+        PovRay povray = povray();
+        Catalogue catalogue = new Catalogue(rapide);
+        Mesureur mesureur = new Mesureur(travail, povray, sortie, catalogue.taille, rapide, r -> Arrays.asList("-jar", r.jar()));
+        Resultats mesures = Resultats.lire(resultats);
+        // ce qui ne dépend pas de la charge de la machine vient d'abord
+        if (demande("--comptes")) {
+            for (Groupe groupe : catalogue.comptes()) {
+                mesureur.compter(groupe, mesures);
             }
         }
-        if (comptes || options.contains("--stabilite")) {
-            sortie.println("stabilité");
+        if (demande("--temps")) {
+            for (Groupe groupe : catalogue.temps()) {
+                mesureur.chronometrer(groupe, mesures);
+            }
+        }
+        if (demande("--comptes") || demande("--stabilite")) {
             new Mesures(rapide).ecrire(travail);
-            neufs.add(Mesures.CSV);
         }
-        if (temps) {
-            chronometrer(povray, CSV, Catalogue.groupes(rapide));
-            neufs.add(CSV);
+        if (demande("--comptes") && povray != null) {
+            DeuxProgrammes.dessiner(povray, travail);
         }
-        if (options.contains("--noyaux")) {
-            chronometrer(null, Methodes.CSV, Catalogue.intersections());
-            neufs.add(Methodes.CSV);
+        if (demande("--comptes") && !rapide) {
+            Decoupe.dessiner(mesures, mesureur, travail);
         }
-        Files.createDirectories(resultats);
-        for (String nom : resultats.equals(travail) ? Collections.<String>emptyList() : neufs) {
-            Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
+        mesures.ecrire(travail);
+        for (String nom : Arrays.asList(Resultats.CSV, Mesures.CSV, DeuxProgrammes.PNG, Decoupe.PNG)) {
+            if (!rapide && Files.exists(travail.resolve(nom))) {
+                Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
+            }
         }
-        new Rapport(resultats, sortie).ecrire(resultats.equals(Paths.get(RESULTATS)));
+        new Rapport(resultats).ecrire(!rapide);
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
     }
 
@@ -137,20 +127,5 @@ public final class Vitesse {
             sortie.println("Sans POV-Ray : " + e.getMessage());
             return null;
         }
-    }
-
-    /** @throws IOException si la machine n'est pas disponible ; une mesure rapide ou agitée garde toutes ses manches */
-    private void chronometrer(PovRay povray, String csv, List<Catalogue.Groupe> groupes) throws IOException {
-        new Mesureur(rapide, povray, travail.resolve(csv), sortie, m -> new String[] {"-jar", m.jar()}).mesurer(taille, groupes);
-    }
-
-    private void compterLesBesoins() throws IOException {
-        List<Path> scenes = Scenes.livrees();
-        sortie.println("besoins de " + scenes.size() + " scènes");
-        Circonstances c = new Circonstances();
-        List<String> lignes = scenes.parallelStream().map(s -> new Besoin(s, taille).ligne() + "," + c.commit + "," + c.date)
-                .collect(Collectors.toList());
-        lignes.add(0, String.join(",", Besoin.COLONNES) + ",commit,date");
-        Files.write(travail.resolve(BESOINS), lignes, StandardCharsets.UTF_8);
     }
 }

@@ -28,7 +28,7 @@ import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 
-/** {@code make reponses} : calcule les figures et les nombres de la page des réponses. Un test les compare à ceux de la page. */
+/** La cible reponses d'outils/Makefile : calcule les figures et les nombres de la page des réponses. */
 public final class Reponses {
 
     private static final int[] EXPOSANTS = {1, 8, 32, 128, 1024};

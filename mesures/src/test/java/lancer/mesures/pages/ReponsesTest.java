@@ -22,12 +22,12 @@ class ReponsesTest {
     @Test
     void lesNombresDeLaPageSontCeuxDuProgramme() throws IOException {
         String page = lire("docs/reponses.md");
-        assertEquals(PagesMesurees.remplacer(page, Reponses.valeurs()), page, "make reponses");
+        assertEquals(PagesMesurees.remplacer(page, Reponses.valeurs()), page, "make -f outils/Makefile reponses");
     }
 
     @Test
     void lesFiguresSontCellesDuProgramme() throws IOException {
-        assertEquals(Reponses.cosinus(), lire("images/reponses-cosinus.svg"), "make reponses");
+        assertEquals(Reponses.cosinus(), lire("images/reponses-cosinus.svg"), "make -f outils/Makefile reponses");
         memes(Reponses.etapes(), "images/reponses-etapes.png");
         memes(Reponses.escaliers(), "images/reponses-escaliers.png");
     }
@@ -35,6 +35,6 @@ class ReponsesTest {
     /** À un niveau près : les fonctions de Java n'arrondissent pas de même sur toutes les machines. */
     private static void memes(ImageMemoire attendue, String fichier) {
         Comparaison comparaison = new Comparaison(attendue, LectureImage.lire("../" + fichier), 1, 0);
-        assertTrue(comparaison.sontPareilles(), fichier + " n'est plus du programme (make reponses) : " + comparaison);
+        assertTrue(comparaison.sontPareilles(), fichier + " n'est plus du programme (make -f outils/Makefile reponses) : " + comparaison);
     }
 }

@@ -4,52 +4,49 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import lancer.mesures.FichierCsv;
+import java.util.stream.Collectors;
 import lancer.mesures.scenes.SceneAuHasard;
+import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Ce qui juge {@code --auto}. */
 class MesureAutoTest {
 
-    @TempDir
-    Path dossier;
-
-    private List<Map<String, String>> relire(String... lignes) throws IOException {
-        List<String> toutes = new ArrayList<>(Arrays.asList(lignes));
-        toutes.add(0, MesureAuto.COLONNES);
-        return FichierCsv.lire(Files.write(dossier.resolve("auto.csv"), toutes, StandardCharsets.UTF_8));
+    private static String bilan(List<String> lignes) {
+        return MesureAuto.tableau(lignes.stream().map(l -> l.split(",", -1)).collect(Collectors.toList())).trim().split("\n")[2];
     }
 
-    /** Plus d'erreur permise ne coûte jamais plus cher ; sur une scène simple, l'échelon choisi est presque le moins cher qui tient. */
+    /** Plus d'erreur permise ne coûte jamais plus cher ; sur une scène simple, aucune erreur n'est dite tenue à tort. */
     @Test
-    void uneSceneSimpleEstTenuePresqueAuPrixDuMoinsCherDesEchelons() throws IOException {
-        List<Map<String, String>> lues = relire(MesureAuto.lignes("sort-3", SceneAuHasard.de(3), new Taille(96, 72), 2, 4, 8)
-                .toArray(new String[0]));
-        String tableau = MesureAuto.tableau(lues);
-        assertTrue(tableau.contains("| 96 × 72 | 3 fois sur 3 | 3 fois sur 3 | "), tableau + lues);
-        assertTrue(tableau.contains(" | 0 fois sur 3 | "), "dites tenues à tort : " + tableau);
+    void uneSceneSimpleEstTenue() {
+        List<MesureAuto.Reponse> reponses = MesureAuto.repondre("sort-3", SceneAuHasard.de(3), new Taille(96, 72), 2, 4, 8);
         double prix = Double.POSITIVE_INFINITY;
-        for (Map<String, String> ligne : lues) {
-            double moinsCher = Double.parseDouble(ligne.get("rayons_moins_cher"));
-            assertTrue(moinsCher <= prix && Double.parseDouble(ligne.get("rayons")) <= 2 * moinsCher, "" + ligne);
-            prix = moinsCher;
+        for (MesureAuto.Reponse r : reponses) {
+            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne());
+            assertTrue(r.moinsCher <= prix && r.rayons > 0 && r.essais > 0, r.ligne());
+            prix = r.moinsCher;
+        }
+        String bilan = bilan(reponses.stream().map(MesureAuto.Reponse::ligne).collect(Collectors.toList()));
+        assertTrue(bilan.startsWith("| 96 × 72 | 3 fois sur 3 | "), bilan);
+    }
+
+    /** Une étoile dans le noir : ni son erreur ni une autre ne sont annoncées de ce qui n'a pas été vu. */
+    @Test
+    void deCeQuiNEstPasVuRienNEstAnnonce(@TempDir Path dossier) throws IOException {
+        for (MesureAuto.Reponse r : MesureAuto.repondre("etoile", Scenes.lire(Scenes.fichier("etoile", dossier)), new Taille(96, 72), 1)) {
+            assertTrue(r.verdict.equals("rien vu") == Double.isNaN(r.incertitude), r.ligne());
+            assertTrue(!r.verdict.equals("tenue") || r.vraie <= r.voulue, r.ligne());
         }
     }
 
     @Test
-    void ceQuiEstTenuEtSonPrixSontComptes() throws IOException {
-        String tableau = MesureAuto.tableau(relire("a,10x10,2,r,1,1.2,0.3,tenue,10,5,m,10,3,2,c,d",
-                "b,10x10,2,r,2.5,2,0.4,tenue,30,7000,m,20,3,1,c,d", "c,10x10,2,r,4,5,1,dépassée,30,5,m,20,4,1,c,d",
-                "d,10x10,2,r,4,3,2,tenue,30,5,,,1,,c,d"));
-        assertEquals("| 10 × 10 | 3 fois sur 4 | 1 fois sur 3 | 3 fois sur 4 | 2 fois sur 4 | 1 fois sur 4 | 0 fois sur 4 | 1,75 | 2,5 |",
-                tableau.trim().split("\n")[2]);
+    void ceQuiEstTenuEtSonPrixSontComptes() {
+        assertEquals("| 10 × 10 | 2 fois sur 3 | 2 fois sur 4 | 1 fois sur 2 | 1 fois sur 4 | 1 fois sur 4 | 3 fois sur 3 | × 1,5 | × 2 |",
+                bilan(Arrays.asList("a,10x10,2,r,1,1.2,0.3,tenue,10,5,10,c,d", "b,10x10,2,r,2.5,2,0.4,tenue,10,10,,c,d",
+                        "c,10x10,2,r,4,5,1,dépassée,10,5,10,c,d", "d,10x10,2,r,4,0,,rien vu,10,5,10,c,d")));
     }
 }
