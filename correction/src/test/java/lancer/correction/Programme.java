@@ -67,7 +67,7 @@ final class Programme {
             Path corrige = dossier.resolve("corrige");
             if (!Files.exists(corrige)) {
                 Map<String, String> tout = SourcesDuCours.tout(SourcesDuCours::corrige);
-                tout.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
+                SourcesDuCours.VERIFICATIONS.forEach(v -> tout.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
                 tout.put("lancer/Etapes", SourcesDuCours.ressource("projet/src/test/java/lancer/Etapes.java"));
                 compiler(tout, corrige, System.getProperty("java.class.path"));
             }

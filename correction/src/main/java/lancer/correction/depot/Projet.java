@@ -40,7 +40,7 @@ public final class Projet {
             "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|crenelage)"), "blinn", Pattern.compile("(?i)blinn"));
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
     private static final Pattern DE_TEST =
-            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
+            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
     /** Bibliothèques que la correction fournit. */
     private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
     /** Classes du cours que les autres classes n'appellent pas : leurs méthodes ne sont pas adaptées. */

@@ -46,7 +46,7 @@ final class Doublures {
     Doublures(Map<String, byte[]> classes) {
         try {
             ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
-            sources.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
+            SourcesDuCours.VERIFICATIONS.forEach(v -> sources.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }

@@ -106,7 +106,7 @@ final class JugeRendu implements AutoCloseable {
             }
         }
         for (Verification v : reference.verifications) {
-            resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule.get(v.id())));
+            resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule));
         }
         imputer();
         if (toutes.coupe()) {
@@ -250,7 +250,14 @@ final class JugeRendu implements AutoCloseable {
         return bilan;
     }
 
-    private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) throws Arret {
+    /** Dit si cette classe, seule, garde quelque chose d'un appel à l'autre : elle n'y est juste que par chance. */
+    private boolean changeDeReponse(String classe, Map<String, Verdict> parSeule) {
+        return reference.verifications.stream().anyMatch(v -> v.etape.equals(Verification.REPETITION) && v.classe.equals(classe)
+                && parSeule.containsKey(v.id()) && parSeule.get(v.id()).etat != Etat.REUSSI);
+    }
+
+    private Verdict conclure(Verification v, Verdict ensemble, Map<String, Verdict> parSeule) throws Arret {
+        Verdict seule = parSeule.get(v.id());
         if (ensemble.etat == Etat.REUSSI) {
             return ensemble;
         }
@@ -258,11 +265,11 @@ final class JugeRendu implements AutoCloseable {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
                     : " est celle du projet à compléter"));
         }
-        if (seule != null && seule.etat == Etat.REUSSI) {
+        if (seule != null && seule.etat == Etat.REUSSI && !changeDeReponse(v.classe, parSeule)) {
             return new Verdict(Etat.CACHE, ensemble.message.replace(NON_COMMENCEE, ""));
         }
         // si elle ne se compile que dans le rendu, elle y est jugée
-        Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
+        Verdict verdict = seule == null || seule.etat == Etat.REUSSI || seule.message.startsWith(NE_SE_COMPILE_PAS)
                 && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {

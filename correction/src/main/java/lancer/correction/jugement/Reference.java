@@ -74,7 +74,7 @@ public final class Reference implements AutoCloseable {
 
     /** Remplit la grille : vérifications, scènes, extensions, consignes, images du corrigé. */
     private void remplir() throws Arret {
-        verifications.forEach(grille::ajouter);
+        verifications.stream().filter(v -> !v.etape.equals(Verification.REPETITION)).forEach(grille::ajouter);
         for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
             String nom = scene.getKey();
             int[] taille = scene.getValue();

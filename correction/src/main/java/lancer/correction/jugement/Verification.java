@@ -8,6 +8,9 @@ import org.junit.platform.launcher.TestIdentifier;
 /** Un critère d'une étape : une vérification de {@code lancer.Tests}, l'image d'une scène, une extension ou une consigne. */
 public final class Verification {
 
+    /** Étape qui ne vaut rien par elle-même : une classe qui garde quelque chose d'un appel à l'autre n'est pas juste, même seule. */
+    static final String REPETITION = "repetition";
+
     final String etape;
     /** Le titre de son étape. */
     final String titreEtape;

@@ -39,7 +39,7 @@ final class Verifications {
     /** Demande à JUnit, sans les réglages de l'environnement : les doublures dépendent du fil qui exécute. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
-                .enableImplicitConfigurationParameters(false).build();
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0").build();
     }
 
     List<Verification> lister() {

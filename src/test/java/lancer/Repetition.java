@@ -1,0 +1,346 @@
+package lancer;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Order;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Rien n'est gardé d'un appel à l'autre : chaque méthode du cours est demandée plusieurs fois, d'autres entre deux, puis
+ * par deux fils à la fois. Une réponse fausse, mais toujours la même, n'est pas une faute ici. Ce fichier est donné : il
+ * n'y a rien à y changer.
+ */
+abstract class Repetition {
+
+    static final String ETAPE = "repetition";
+
+    @Test @Order(1) @Tag("Vecteur") @DisplayName("Vecteur répond toujours de même")
+    void unVecteurNeGardeRien(Bilan bilan) {
+        bilan.verifier("Vecteur");
+    }
+
+    @Test @Order(2) @Tag("Point") @DisplayName("Point répond toujours de même")
+    void unPointNeGardeRien(Bilan bilan) {
+        bilan.verifier("Point");
+    }
+
+    @Test @Order(3) @Tag("Rayon") @DisplayName("Rayon répond toujours de même")
+    void unRayonNeGardeRien(Bilan bilan) {
+        bilan.verifier("Rayon");
+    }
+
+    @Test @Order(4) @Tag("Camera") @DisplayName("Camera répond toujours de même")
+    void laCameraNeGardeRien(Bilan bilan) {
+        bilan.verifier("Camera");
+    }
+
+    @Test @Order(5) @Tag("Sphere") @DisplayName("Sphere répond toujours de même")
+    void uneSphereNeGardeRien(Bilan bilan) {
+        bilan.verifier("Sphere");
+    }
+
+    @Test @Order(6) @Tag("Scene") @DisplayName("Scene répond toujours de même")
+    void laSceneNeGardeRien(Bilan bilan) {
+        bilan.verifier("Scene");
+    }
+
+    @Test @Order(7) @Tag("Objet3D") @DisplayName("Objet3D répond toujours de même")
+    void unObjetNeGardeRien(Bilan bilan) {
+        bilan.verifier("Objet3D");
+    }
+
+    @Test @Order(8) @Tag("Lancer") @DisplayName("Lancer répond toujours de même")
+    void unLancerNeGardeRien(Bilan bilan) {
+        bilan.verifier("Lancer");
+    }
+
+    @Test @Order(9) @Tag("Lancer") @DisplayName("un pixel n'affiche rien dans la console")
+    void unPixelNAfficheRien(Bilan bilan) {
+        if (bilan.affiche != null) {
+            throw bilan.affiche;
+        }
+    }
+
+    /** Une question à une méthode du cours, et sa réponse, qui doit toujours être la même. */
+    private static final class Question {
+
+        interface Reponse {
+            Object demander(Monde monde);
+        }
+
+        final String classe;
+        final String methode;
+        final Reponse reponse;
+        String premiere;
+
+        Question(String classe, String methode, Reponse reponse) {
+            this.classe = classe;
+            this.methode = methode;
+            this.reponse = reponse;
+        }
+
+        String poser(Monde monde) {
+            return texte(reponse.demander(monde));
+        }
+
+        private static String texte(Object o) {
+            if (o instanceof Tuple) {
+                Tuple t = (Tuple) o;
+                return t.x + " " + t.y + " " + t.z + (o instanceof PointContact ? " à " + ((PointContact) o).distance : "");
+            } else if (o instanceof Couleur) {
+                Couleur c = (Couleur) o;
+                return c.r + " " + c.v + " " + c.b;
+            } else if (o instanceof Rayon) {
+                return texte(((Rayon) o).getP()) + " " + texte(((Rayon) o).getV());
+            }
+            return String.valueOf(o);
+        }
+    }
+
+    /** Les objets à qui les questions sont posées, les mêmes pour tous les fils, et la scène qu'un fil en fait. */
+    private static final class Monde {
+
+        private static final double[][] CENTRES = {{0, 0, 6}, {1.5, 0.5, 8}, {-1.5, 0.25, 7}, {0, -101, 6}};
+        private static final double[] RAYONS = {1, 1, 0.75, 100};
+        private static final Point P = new Point(0.25, -0.5, 1);
+        private static final Point Q = new Point(2, 1, -3.5);
+        private static final Vecteur U = new Vecteur(1.5, 2, -0.25);
+        private static final Vecteur W = new Vecteur(-3, 0.5, 4);
+
+        private final List<Sphere> boules;
+        private final Camera camera;
+        private final Scene scene;
+        private final Lancer lancer;
+
+        Monde() {
+            this(IntStream.range(0, RAYONS.length).mapToObj(Monde::boule).collect(Collectors.toList()), new Camera(40, 30));
+        }
+
+        private Monde(List<Sphere> boules, Camera camera) {
+            this.boules = boules;
+            this.camera = camera;
+            scene = new Scene(boules, Arrays.asList(new Lampe(new Point(-4, 6, -3), new Couleur(0.75, 0.5, 0.25)),
+                    new Lampe(new Point(5, 4, 0), new Couleur(0.25, 0.5, 0.25))));
+            lancer = new Lancer(scene, camera);
+        }
+
+        Monde pourUnFil() {
+            return new Monde(boules, camera);
+        }
+
+        private static Sphere boule(int k) {
+            Sphere boule = new Sphere(new Point(CENTRES[k][0], CENTRES[k][1], CENTRES[k][2]), RAYONS[k]);
+            boule.setKd(new Couleur(0.5, 0.25, 0.75));
+            boule.setKs(new Couleur(0.5, 0.75, 0.25));
+            boule.setNs(20);
+            return boule;
+        }
+
+        /** Un rayon neuf, vers la boule de ce rang ou un peu à côté. */
+        Rayon rayon(int k) {
+            double[] centre = CENTRES[k % 3];
+            return new Rayon(new Point(0, 0, 0), new Vecteur(centre[0] + 0.1 * k, centre[1] + 0.2, centre[2]));
+        }
+
+        Couleur couleur(int k, int profondeur) {
+            Rayon rayon = rayon(k);
+            PointContact contact = scene.getClosestIntersection(rayon, null);
+            return contact == null ? null : contact.objet.getColor(scene, rayon, contact, profondeur);
+        }
+    }
+
+    private static List<Question> questions() {
+        List<Question> toutes = new ArrayList<>(Arrays.asList(
+                new Question("Vecteur", "Vecteur", m -> new Vecteur(Monde.P, Monde.Q)),
+                new Question("Vecteur", "sub", m -> Monde.U.sub(Monde.W)),
+                new Question("Vecteur", "dot", m -> Monde.U.dot(Monde.W)),
+                new Question("Vecteur", "norme2", m -> Monde.W.norme2()),
+                new Question("Vecteur", "normalized", m -> Monde.W.normalized()),
+                new Question("Vecteur", "normalize", m -> Vecteur.normalize(Monde.W)),
+                new Question("Point", "sub", m -> Monde.P.sub(Monde.U)),
+                new Question("Point", "sub", m -> Monde.P.sub(Monde.Q)),
+                new Question("Rayon", "<init>", m -> new Rayon(Monde.P, Monde.Q)),
+                new Question("Rayon", "<init>", m -> new Rayon(Monde.P, Monde.W)),
+                new Question("Rayon", "getSkyColor", m -> m.rayon(0).getSkyColor()),
+                new Question("Camera", "getRayon", m -> m.camera.getRayon(10.5, 20.25)),
+                new Question("Camera", "getRayon", m -> m.camera.getRayon(3, 4))));
+        for (int k = 0; k < 3; k++) {
+            int q = k;
+            toutes.add(new Question("Sphere", "getIntersectionDistance", m -> m.boules.get(q).getIntersectionDistance(m.rayon(q))));
+            toutes.add(new Question("Sphere", "getIntersectionDistance", m -> m.boules.get(q).getIntersectionDistance(m.rayon(q + 1))));
+            toutes.add(new Question("Rayon", "calcContact", m -> {
+                Rayon rayon = m.rayon(q);
+                m.boules.get(q).getIntersectionDistance(rayon);
+                return rayon.calcContact();
+            }));
+            toutes.add(new Question("Scene", "getClosestIntersection", m -> m.scene.getClosestIntersection(m.rayon(q), null)));
+            toutes.add(new Question("Sphere", "getNormale", m -> m.boules.get(q).getNormale(Monde.Q)));
+            toutes.add(new Question("Objet3D", "getColor", m -> m.couleur(q, 3)));
+            toutes.add(new Question("Objet3D", "getColor", m -> m.couleur(q, 0)));
+            toutes.add(new Question("Lancer", "getCouleurPixel", m -> m.lancer.getCouleurPixel(10 + 7 * q, 14, 2)));
+        }
+        return toutes;
+    }
+
+    /** Ce que les répétitions ont montré. */
+    static final class Bilan {
+
+        /** Les classes du cours, les causes d'abord, et leurs champs qui changent. */
+        private static final List<String> CLASSES =
+                Arrays.asList("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Objet3D", "Lancer");
+        private static final List<String> DU_COURS = Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
+
+        private static final int FOIS = 40;
+        private static final int FOIS_A_DEUX = 400;
+
+        /** La classe et la méthode dont une réponse change, {@code null} si aucune ne change. */
+        final String classe;
+        final String methode;
+        final String dit;
+        /** La ligne qui affiche quelque chose dans un pixel, {@code null} si aucune ne le fait. */
+        Error affiche;
+
+        /** @param ici faux si chaque appel est long, et passe par un autre programme */
+        Bilan(boolean ici) {
+            Question fautive = null;
+            String quand = "";
+            Monde monde = new Monde();
+            List<Question> questions = questions();
+            if (ici) {
+                ecouter(monde);
+            }
+            questions.removeIf(q -> !commencer(q, monde));
+            for (int fois = 1; fois < (ici ? FOIS : 2) && fautive == null; fois++) {
+                Collections.reverse(questions);
+                fautive = fautive(questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList()));
+            }
+            if (ici && fautive == null) {
+                fautive = aDeux(questions, monde);
+                quand = ", quand deux fils la demandent à la fois";
+            }
+            classe = fautive == null ? null : fautive.classe;
+            methode = fautive == null ? null : fautive.methode;
+            dit = fautive == null ? null : classe + "." + methode.replace("<init>", "Rayon")
+                    + " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ" + champs();
+        }
+
+        /** Une question qui échoue n'est plus posée : d'autres vérifications le disent. */
+        private static boolean commencer(Question question, Monde monde) {
+            try {
+                question.premiere = question.poser(monde);
+                return true;
+            } catch (RuntimeException | StackOverflowError e) {
+                return false;
+            }
+        }
+
+        /** De celles dont la réponse a changé, la première dans l'ordre des causes dont la classe a un champ qui puisse changer. */
+        private static Question fautive(List<Question> changees) {
+            Question premiere = null;
+            for (String classe : CLASSES) {
+                for (Question q : changees) {
+                    if (q.classe.equals(classe) && (premiere == null || champs(premiere.classe).isEmpty() && !champs(classe).isEmpty())) {
+                        premiere = q;
+                    }
+                }
+            }
+            return premiere;
+        }
+
+        private static Question aDeux(List<Question> questions, Monde monde) {
+            List<Question> changees = Collections.synchronizedList(new ArrayList<>());
+            AtomicReference<Throwable> echec = new AtomicReference<>();
+            List<Thread> fils = new ArrayList<>();
+            for (int k = 0; k < 2; k++) {
+                List<Question> siennes = new ArrayList<>(questions);
+                Collections.rotate(siennes, k * siennes.size() / 2);
+                Thread fil = new Thread(() -> {
+                    Monde sien = monde.pourUnFil();
+                    try {
+                        for (int fois = 0; fois < FOIS_A_DEUX; fois++) {
+                            siennes.stream().filter(q -> !q.premiere.equals(q.poser(sien))).forEach(changees::add);
+                        }
+                    } catch (RuntimeException | StackOverflowError e) {
+                        echec.set(e);
+                    }
+                });
+                fil.setDaemon(true);
+                fils.add(fil);
+                fil.start();
+            }
+            try {
+                for (Thread fil : fils) {
+                    fil.join();
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            return fautive(changees);
+        }
+
+        /** Dessine quelques pixels en écoutant la sortie. */
+        private void ecouter(Monde monde) {
+            PrintStream sortie = System.out;
+            Throwable[] ou = new Throwable[1];
+            System.setOut(new PrintStream(new ByteArrayOutputStream()) {
+                @Override
+                public void write(byte[] octets, int debut, int combien) {
+                    ou[0] = ou[0] == null ? new Throwable() : ou[0];
+                }
+            });
+            try {
+                for (int xe = 0; xe < 40; xe += 3) {
+                    monde.lancer.getCouleurPixel(xe, 15, 1);
+                }
+            } catch (RuntimeException | StackOverflowError e) {
+                // d'autres vérifications le disent
+            } finally {
+                System.setOut(sortie);
+            }
+            if (ou[0] != null) {
+                affiche = new Error("dessiner un pixel affiche du texte dans la console : une image en a 480 000");
+                affiche.setStackTrace(Arrays.stream(ou[0].getStackTrace()).filter(Causes::deLEtudiant).toArray(StackTraceElement[]::new));
+            }
+        }
+
+        /** Les champs de cette classe qui peuvent changer, sans ceux du cours. */
+        private static List<String> champs(String classe) {
+            List<String> noms = new ArrayList<>();
+            try {
+                for (Field champ : Class.forName("lancer." + classe, false, Bilan.class.getClassLoader()).getDeclaredFields()) {
+                    if (!Modifier.isFinal(champ.getModifiers()) && !champ.isSynthetic() && !DU_COURS.contains(classe + "." + champ.getName())) {
+                        noms.add(champ.getName());
+                    }
+                }
+            } catch (ClassNotFoundException e) {
+                // une classe renommée ne se compilerait pas avec Tests
+            }
+            return noms;
+        }
+
+        private String champs() {
+            List<String> noms = champs(classe);
+            return noms.isEmpty() ? "" : " : " + String.join(", ", noms);
+        }
+
+        /** Échoue si une réponse de cette classe change. */
+        void verifier(String laquelle) {
+            if (laquelle.equals(classe)) {
+                fail(dit);
+            }
+        }
+    }
+}
