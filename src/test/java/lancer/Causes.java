@@ -11,9 +11,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.InvocationInterceptor;
-import org.junit.jupiter.api.extension.ParameterContext;
-import org.junit.jupiter.api.extension.ParameterResolver;
 import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
+import org.junit.jupiter.api.extension.TestInstancePostProcessor;
 import org.opentest4j.TestAbortedException;
 
 /**
@@ -21,7 +20,7 @@ import org.opentest4j.TestAbortedException;
  * évaluable », et nomme cet échec. Une vérification a dix secondes, ou {@code -Dtests.patience} ; 0 : autant qu'elle en
  * veut. Ce fichier est donné : il n'y a rien à y changer.
  */
-public final class Causes implements InvocationInterceptor, ParameterResolver {
+public final class Causes implements InvocationInterceptor, TestInstancePostProcessor {
 
     /**
      * Les méthodes du cours, les causes d'abord : leur classe, puis, si elle s'écrit en deux fois, une méthode et son
@@ -135,13 +134,10 @@ public final class Causes implements InvocationInterceptor, ParameterResolver {
     }
 
     @Override
-    public boolean supportsParameter(ParameterContext parametre, ExtensionContext qui) {
-        return parametre.getParameter().getType() == Repetition.Bilan.class;
-    }
-
-    @Override
-    public Object resolveParameter(ParameterContext parametre, ExtensionContext qui) {
-        return bilan(qui);
+    public void postProcessTestInstance(Object instance, ExtensionContext qui) {
+        if (instance instanceof Repetition) {
+            ((Repetition) instance).bilan = () -> bilan(qui);
+        }
     }
 
     /** Millisecondes ; 0 si rien n'est mesuré : un débogueur arrête le programme autant qu'il veut. */

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
@@ -27,50 +28,53 @@ abstract class Repetition {
 
     static final String ETAPE = "repetition";
 
+    /** Demandé une fois pour toutes les vérifications : voir {@link Causes}. */
+    Supplier<Bilan> bilan;
+
     @Test @Order(1) @Tag("Vecteur") @DisplayName("Vecteur répond toujours de même")
-    void unVecteurNeGardeRien(Bilan bilan) {
-        bilan.verifier("Vecteur");
+    void unVecteurNeGardeRien() {
+        bilan.get().verifier("Vecteur");
     }
 
     @Test @Order(2) @Tag("Point") @DisplayName("Point répond toujours de même")
-    void unPointNeGardeRien(Bilan bilan) {
-        bilan.verifier("Point");
+    void unPointNeGardeRien() {
+        bilan.get().verifier("Point");
     }
 
     @Test @Order(3) @Tag("Rayon") @DisplayName("Rayon répond toujours de même")
-    void unRayonNeGardeRien(Bilan bilan) {
-        bilan.verifier("Rayon");
+    void unRayonNeGardeRien() {
+        bilan.get().verifier("Rayon");
     }
 
     @Test @Order(4) @Tag("Camera") @DisplayName("Camera répond toujours de même")
-    void laCameraNeGardeRien(Bilan bilan) {
-        bilan.verifier("Camera");
+    void laCameraNeGardeRien() {
+        bilan.get().verifier("Camera");
     }
 
     @Test @Order(5) @Tag("Sphere") @DisplayName("Sphere répond toujours de même")
-    void uneSphereNeGardeRien(Bilan bilan) {
-        bilan.verifier("Sphere");
+    void uneSphereNeGardeRien() {
+        bilan.get().verifier("Sphere");
     }
 
     @Test @Order(6) @Tag("Scene") @DisplayName("Scene répond toujours de même")
-    void laSceneNeGardeRien(Bilan bilan) {
-        bilan.verifier("Scene");
+    void laSceneNeGardeRien() {
+        bilan.get().verifier("Scene");
     }
 
     @Test @Order(7) @Tag("Objet3D") @DisplayName("Objet3D répond toujours de même")
-    void unObjetNeGardeRien(Bilan bilan) {
-        bilan.verifier("Objet3D");
+    void unObjetNeGardeRien() {
+        bilan.get().verifier("Objet3D");
     }
 
     @Test @Order(8) @Tag("Lancer") @DisplayName("Lancer répond toujours de même")
-    void unLancerNeGardeRien(Bilan bilan) {
-        bilan.verifier("Lancer");
+    void unLancerNeGardeRien() {
+        bilan.get().verifier("Lancer");
     }
 
     @Test @Order(9) @Tag("Lancer") @DisplayName("un pixel n'affiche rien dans la console")
-    void unPixelNAfficheRien(Bilan bilan) {
-        if (bilan.affiche != null) {
-            throw bilan.affiche;
+    void unPixelNAfficheRien() {
+        if (bilan.get().affiche != null) {
+            throw bilan.get().affiche;
         }
     }
 
