@@ -8,9 +8,11 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -207,8 +209,9 @@ abstract class Repetition {
                 Arrays.asList("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Objet3D", "Lancer");
         private static final List<String> DU_COURS = Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
 
-        private static final int FOIS = 40;
-        private static final int FOIS_A_DEUX = 400;
+        /** Combien de fois chaque question est posée, selon qu'un champ peut changer ou non ; par deux fils, dans le premier cas. */
+        private static final int FOIS = 400;
+        private static final int FOIS_SANS_CHAMP = 3;
 
         /** La classe et la méthode dont une réponse change, {@code null} si aucune ne change. */
         final String classe;
@@ -227,11 +230,12 @@ abstract class Repetition {
                 ecouter(monde);
             }
             questions.removeIf(q -> !commencer(q, monde));
-            for (int fois = 1; fois < (ici ? FOIS : 2) && fautive == null; fois++) {
+            boolean champ = ici && CLASSES.stream().anyMatch(Bilan::peutChanger);
+            for (int fois = 1; fois < (champ ? FOIS : FOIS_SANS_CHAMP) && fautive == null; fois++) {
                 Collections.reverse(questions);
                 fautive = fautive(questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList()));
             }
-            if (ici && fautive == null) {
+            if (champ && fautive == null) {
                 fautive = aDeux(questions, monde);
                 quand = ", quand deux fils la demandent à la fois";
             }
@@ -266,19 +270,21 @@ abstract class Repetition {
 
         private static Question aDeux(List<Question> questions, Monde monde) {
             List<Question> changees = Collections.synchronizedList(new ArrayList<>());
-            AtomicReference<Throwable> echec = new AtomicReference<>();
+            CountDownLatch depart = new CountDownLatch(2);
             List<Thread> fils = new ArrayList<>();
             for (int k = 0; k < 2; k++) {
                 List<Question> siennes = new ArrayList<>(questions);
                 Collections.rotate(siennes, k * siennes.size() / 2);
                 Thread fil = new Thread(() -> {
                     Monde sien = monde.pourUnFil();
+                    depart.countDown();
                     try {
-                        for (int fois = 0; fois < FOIS_A_DEUX; fois++) {
+                        depart.await();
+                        for (int fois = 0; fois < FOIS; fois++) {
                             siennes.stream().filter(q -> !q.premiere.equals(q.poser(sien))).forEach(changees::add);
                         }
-                    } catch (RuntimeException | StackOverflowError e) {
-                        echec.set(e);
+                    } catch (InterruptedException | RuntimeException | StackOverflowError e) {
+                        // une question qui échoue n'est plus posée
                     }
                 });
                 fil.setDaemon(true);
@@ -333,6 +339,17 @@ abstract class Repetition {
                 // une classe renommée ne se compilerait pas avec Tests
             }
             return noms;
+        }
+
+        /** Dit si cette classe a un champ qui puisse changer, même si son nom désigne toujours le même tableau. */
+        private static boolean peutChanger(String classe) {
+            try {
+                return !champs(classe).isEmpty() || Arrays.stream(Class.forName("lancer." + classe, false, Bilan.class.getClassLoader())
+                        .getDeclaredFields()).anyMatch(c -> c.getType().isArray() || Modifier.isStatic(c.getModifiers())
+                        && (Collection.class.isAssignableFrom(c.getType()) || Map.class.isAssignableFrom(c.getType())));
+            } catch (ClassNotFoundException e) {
+                return false;
+            }
         }
 
         private String champs() {

@@ -232,6 +232,17 @@ public class Tests extends Valeurs {
             verifier("l'opposé de " + texte(a), somme(a, -2, a), u.neg());
             verifier("le point " + texte(a) + " translaté de " + texte(b), somme(a, 1, b), p.add(v));
         }
+
+        @Test @Order(9) @Tag("Couleur") @DisplayName("getCode limite chaque composante d'une couleur à [0, 1]")
+        void uneCouleurALEcranEstLimitee() {
+            code("au-delà de 1, en dessous de 0, et NaN", 0xFF0000, new Couleur(1.5, -0.5, Double.NaN));
+            code("entre 0 et 1", 0x3366CC, new Couleur(0.2, 0.4, 0.8));
+        }
+
+        private void code(String demande, int attendu, Couleur couleur) {
+            dire((couleur.getCode() & 0xFFFFFF) == attendu, "le code d'une couleur aux composantes " + demande,
+                    Integer.toHexString(attendu), Integer.toHexString(couleur.getCode() & 0xFFFFFF));
+        }
     }
 
     @Nested @Order(2) @Tag("rayons") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)

@@ -106,7 +106,7 @@ final class JugeRendu implements AutoCloseable {
             }
         }
         for (Verification v : reference.verifications) {
-            resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule));
+            resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule.get(v.id())));
         }
         imputer();
         if (toutes.coupe()) {
@@ -149,12 +149,34 @@ final class JugeRendu implements AutoCloseable {
                 }
             }
         }
+        chercherCeQuiEstGarde(cachees);
         // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
         cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
         for (Verification v : cachees) {
             charger(v, resultat.verdicts.get(v.id()).message, v.classe);
             resultat.regarder("« " + v.titre + " » n'échoue qu'avec toutes les classes ensemble");
         }
+    }
+
+    /**
+     * Attribue, parmi ces vérifications, celles qui échouent quand elles suivent toutes les autres : la classe qui les fait échouer, seule
+     * avec celles du corrigé, garde quelque chose d'un appel à l'autre.
+     */
+    private void chercherCeQuiEstGarde(List<Verification> cachees) throws Arret {
+        for (String classe : changees(SourcesDuCours.A_COMPLETER)) {
+            if (cachees.isEmpty()) {
+                break;
+            }
+            Map<String, Verdict> ensuite = lancer(seule(classe), reference.verifications).verdicts;
+            for (Verification v : List.copyOf(cachees)) {
+                if (ensuite.get(v.id()).etat != Etat.REUSSI) {
+                    cachees.remove(v);
+                    charger(v, "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe, classe);
+                }
+            }
+        }
+        verifications(v -> v.etape.equals(Verification.REPETITION) && resultat.verdicts.get(v.id()).rate())
+                .forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
     }
 
     private void charger(Verification v, String message, String classe) {
@@ -250,14 +272,7 @@ final class JugeRendu implements AutoCloseable {
         return bilan;
     }
 
-    /** Dit si cette classe, seule, garde quelque chose d'un appel à l'autre : elle n'y est juste que par chance. */
-    private boolean changeDeReponse(String classe, Map<String, Verdict> parSeule) {
-        return reference.verifications.stream().anyMatch(v -> v.etape.equals(Verification.REPETITION) && v.classe.equals(classe)
-                && parSeule.containsKey(v.id()) && parSeule.get(v.id()).etat != Etat.REUSSI);
-    }
-
-    private Verdict conclure(Verification v, Verdict ensemble, Map<String, Verdict> parSeule) throws Arret {
-        Verdict seule = parSeule.get(v.id());
+    private Verdict conclure(Verification v, Verdict ensemble, Verdict seule) throws Arret {
         if (ensemble.etat == Etat.REUSSI) {
             return ensemble;
         }
@@ -265,11 +280,11 @@ final class JugeRendu implements AutoCloseable {
             return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
                     : " est celle du projet à compléter"));
         }
-        if (seule != null && seule.etat == Etat.REUSSI && !changeDeReponse(v.classe, parSeule)) {
+        if (seule != null && seule.etat == Etat.REUSSI) {
             return new Verdict(Etat.CACHE, ensemble.message.replace(NON_COMMENCEE, ""));
         }
         // si elle ne se compile que dans le rendu, elle y est jugée
-        Verdict verdict = seule == null || seule.etat == Etat.REUSSI || seule.message.startsWith(NE_SE_COMPILE_PAS)
+        Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
                 && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_COMMENCE) {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
@@ -62,7 +63,7 @@ public final class Reference implements AutoCloseable {
         verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
         grille = new GrilleDeNotation(sansConfinement);
         remplir();
-        for (String classe : SourcesDuCours.A_COMPLETER) {
+        for (String classe : verifications.stream().map(v -> v.classe).collect(Collectors.toSet())) {
             seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
