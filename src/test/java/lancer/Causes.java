@@ -1,5 +1,6 @@
 package lancer;
 
+import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.InvocationInterceptor;
 import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
 import org.junit.jupiter.api.extension.TestInstancePostProcessor;
+import org.junit.jupiter.api.function.Executable;
 import org.opentest4j.TestAbortedException;
 
 /**
@@ -34,6 +36,9 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     private static final String NON_EVALUABLE = "étape non évaluable : ";
 
+    /** Millisecondes laissées aux répétitions, qui ne devraient pas en prendre la moitié. */
+    private static final long REPETITIONS_MS = 5000;
+
     /** Les piles d'un fil qui ne répond pas, et les millisecondes de l'une à l'autre. */
     private static final int PILES = 10;
     private static final int ECART_MS = 20;
@@ -46,7 +51,8 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         /** Le rang d'une méthode qui ne finit pas, et son nom. */
         private int rangSansFin = ORDRE.size();
         private String sansFin;
-        private Repetition.Bilan bilan;
+        private boolean commence;
+        private volatile Repetition.Bilan bilan;
         /** Ce que dit {@link Tests#ombreDeSoi}, vide si elle ne dit rien ; {@code null} : pas encore demandé. */
         private String ombre;
     }
@@ -86,8 +92,9 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             etape.skip();
             throw new TestAbortedException(NON_EVALUABLE + vu.sansFin + " ne finit pas");
         }
+        commencer(vu, patience(qui));
         try {
-            limiter(etape, patience(qui), vu);
+            limiter(etape::proceed, patience(qui), vu);
         } catch (TestAbortedException e) {
             throw e;
         } catch (Throwable faute) {
@@ -97,6 +104,23 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             }
             vu.echecs.putIfAbsent(rang, qui.getDisplayName());
             throw faute;
+        }
+    }
+
+    /** Répète les questions avant toutes les autres : ce qui est gardé l'est déjà après elles. */
+    private static void commencer(Vu vu, long patience) {
+        if (patience > 0 && !vu.commence) {
+            vu.commence = true;
+            PrintStream sortie = System.out;
+            try {
+                limiter(() -> vu.bilan = new Repetition.Bilan(true), Math.min(patience, REPETITIONS_MS), new Vu());
+            } catch (Throwable sansFin) {
+                // les vérifications le disent
+                vu.bilan = new Repetition.Bilan();
+            } finally {
+                // les répétitions l'écoutent
+                System.setOut(sortie);
+            }
         }
     }
 
@@ -128,7 +152,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     private static Repetition.Bilan bilan(ExtensionContext qui) {
         Vu vu = vu(qui);
         if (vu.bilan == null) {
-            vu.bilan = new Repetition.Bilan(patience(qui) > 0);
+            vu.bilan = new Repetition.Bilan(false);
         }
         return vu.bilan;
     }
@@ -147,15 +171,15 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     }
 
     /** Mène cette vérification dans un fil que l'on abandonne s'il ne finit pas à temps. */
-    private static void limiter(Invocation<Void> etape, long patience, Vu vu) throws Throwable {
+    private static void limiter(Executable etape, long patience, Vu vu) throws Throwable {
         if (patience == 0) {
-            etape.proceed();
+            etape.execute();
             return;
         }
         Throwable[] faute = new Throwable[1];
         Thread fil = new Thread(() -> {
             try {
-                etape.proceed();
+                etape.execute();
             } catch (Throwable e) {
                 faute[0] = e;
             }

@@ -220,6 +220,13 @@ abstract class Repetition {
         /** La ligne qui affiche quelque chose dans un pixel, {@code null} si aucune ne le fait. */
         Error affiche;
 
+        /** Rien n'a pu être demandé. */
+        Bilan() {
+            classe = null;
+            methode = null;
+            dit = null;
+        }
+
         /** @param ici faux si chaque appel est long, et passe par un autre programme */
         Bilan(boolean ici) {
             Question fautive = null;

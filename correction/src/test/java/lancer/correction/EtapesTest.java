@@ -103,7 +103,7 @@ class EtapesTest {
                 tests.add(DynamicTest.dynamicTest(faute + (enChemin ? ", en chemin" : ""), () -> {
                     for (long graine = enChemin ? 0 : 1; graine <= (enChemin ? 0 : GRAINES); graine++) {
                         String dit = faute.programme.bilan(graine);
-                        assertEquals("", faute.ecart(dit), "graine " + graine + " " + dit);
+                        assertEquals("", faute.ecart(dit), faute + ", graine " + graine + " " + dit);
                     }
                 }));
             }

@@ -210,8 +210,8 @@ final class Programme {
             ClassLoader chargeur = chargeur();
             lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance());
         } finally {
-            System.setOut(sortie);
             arreter();
+            System.setOut(sortie);
             System.clearProperty("etapes.sources");
             System.clearProperty(GRAINE);
         }

@@ -62,7 +62,7 @@ public class Etapes implements TestExecutionListener {
                         : premier.aCommencer ? " ; à commencer : " + premier.dit
                         : " ; à reprendre d'abord : " + premier.intitule);
                 // ce qu'une étape d'après explique n'est pas imputé à celle-ci
-                if (aReprendre == null || aReprendre.nonEvaluable && !premier.nonEvaluable) {
+                if (aReprendre == null || !premier.nonEvaluable && (aReprendre.nonEvaluable || aReprendre.aCommencer && !premier.aCommencer)) {
                     aReprendre = premier;
                     detail = manques.stream().map(Manque::toString).distinct().collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
