@@ -67,6 +67,6 @@ public class Camera {
      */
     public Rayon getRayon(double xe, double ye) {
         Point ecran = getEcran(xe, ye);
-        return new Rayon(ecran, new Vecteur(OEIL, ecran));
+        return new Rayon(ecran, new Vecteur(getOeil(), ecran));
     }
 }

@@ -6,11 +6,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
-import lancer.contrat.Sondable;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
@@ -64,32 +61,12 @@ public final class Lancer {
         partager(fils, true, null, toile, profondeur);
     }
 
-    /**
-     * Dessine tous les pixels, selon l'échantillonnage de la scène. Si une réponse de la recherche diffère ensuite de
-     * celle des boucles du cours, les boucles les dessinent de nouveau.
-     */
+    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
         Fil.commencer("préparation");
         Echantillonnage choisi = scene.getModele().getEchantillonnage();
         Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        if (sonder(partager(fils, false, prepare, toile, profondeur))) {
-            fautes.oublier();
-            partager(fils, false, prepare, toile, profondeur);
-        }
-    }
-
-    /** Compare la recherche aux boucles du cours, comme après un dessin. */
-    public void sonder() {
-        sonder(new Lancer(this).scene);
-    }
-
-    /** Compare la recherche aux boucles de cette scène, qu'elle a dessinée. @return vrai si une réponse diffère */
-    private boolean sonder(Scene dessinee) {
-        Recherche recherche = dessinee.getModele().getRecherche();
-        Fil.commencer("vérification");
-        boolean differe = recherche instanceof Sondable && ((Sondable) recherche).differe(dessinee, camera);
-        Fil.commencer("");
-        return differe;
+        partager(fils, false, prepare, toile, profondeur);
     }
 
     void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
@@ -136,13 +113,9 @@ public final class Lancer {
         }
     }
 
-    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. @return la scène d'un de ces fils */
-    private Scene partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
-        Modele modele = scene.getModele();
-        if (modele.getRecherche() != null) {
-            modele.getRecherche().verifier();
-        }
-        long debut = System.nanoTime() - modele.getConstructionNs();
+    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. */
+    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
         List<Lancer> siens = new ArrayList<>();
         List<IntConsumer> ouvriers = new ArrayList<>();
@@ -157,8 +130,7 @@ public final class Lancer {
             total.ajouter(sien.scene.getCompteurs());
         }
         compteurs = total;
-        dureeNs = System.nanoTime() - modele.getConstructionNs() - debut;
-        return siens.get(0).scene;
+        dureeNs = System.nanoTime() - debut;
     }
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */

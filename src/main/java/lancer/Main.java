@@ -93,7 +93,11 @@ public class Main implements Toile {
         Lancer lancer = dessin.preparer(largeur, hauteur);
         lancer.getFautes().tolerer();
         try {
-            lancer.TracerImage(this, dessin.getReglages().getProfondeur(), options.fils);
+            int profondeur = dessin.getReglages().getProfondeur();
+            lancer.TracerImage(dessin.getRegard().sur(this), profondeur, options.fils);
+            if (dessin.getRegard().cachait(lancer, profondeur)) {
+                lancer.TracerPixels(this, profondeur, options.fils);
+            }
         } catch (PixelFautif e) {
             throw dessin.nommer(e);
         }

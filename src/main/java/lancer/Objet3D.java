@@ -3,7 +3,7 @@ package lancer;
 /**
  * Objet que rencontre un rayon : une forme et une matière (cours, « Éclairage diffus » à « Reflets »). Une forme
  * nouvelle définit {@link #getIntersectionDistance} et {@link #getNormale}. Elle peut aussi redéfinir
- * {@link #getPointDeSurface}, qui corrige les arrondis du contact.
+ * {@link #getPointDeSurface}, qui corrige les arrondis du contact, {@link #getEnveloppe} et {@link #getKd(Point)}.
  */
 public abstract class Objet3D {
 
@@ -17,6 +17,16 @@ public abstract class Objet3D {
      * @return la plus petite distance strictement positive, +∞ s'il n'y en a pas
      */
     public abstract double getIntersectionDistance(Rayon incident);
+
+    /**
+     * Une sphère qui contient tout l'objet : un rayon qui ne la rencontre pas n'est pas soumis à l'objet. Elle ne sert
+     * qu'à la vitesse.
+     *
+     * @return {@code null}, la valeur par défaut, pour un objet sans borne : il est soumis à tous les rayons
+     */
+    public Sphere getEnveloppe() {
+        return null;
+    }
 
     /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */
     public abstract Vecteur getNormale(Point contact);
@@ -42,6 +52,7 @@ public abstract class Objet3D {
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
         Lumiere lumiere = scene.getLumiere(N, R);
+        Couleur diffusion = getKd(contact);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
             // le signe de N·L suffit : une lampe exactement sur le contact n'a pas de direction L
@@ -50,7 +61,7 @@ public abstract class Objet3D {
                 Couleur KL = lampe.getCouleur();
                 double cosinus = Math.min(1, N.dot(L));
                 double eclat = Ks.estNoire() ? 0 : scene.getModele().getSpecularite().eclat(V, N, L, R, ns);
-                Couleur apport = lumiere.apport(KL, Kd, cosinus, Ks, eclat);
+                Couleur apport = lumiere.apport(KL, diffusion, cosinus, Ks, eclat);
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     lumiere.ajouter(apport);
                 }
@@ -67,7 +78,12 @@ public abstract class Objet3D {
         return lumiere.getCouleur();
     }
 
-    /** Couleur de diffusion, composantes dans [0, 1]. */
+    /** La couleur de diffusion en ce point : celle de la matière, sauf si une forme a un motif. */
+    public Couleur getKd(Point contact) {
+        return Kd;
+    }
+
+    /** Couleur de diffusion de la matière, composantes dans [0, 1]. */
     public Couleur getKd() {
         return Kd;
     }

@@ -7,6 +7,7 @@ import lancer.contrat.Compteurs;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
+import lancer.contrat.TousLesObjets;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import lancer.scene.SpheresConfondues;
@@ -17,15 +18,13 @@ import lancer.scene.SpheresConfondues;
  */
 public final class Scene {
 
-    /** Écart permis entre 1 et le carré de la longueur d'une direction pour qu'une {@link Recherche} réponde. */
-    private static final double UNITE = 1e-10;
-
     /** Nombre d'intersections, moins un, entre deux lectures de l'interruption du fil. */
     private static final long PAS = (1 << 14) - 1;
 
-    private final List<Objet3D> objets;
+    private final Objet3D[] objets;
     final Lampe[] lampes;
     private final Modele modele;
+    private final Recherche tous;
     private final Compteurs compteurs = new Compteurs();
 
     /**
@@ -44,14 +43,16 @@ public final class Scene {
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this.objets = Collections.unmodifiableList(SpheresConfondues.sans(objets));
+        this.objets = SpheresConfondues.sans(objets).toArray(new Objet3D[0]);
         this.lampes = lampes.toArray(new Lampe[0]);
+        tous = new TousLesObjets(this.objets.length);
         modele = new Modele();
     }
 
     private Scene(Scene autre, Modele modele) {
         objets = autre.objets;
         lampes = autre.lampes;
+        tous = autre.tous.pourUnFil(compteurs);
         this.modele = modele.pourUnFil(compteurs);
     }
 
@@ -72,22 +73,22 @@ public final class Scene {
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
-        if (seCherche(incident.getV())) {
-            modele.getRecherche().plusProche(incident, saufLui);
-        } else {
-            Objet3D plusProche = null;
-            double distance = Constantes.INFINI;
-            for (Objet3D objet : objets) {
-                if (objet != saufLui) {
-                    double d = demander(objet, incident);
-                    if (d < distance) {
-                        plusProche = objet;
-                        distance = d;
-                    }
+        Recherche.obeir();
+        Recherche recherche = getRecherche();
+        recherche.commencer(incident.getP(), incident.getV(), saufLui);
+        double distance = Constantes.INFINI;
+        int plusProche = -1;
+        for (int k = recherche.suivant(distance); k >= 0; k = recherche.suivant(distance)) {
+            if (objets[k] != saufLui) {
+                double d = demander(objets[k], incident);
+                // à la même distance, l'objet qui vient d'abord dans la scène
+                if (d < distance || d == distance && k < plusProche) {
+                    plusProche = k;
+                    distance = d;
                 }
             }
-            incident.setContact(plusProche, distance);
         }
+        incident.setContact(plusProche < 0 ? null : objets[plusProche], distance);
         return incident.calcContact();
     }
 
@@ -115,21 +116,22 @@ public final class Scene {
 
     /** Dit si le rayon d'ombre qui part de P dans la direction V rencontre un autre objet avant cette distance. */
     private boolean estCacheeDe(Point P, Vecteur V, double distance, Objet3D objet, Lampe lampe) {
-        if (seCherche(V)) {
-            return modele.getRecherche().estCachee(lampe, P, V, distance, objet);
-        }
+        Recherche.obeir();
+        Recherche recherche = getRecherche();
+        recherche.commencerOmbre(lampe, P, V, distance, objet);
         Rayon ombre = Rayon.dOmbre(P, V);
-        for (Objet3D autre : objets) {
-            if (autre != objet && demander(autre, ombre) < distance) {
+        for (int k = recherche.suivant(distance); k >= 0; k = recherche.suivant(distance)) {
+            if (objets[k] != objet && demander(objets[k], ombre) < distance) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Dit si une {@link Recherche} répond à ce rayon : elle suppose une direction de longueur 1. */
-    private boolean seCherche(Vecteur V) {
-        return modele.getRecherche() != null && Math.abs(V.x * V.x + V.y * V.y + V.z * V.z - 1) < UNITE;
+    /** Ce qui propose des objets aux deux boucles : tous, si le modèle n'a pas de recherche. */
+    private Recherche getRecherche() {
+        Recherche recherche = modele.getRecherche();
+        return recherche == null ? tous : recherche;
     }
 
     /** Distance du contact de cet objet sur ce rayon. L'interruption du fil est lue de temps en temps. */
@@ -137,7 +139,11 @@ public final class Scene {
         if ((++compteurs.testsSpheres & PAS) == 0) {
             Recherche.obeir();
         }
-        return Recherche.verifier(objet.getIntersectionDistance(rayon), objet);
+        double d = objet.getIntersectionDistance(rayon);
+        if (Double.isNaN(d)) {
+            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
+        }
+        return d;
     }
 
     /** Dit si une coordonnée de la lampe dépasse {@link Constantes#LOINTAINE} fois chaque coordonnée du contact. */
@@ -172,7 +178,7 @@ public final class Scene {
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Objet3D> getObjets() {
-        return objets;
+        return Collections.unmodifiableList(Arrays.asList(objets));
     }
 
     /** Les lampes, dans l'ordre du fichier ; la liste ne change pas. */

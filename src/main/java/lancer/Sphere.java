@@ -30,6 +30,15 @@ public class Sphere extends Objet3D {
         return rayon;
     }
 
+    /**
+     * {@inheritDoc} Une sphère est sa propre enveloppe. Une classe dérivée peut déborder : elle n'en a pas, sauf si elle
+     * en déclare une.
+     */
+    @Override
+    public Sphere getEnveloppe() {
+        return getClass() == Sphere.class ? this : null;
+    }
+
     @Override
     public double getIntersectionDistance(Rayon incident) {
         Point P = incident.getP();

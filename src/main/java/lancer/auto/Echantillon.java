@@ -40,7 +40,7 @@ public final class Echantillon implements Toile {
     long rayons;
 
     /**
-     * Tire de nouveaux pixels, après {@link Lancer#sonder}. Une petite image les donne tous, plusieurs fois.
+     * Tire de nouveaux pixels. Une petite image les donne tous, plusieurs fois.
      *
      * @param prepare la scène, prête à être dessinée
      * @param essais le nombre voulu de pixels, 1 pour un essai, 2 pour un contrôle
@@ -50,7 +50,6 @@ public final class Echantillon implements Toile {
     public Echantillon(Lancer prepare, int fils, int essais, int cote, SplittableRandom hasard, BitSet tires) {
         this.prepare = prepare;
         this.fils = fils;
-        prepare.sonder();
         largeur = prepare.getCamera().getLargeur();
         int image = largeur * prepare.getCamera().getHauteur();
         int nombre = essais * Math.max(MOINS, Math.min(PLUS, image / PART));

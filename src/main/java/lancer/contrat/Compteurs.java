@@ -8,11 +8,10 @@ public final class Compteurs {
     public long ombre;
     public long reflechis;
 
-    /** Intersections calculées ; parmi celles de la recherche rapide, celles dont la forme directe est en doute. */
+    /** Distances demandées à un objet. */
     public long testsSpheres;
-    public long testsPrecis;
 
-    /** Nœuds ou cases de structures de recherche visités, et pixels que l'échantillonnage a raffinés. */
+    /** Nœuds, cases et masques que la recherche a visités, et pixels que l'échantillonnage a raffinés. */
     public long noeudsVisites;
     public long pixelsRaffines;
 
@@ -21,12 +20,11 @@ public final class Compteurs {
         ombre += autres.ombre;
         reflechis += autres.reflechis;
         testsSpheres += autres.testsSpheres;
-        testsPrecis += autres.testsPrecis;
         noeudsVisites += autres.noeudsVisites;
         pixelsRaffines += autres.pixelsRaffines;
     }
 
-    /** Le nombre d'examens de sphères, de nœuds et de cases. */
+    /** Le nombre d'examens d'objets, de nœuds et de cases. */
     public long examens() {
         return testsSpheres + noeudsVisites;
     }

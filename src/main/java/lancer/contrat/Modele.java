@@ -92,18 +92,13 @@ public final class Modele {
         this.echantillonnage = libre(this.echantillonnage, null, echantillonnage, "l'échantillonnage");
     }
 
-    /** Recherche des contacts ; {@code null} : les boucles du cours. */
+    /** Recherche qui propose des objets aux boucles du cours ; {@code null} : elles les demandent tous. */
     public Recherche getRecherche() {
         return recherche;
     }
 
     public void setRecherche(Recherche recherche) {
         this.recherche = recherche;
-    }
-
-    /** {@link Recherche#getConstructionNs} de la recherche ; 0 s'il n'y en a pas. */
-    public long getConstructionNs() {
-        return recherche == null ? 0 : recherche.getConstructionNs();
     }
 
     /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */

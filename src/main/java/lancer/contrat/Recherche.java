@@ -4,53 +4,48 @@ import java.util.concurrent.CancellationException;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.Rayon;
 import lancer.Vecteur;
 
-/** La recherche d'un contact : même image que les deux boucles de {@link lancer.Scene}, au bit près, et plus vite. */
+/**
+ * Un curseur sur les objets qu'un rayon peut rencontrer. Les deux boucles de {@link lancer.Scene} le suivent, et
+ * demandent sa distance à chaque objet. Une recherche propose ; elle ne répond pas. Elle appartient à un seul fil, et
+ * traite une question à la fois.
+ */
 public interface Recherche {
 
     /**
-     * Note dans ce rayon, de direction unitaire, son premier contact (+∞ s'il n'y en a pas), à la place du précédent. À
-     * distance égale, l'objet qui vient d'abord dans la scène l'emporte. {@code saufLui} n'est jamais rendu.
+     * Commence la question du premier contact.
+     *
+     * @param P départ du rayon
+     * @param V sa direction, de longueur 1 en général
+     * @param depart l'objet d'où il part, {@code null} pour un rayon de l'écran
      */
-    void plusProche(Rayon incident, Objet3D saufLui);
+    void commencer(Point P, Vecteur V, Objet3D depart);
 
     /**
-     * Dit si le rayon d'ombre rencontre avant cette distance un objet autre que {@code objet}, l'objet éclairé. Le
-     * rayon part de P, en général la lampe, dans la direction V, de longueur 1.
+     * Commence la question d'une ombre. Celui qui la pose s'arrête au premier objet qui cache la lampe.
+     *
+     * @param P départ du rayon d'ombre : la lampe, ou le contact si elle est lointaine
+     * @param distance longueur, depuis P, du segment que l'objet doit couper
+     * @param eclaire l'objet du contact
      */
-    boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet);
+    void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire);
 
-    /** La même recherche pour un fil, qui compte dans {@code compteurs} ; {@code null} si elle a un écart. */
+    /**
+     * L'objet suivant, chacun une fois au plus, dans un ordre quelconque.
+     *
+     * @param auPlus un objet plus lointain est inutile ; un objet à cette distance ne l'est pas
+     * @return son rang dans la scène, −1 à la fin
+     */
+    int suivant(double auPlus);
+
+    /** La même recherche pour un fil, qui compte les nœuds visités dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
-
-    /** Vérifie que les objets sont ceux qu'elle a copiés. */
-    default void verifier() {
-    }
-
-    /** Phrase sur la première réponse qui diffère de celle des boucles ; {@code null} s'il n'y en a pas. */
-    default String getEcart() {
-        return null;
-    }
-
-    /** Temps de construction des structures, pendant la préparation et pendant le dessin, en nanosecondes. */
-    default long getConstructionNs() {
-        return 0;
-    }
 
     /** À appeler une fois par milliseconde. @throws CancellationException si ce fil est interrompu ; il le reste */
     static void obeir() {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("travail interrompu");
         }
-    }
-
-    /** @throws ArithmeticException si cette distance, rendue par cet objet, est NaN */
-    static double verifier(double d, Objet3D objet) {
-        if (Double.isNaN(d)) {
-            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
-        }
-        return d;
     }
 }

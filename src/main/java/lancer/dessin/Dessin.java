@@ -22,12 +22,13 @@ import lancer.commande.Options;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Recherche;
+import lancer.contrat.Toile;
 import lancer.fils.Equipe;
 import lancer.fils.Fil;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
+import lancer.rapide.Regard;
 import lancer.scene.SceneLue;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -57,6 +58,7 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
     private String vue;
     private ImageMemoire reference;
     private volatile Lancer lancer;
+    private volatile Regard regard;
     private volatile String lenteur;
     private volatile double avancement;
     private volatile boolean brouillonFait;
@@ -162,11 +164,19 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         avancement = 0;
         long debut = System.nanoTime();
         Camera camera = new Camera(vierge.largeur, vierge.hauteur);
-        Preparation.choisir(scene, camera, options.simple, this);
-        preparationNs = System.nanoTime() - debut - scene.getModele().getConstructionNs();
+        regard = Preparation.choisir(scene, camera, options.simple, this);
+        preparationNs = System.nanoTime() - debut;
         image = vierge;
         lancer = new Lancer(scene, camera);
         return lancer;
+    }
+
+    /** Dessine tous les pixels avec ce lancer, une deuxième fois si la recherche cachait un objet. */
+    public void tracer(Lancer sien, Toile toile, int profondeur, int fils) {
+        sien.TracerPixels(regard.sur(toile), profondeur, fils);
+        if (regard.cachait(sien, profondeur)) {
+            sien.TracerPixels(toile, profondeur, fils);
+        }
     }
 
     /** Exécute ce travail dans un autre fil. Ce qui y dure dix secondes est nommé une fois, et continue. */
@@ -268,8 +278,12 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
 
     /** Phrase qui dit pourquoi les boucles du cours remplacent la recherche rapide ; {@code null} sinon. */
     public String getEcart() {
-        Recherche recherche = scene.getModele().getRecherche();
-        return recherche == null ? null : recherche.getEcart();
+        return regard == null ? null : regard.getEcart();
+    }
+
+    /** Le regard sur ce que la recherche pourrait cacher ; {@code null} avant la préparation. */
+    public Regard getRegard() {
+        return regard;
     }
 
     /** La part faite, de 0 à 1, de l'étape en cours : lecture, préparation, brouillon ou image. */
@@ -310,11 +324,11 @@ public final class Dessin implements DoubleConsumer, Consumer<Fil> {
         double[] tries = Arrays.stream(tracesNs).skip(tracesNs.length / 2).sorted().asDoubleStream().toArray();
         double traceNs = (tries[(tries.length - 1) / 2] + tries[tries.length / 2]) / 2;
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
-                + "tests.spheres: %d\ntests.precis: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
+                + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
-                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.testsPrecis, c.noeudsVisites,
+                c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
                 c.pixelsRaffines, lectureNs / NS_PAR_MS,
-                (preparationNs + scene.getModele().getConstructionNs()) / NS_PAR_MS,
+                preparationNs / NS_PAR_MS,
                 traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
     }
 

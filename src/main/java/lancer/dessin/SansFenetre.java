@@ -133,7 +133,11 @@ public final class SansFenetre implements Runnable {
                 : new BarreProgression(lancer::getAvancement, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
-                lancer.TracerPixels(surveillee, reflets, options.fils);
+                if (k + 1 < traces.length) {
+                    lancer.TracerPixels(surveillee, reflets, options.fils);
+                } else {
+                    dessin.tracer(lancer, surveillee, reflets, options.fils);
+                }
                 traces[k] = lancer.getDureeNs();
             }
         } finally {
@@ -204,7 +208,7 @@ public final class SansFenetre implements Runnable {
         if (autre == null) {
             dessin.lire();
             autre = new ImageMemoire(attendue.largeur, attendue.hauteur, true);
-            dessin.preparer(autre).TracerPixels(toile, dessin.getReglages().getProfondeur(), options.fils);
+            dessin.tracer(dessin.preparer(autre), toile, dessin.getReglages().getProfondeur(), options.fils);
             dessin.direEcart();
         }
         Comparaison comparaison = new Comparaison(autre, attendue, options.tolerance, options.part);

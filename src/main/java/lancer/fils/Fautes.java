@@ -77,12 +77,6 @@ public final class Fautes {
         return (x + y) % 2 == 0 ? MAGENTA : new Couleur();
     }
 
-    /** Oublie les échecs : le dessin est recommencé. */
-    public synchronized void oublier() {
-        pixels.clear();
-        premiere = null;
-    }
-
     /** Repeint les pixels fautifs de ce pavé : un échantillonnage a pu mêler le damier à des couleurs justes. */
     public synchronized void peindre(Pave pave, Toile toile) {
         for (int j = pave.j0; j < pave.j1 && premiere != null; j++) {

@@ -5,9 +5,6 @@ import lancer.Constantes;
 /** L'intersection d'un rayon et d'une sphère, sur des nombres : la sphère et les recherches rapides l'utilisent. */
 public final class Intersection {
 
-    /** Réponse en doute, sans approximation de la distance. */
-    private static final double ENTIER = -Double.MIN_VALUE;
-
     /** Carré de la distance à l'axe, en parts de r², au-delà duquel le rayon manque la sphère, arrondis compris. */
     private static final double A_COTE = 1 + 0x1p-49;
 
@@ -39,13 +36,6 @@ public final class Intersection {
      */
     public static double distance(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
-        double d = distanceOuDoute(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-        return d >= 0 ? d : trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
-    }
-
-    /** Rend {@link #distance} ou, en cas de doute, un nombre négatif, pour {@link #trancher} et {@link #auMoins}. */
-    public static double distanceOuDoute(double px, double py, double pz, double vx, double vy, double vz,
-            double cx, double cy, double cz, double r) {
         double fx = cx - px;
         double fy = cy - py;
         double fz = cz - pz;
@@ -62,24 +52,24 @@ public final class Intersection {
         double f2 = fx * fx + fy * fy + fz * fz;
         double c = f2 - r2;
         if (!(r2 > Norme.CARRE_MIN && Math.abs(c) < Norme.CARRE_MAX)) {
-            return ENTIER;
+            return trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
         }
         double h2 = r2 - l2;
         if (c > SUR * f2) {
             return b > 0 && h2 >= 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
         }
-        if (c > APPROCHE * f2) {
-            return b <= 0 ? Constantes.INFINI : h2 >= 0 ? -c / (b + Math.sqrt(h2)) : ENTIER;
+        if (c > APPROCHE * f2 && b <= 0) {
+            return Constantes.INFINI;
         }
         if (c < -SUR * f2) {
             double h = Math.sqrt(h2);
             return b > 0 ? b + h : c / (b - h);
         }
-        return ENTIER;
+        return trancher(px, py, pz, vx, vy, vz, cx, cy, cz, r);
     }
 
-    /** La distance, quand {@link #distanceOuDoute} a un doute. */
-    public static double trancher(double px, double py, double pz, double vx, double vy, double vz,
+    /** La distance quand la forme directe est en doute. */
+    private static double trancher(double px, double py, double pz, double vx, double vy, double vz,
             double cx, double cy, double cz, double r) {
         double fx = cx - px;
         double fy = cy - py;
@@ -91,10 +81,5 @@ public final class Intersection {
         // tout est multiplié par s ; le départ et le centre gardent exactement la même différence
         return distance(-s * IntersectionCompensee.reste(cx, -px, fx), -s * IntersectionCompensee.reste(cy, -py, fy),
                 -s * IntersectionCompensee.reste(cz, -pz, fz), vx, vy, vz, s * fx, s * fy, s * fz, s * r) / s;
-    }
-
-    /** Borne inférieure de la distance, d'après la réponse en doute. */
-    public static double auMoins(double doute) {
-        return -0.9999 * doute;
     }
 }

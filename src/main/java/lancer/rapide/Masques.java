@@ -1,230 +1,272 @@
 package lancer.rapide;
 
+import java.util.List;
 import lancer.Camera;
-import lancer.Constantes;
+import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.Point;
-import lancer.precision.Intersection;
+import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 
 /**
- * Masques d'une petite scène : un bit d'un {@code long} par sphère qu'un rayon peut rencontrer. Il y a un masque par
- * tuile de l'écran, un par sphère de départ et par cube de directions, un par lampe et par sphère éclairée. Le départ
- * du rayon est vérifié avant d'utiliser un masque. S'il ne convient pas, l'arbre répond.
+ * Recherche d'une petite scène : un bit d'un {@code long} par objet qu'un rayon peut rencontrer. Il y a un masque par
+ * tuile de l'écran, un par objet de départ et par cube de directions, un par lampe et par objet éclairé. Le rayon est
+ * vérifié avant d'utiliser un masque. S'il ne convient pas, tous les objets sont proposés.
  */
-final class Masques implements Intersections {
-
-    /** Nombre maximal de sphères : celui des bits. */
-    static final int MAX = Long.SIZE;
+final class Masques implements Recherche {
 
     /** Nombre de cubes de directions par côté du cube [−1, 1]³. */
     private static final int COTE = 8;
     private static final int CUBES = COTE * COTE * COTE;
 
     /** Côté d'une tuile de l'écran, en pixels. */
-    private static final int TUILE = 8;
+    private static final double TUILE = 8;
 
-    /** Élargissement d'une sphère de départ ou éclairée, en part des longueurs ; un départ en vérifie la moitié. */
+    /** Élargissement d'un départ ou d'un contact, en part des longueurs ; un rayon en vérifie la moitié. */
     private static final double MARGE = 1e-9;
 
-    private final Spheres spheres;
-    /** Arbre qui répond aux rayons qu'aucun masque n'accepte. */
-    private final Arbre secours;
-    private final double portee;
-    private final Face image;
+    /** Nombre maximal de masques d'ombre, un par lampe et par objet. */
+    private static final int MASQUES_D_OMBRES = 1 << 16;
+
+    /** Les masques d'une lampe demandent n² examens, soit au plus ce nombre par pixel. */
+    private static final int PAIRES_PAR_PIXEL = 4;
+
+    private final Objet3D[] objets;
+    private final double[] g;
+    private final long tous;
+    private final PointDeVue oeil;
     private final long[] parTuile;
     private final long[] parDirection;
-    /** Pour chaque sphère, carré de la plus grande distance permise de son centre au départ d'un rayon. */
-    private final double[] limites;
+    private final double portee;
+    private final Lampe[] lampes;
+    /** Pour chaque lampe, sa position, et la plus grande coordonnée des objets et d'elle. */
+    private final Point[] positions;
+    private final double[] longueurs;
+    /** Pour chaque lampe, ce que peut rencontrer un segment qui va d'elle à l'objet éclairé ; {@code null} sans masques. */
+    private final long[][] parEclaire;
+    private final Compteurs compteurs;
 
-    /** @param portee plus grande coordonnée des sphères et de l'œil */
-    Masques(Spheres spheres, Arbre secours, double portee, Camera camera) {
-        this.spheres = spheres;
-        this.secours = secours;
-        this.portee = portee;
-        int n = spheres.nombre;
-        image = Face.deLImage(camera, TUILE);
-        parTuile = new long[image.colonnes * image.lignes];
+    /** Rang de l'objet de la dernière question, et de sa lampe : en général, ceux de la suivante. */
+    private int rang;
+    private int lampe;
+
+    private long reste;
+    /** Le bit proposé en dernier, 0 à la fin ; celui d'abord proposé ; celui qui a caché une lampe en dernier. */
+    private long propose;
+    private long dAbord;
+    private long bloqueur;
+    private boolean ombre;
+
+    Masques(Enveloppes enveloppes, List<Lampe> siennes, Camera camera) {
+        objets = enveloppes.objets;
+        g = enveloppes.geometrie;
+        compteurs = new Compteurs();
+        int n = objets.length;
+        tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
+        double pixels = (double) camera.getLargeur() * camera.getHauteur();
+        oeil = PointDeVue.deLOeil(camera, (int) (pixels / (TUILE * TUILE)));
+        portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee());
+        parTuile = oeil == null ? null : new long[oeil.nombre];
         parDirection = new long[CUBES * n];
-        limites = new double[n];
-        for (int k = 0; k < n; k++) {
-            noterTuiles(k);
-            limites[k] = limite(k, portee);
-            noterDirections(k);
-        }
-    }
-
-    private double limite(int k, double longueur) {
-        double r = spheres.geometrie[Spheres.PAS * k + 3] + MARGE / 2 * longueur;
-        return r * r;
-    }
-
-    private void noterTuiles(int k) {
-        double[] g = spheres.geometrie;
-        int s = Spheres.PAS * k;
-        if (!image.silhouette(g[s], g[s + 1], g[s + 2] + image.focale, g[s + 3])) {
-            return;
-        }
-        for (int j = image.ligne0; j <= image.ligne1; j++) {
-            for (int i = image.de[j]; i <= image.a[j]; i++) {
-                parTuile[j * image.colonnes + i] |= 1L << k;
+        for (int b = 0; b < n; b++) {
+            long bit = 1L << b;
+            if (oeil != null) {
+                for (int c : oeil.cases(g, b)) {
+                    parTuile[c] |= bit;
+                }
+            }
+            for (int a = 0; a < n; a++) {
+                noterDirections(a, b);
             }
         }
+        lampes = siennes.toArray(new Lampe[0]);
+        positions = siennes.stream().map(Lampe::getPosition).toArray(Point[]::new);
+        longueurs = siennes.stream().map(Lampe::getPosition)
+                .mapToDouble(p -> Math.max(portee, Enveloppes.plusGrande(p.x, p.y, p.z))).toArray();
+        parEclaire = new long[lampes.length][];
+        int masquees = n == 0 || pixels * PAIRES_PAR_PIXEL < n * n ? 0 : MASQUES_D_OMBRES / n;
+        for (int l = 0; l < Math.min(masquees, lampes.length); l++) {
+            Recherche.obeir();
+            parEclaire[l] = eclaires(positions[l], MARGE * longueurs[l]);
+        }
+    }
+
+    private Masques(Masques autre, Compteurs compteurs) {
+        objets = autre.objets;
+        g = autre.g;
+        tous = autre.tous;
+        oeil = autre.oeil;
+        parTuile = autre.parTuile;
+        parDirection = autre.parDirection;
+        portee = autre.portee;
+        lampes = autre.lampes;
+        positions = autre.positions;
+        longueurs = autre.longueurs;
+        parEclaire = autre.parEclaire;
+        this.compteurs = compteurs;
     }
 
     /**
-     * Note les sphères b que peut rencontrer un rayon parti de la sphère a. L'angle de sa direction et de AB est au
+     * Note l'objet b, s'il peut être rencontré par un rayon parti de l'objet a. L'angle de sa direction et de AB est au
      * plus asin((rA + rB) / AB). Dans un cube de centre c et de demi-côté h, le cosinus d'une direction avec w est au
      * plus c·w + h(|wx| + |wy| + |wz|).
      */
-    private void noterDirections(int a) {
-        double[] g = spheres.geometrie;
+    private void noterDirections(int a, int b) {
+        int sa = Enveloppes.PAS * a;
+        int sb = Enveloppes.PAS * b;
+        double x = g[sb] - g[sa];
+        double y = g[sb + 1] - g[sa + 1];
+        double z = g[sb + 2] - g[sa + 2];
+        double d = Math.sqrt(x * x + y * y + z * z);
+        // NaN si l'un des deux est sans borne : la négation le note alors partout
+        double sinus = (g[sa + 3] + g[sb + 3] + MARGE * portee) / d;
+        double cosinus = Math.sqrt(1 - sinus * sinus) - MARGE;
+        x /= d;
+        y /= d;
+        z /= d;
         double demi = 1.0 / COTE;
-        for (int b = 0; b < spheres.nombre; b++) {
-            if (b == a) {
-                continue;
-            }
-            int sa = Spheres.PAS * a;
-            int sb = Spheres.PAS * b;
-            double x = g[sb] - g[sa];
-            double y = g[sb + 1] - g[sa + 1];
-            double z = g[sb + 2] - g[sa + 2];
-            double d = Math.sqrt(x * x + y * y + z * z);
-            double sinus = (g[sa + 3] + g[sb + 3] + MARGE * portee) / d;
-            double cosinus = sinus < 1 ? Math.sqrt(1 - sinus * sinus) - MARGE : -2;
-            x /= d;
-            y /= d;
-            z /= d;
-            double plus = demi * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-            int c = CUBES * a;
-            for (int k = 0; k < COTE; k++) {
-                double cz = ((2 * k + 1) * demi - 1) * z + plus;
-                for (int j = 0; j < COTE; j++) {
-                    double cy = ((2 * j + 1) * demi - 1) * y + cz;
-                    for (int i = 0; i < COTE; i++, c++) {
-                        // deux centres confondus ont un cosinus NaN : la négation les note partout
-                        if (!(((2 * i + 1) * demi - 1) * x + cy < cosinus)) {
-                            parDirection[c] |= 1L << b;
-                        }
+        double plus = demi * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        int c = CUBES * a;
+        for (int k = 0; k < COTE; k++) {
+            double cz = ((2 * k + 1) * demi - 1) * z + plus;
+            for (int j = 0; j < COTE; j++) {
+                double cy = ((2 * j + 1) * demi - 1) * y + cz;
+                for (int i = 0; i < COTE; i++, c++) {
+                    if (!(((2 * i + 1) * demi - 1) * x + cy < cosinus)) {
+                        parDirection[c] |= 1L << b;
                     }
                 }
             }
         }
+    }
+
+    /** Pour chaque objet éclairé A, les objets que peut rencontrer un segment de ce point à un point de A. */
+    private long[] eclaires(Point p, double marge) {
+        int n = objets.length;
+        double[] x = new double[n];
+        double[] y = new double[n];
+        double[] z = new double[n];
+        double[] loin = new double[n];
+        double[] angle = new double[n];
+        for (int k = 0; k < n; k++) {
+            int s = Enveloppes.PAS * k;
+            x[k] = g[s] - p.x;
+            y[k] = g[s + 1] - p.y;
+            z[k] = g[s + 2] - p.z;
+            loin[k] = Math.sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+            double r = g[s + 3] + marge;
+            angle[k] = r < loin[k] ? Math.asin(r / loin[k]) : Math.PI;
+        }
+        long[] masques = new long[n];
+        for (int a = 0; a < n; a++) {
+            double auPlus = loin[a] + g[Enveloppes.PAS * a + 3] + marge;
+            for (int b = 0; b < n; b++) {
+                double cosinus = (x[a] * x[b] + y[a] * y[b] + z[a] * z[b]) / (loin[a] * loin[b]);
+                double somme = angle[a] + angle[b] + MARGE;
+                boolean separes = somme < Math.PI && cosinus < Math.cos(somme) - MARGE;
+                if (!separes && !(loin[b] - g[Enveloppes.PAS * b + 3] > auPlus)) {
+                    masques[a] |= 1L << b;
+                }
+            }
+        }
+        return masques;
     }
 
     @Override
-    public int plusProche(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
-            int sauf) {
-        long masque;
-        double[] g = spheres.geometrie;
-        if (sauf < 0) {
-            int t = image.caseDeLOeil(px, py, pz, vx, vy, vz);
-            if (t < 0) {
-                return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
-            }
-            masque = parTuile[t];
+    public void commencer(Point P, Vecteur V, Objet3D depart) {
+        ombre = false;
+        dAbord = 0;
+        if (depart == null) {
+            bloqueur = 0;
+            int c = oeil == null ? -1 : oeil.caseDe(P.x, P.y, P.z, V.x, V.y, V.z);
+            poser(c < 0 ? tous : parTuile[c]);
         } else {
-            int s = Spheres.PAS * sauf;
-            double x = px - g[s];
-            double y = py - g[s + 1];
-            double z = pz - g[s + 2];
-            if (!(x * x + y * y + z * z <= limites[sauf])) {
-                return secours.plusProche(etat, px, py, pz, vx, vy, vz, sauf);
-            }
-            int i = Math.min(COTE - 1, (int) ((vx + 1) * (COTE / 2)));
-            int j = Math.min(COTE - 1, (int) ((vy + 1) * (COTE / 2)));
-            int k = Math.min(COTE - 1, (int) ((vz + 1) * (COTE / 2)));
-            masque = parDirection[CUBES * sauf + (k * COTE + j) * COTE + i];
+            boolean connu = trouver(depart) && estPres(P.x, P.y, P.z, portee) && Enveloppes.estUnitaire(V.x, V.y, V.z);
+            poser(connu ? parDirection[CUBES * rang + (cube(V.z) * COTE + cube(V.y)) * COTE + cube(V.x)] : tous);
         }
-        etat.compteurs.noeudsVisites++;
-        etat.compteurs.testsSpheres += Long.bitCount(masque);
-        double distance = Constantes.INFINI;
-        int trouvee = -1;
-        for (; masque != 0; masque &= masque - 1) {
-            int k = Long.numberOfTrailingZeros(masque);
-            int s = Spheres.PAS * k;
-            double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[s], g[s + 1], g[s + 2], g[s + 3]);
-            if (d < 0) {
-                d = etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz);
-            }
-            if (d <= distance && Spheres.avant(d, k, distance, trouvee)) {
-                distance = d;
-                trouvee = k;
-            }
-        }
-        etat.distance = distance;
-        return trouvee;
     }
 
-    /** Pour chaque sphère éclairée A, les sphères que peut rencontrer un segment de la lampe à un point de A. */
-    final class Ombres implements Occultations {
+    private static int cube(double v) {
+        return Math.min(COTE - 1, (int) ((v + 1) * (COTE / 2)));
+    }
 
-        private final long[] parSphere = new long[spheres.nombre];
-        private final double[] limitesIci = new double[spheres.nombre];
-        private final double lx;
-        private final double ly;
-        private final double lz;
-
-        Ombres(Point lampe) {
-            lx = lampe.x;
-            ly = lampe.y;
-            lz = lampe.z;
-            double longueur = Math.max(portee,
-                    Math.max(Math.abs(lampe.x), Math.max(Math.abs(lampe.y), Math.abs(lampe.z))));
-            double[] g = spheres.geometrie;
-            int n = spheres.nombre;
-            double[] x = new double[n];
-            double[] y = new double[n];
-            double[] z = new double[n];
-            double[] loin = new double[n];
-            double[] angle = new double[n];
-            for (int k = 0; k < n; k++) {
-                int s = Spheres.PAS * k;
-                x[k] = g[s] - lampe.x;
-                y[k] = g[s + 1] - lampe.y;
-                z[k] = g[s + 2] - lampe.z;
-                loin[k] = Math.sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
-                double r = g[s + 3] + MARGE * longueur;
-                angle[k] = r < loin[k] ? Math.asin(r / loin[k]) : Math.PI;
-                limitesIci[k] = limite(k, longueur);
-            }
-            for (int a = 0; a < n; a++) {
-                double auPlus = loin[a] + g[Spheres.PAS * a + 3];
-                for (int b = 0; b < n; b++) {
-                    double cosinus = (x[a] * x[b] + y[a] * y[b] + z[a] * z[b]) / (loin[a] * loin[b]);
-                    double somme = angle[a] + angle[b] + MARGE;
-                    boolean vues = !(somme < Math.PI) || !(cosinus < Math.cos(somme) - MARGE);
-                    if (b != a && vues && !(loin[b] - g[Spheres.PAS * b + 3] > auPlus + MARGE * longueur)) {
-                        parSphere[a] |= 1L << b;
-                    }
-                }
-            }
+    @Override
+    public void commencerOmbre(Lampe demandee, Point P, Vecteur V, double distance, Objet3D eclaire) {
+        // la boucle qui s'est arrêtée avant la fin a trouvé ce qui cache la lampe
+        if (ombre && propose != 0) {
+            bloqueur = propose;
         }
+        ombre = true;
+        dAbord = bloqueur;
+        poser(trouver(eclaire) && trouver(demandee) && estConnu(P, V, distance) ? parEclaire[lampe][rang] : tous);
+    }
 
-        @Override
-        public boolean cachee(EtatDeRecherche etat, double px, double py, double pz, double vx, double vy, double vz,
-                double distance, int sauf) {
-            double[] g = spheres.geometrie;
-            if (sauf >= 0 && px == lx && py == ly && pz == lz) {
-                int s = Spheres.PAS * sauf;
-                double x = px + distance * vx - g[s];
-                double y = py + distance * vy - g[s + 1];
-                double z = pz + distance * vz - g[s + 2];
-                if (x * x + y * y + z * z <= limitesIci[sauf]) {
-                    etat.compteurs.noeudsVisites++;
-                    for (long masque = parSphere[sauf]; masque != 0; masque &= masque - 1) {
-                        int k = Long.numberOfTrailingZeros(masque);
-                        etat.compteurs.testsSpheres++;
-                        int i = Spheres.PAS * k;
-                        double d = Intersection.distanceOuDoute(px, py, pz, vx, vy, vz, g[i], g[i + 1], g[i + 2],
-                                g[i + 3]);
-                        if (d < distance && (d >= 0
-                                || etat.trancher(spheres, k, d, distance, px, py, pz, vx, vy, vz) < distance)) {
-                            return true;
-                        }
-                    }
-                    return false;
-                }
+    /** Dit si ce rayon va de la lampe trouvée à l'objet trouvé. */
+    private boolean estConnu(Point P, Vecteur V, double distance) {
+        Point p = positions[lampe];
+        return parEclaire[lampe] != null && P.x == p.x && P.y == p.y && P.z == p.z
+                && Enveloppes.estUnitaire(V.x, V.y, V.z)
+                && estPres(P.x + distance * V.x, P.y + distance * V.y, P.z + distance * V.z, longueurs[lampe]);
+    }
+
+    private void poser(long masque) {
+        compteurs.noeudsVisites++;
+        reste = masque;
+        propose = 0;
+    }
+
+    /** Note le rang de cet objet. @return faux s'il n'est pas de la scène */
+    private boolean trouver(Objet3D objet) {
+        for (int k = 0; k < objets.length; k++) {
+            if (objets[rang] == objet) {
+                return true;
             }
-            return secours.reprendre(etat, px, py, pz, vx, vy, vz, distance, sauf);
+            rang = rang + 1 < objets.length ? rang + 1 : 0;
         }
+        return false;
+    }
+
+    private boolean trouver(Lampe demandee) {
+        for (int k = 0; k < lampes.length; k++) {
+            if (lampes[lampe] == demandee) {
+                return true;
+            }
+            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
+        }
+        return false;
+    }
+
+    /** Dit si ce point est à la surface, ou dans l'enveloppe, de l'objet trouvé. */
+    private boolean estPres(double x, double y, double z, double longueur) {
+        int s = Enveloppes.PAS * rang;
+        double dx = x - g[s];
+        double dy = y - g[s + 1];
+        double dz = z - g[s + 2];
+        double r = g[s + 3] + MARGE / 2 * longueur;
+        return dx * dx + dy * dy + dz * dz <= r * r;
+    }
+
+    @Override
+    public int suivant(double auPlus) {
+        long bits = reste;
+        if (bits == 0) {
+            propose = 0;
+            return -1;
+        }
+        long bit = (bits & dAbord) != 0 ? dAbord : Long.lowestOneBit(bits);
+        propose = bit;
+        reste = bits ^ bit;
+        return Long.numberOfTrailingZeros(bit);
+    }
+
+    @Override
+    public Recherche pourUnFil(Compteurs siens) {
+        return new Masques(this, siens);
+    }
+
+    @Override
+    public String toString() {
+        return "masques";
     }
 }

@@ -1,205 +1,152 @@
 package lancer.rapide;
 
-import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleConsumer;
-import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
+import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
-import lancer.fils.Equipe;
-import lancer.fils.Fil;
+import lancer.contrat.Recherche;
 
 /**
- * Choix et construction des structures de recherche, selon la scène et l'image. Une préparation ne vaut que pour un
- * dessin : les objets et les lampes n'y changent pas. Un mauvais choix ne coûte que sa construction, car le crédit d'un
- * {@link EtatDeRecherche} borne les examens.
- *
- * <p>Mémoire pour N sphères : leur copie prend 40 N octets, et l'arbre, s'il est construit, 4 N + 26 N. La grille a au
- * plus 4 N cases et 12 N places de 4 octets. Toutes les cartes ensemble ont au plus {@value #PLACES_PAR_SPHERE} N
- * places de 8 octets, ou 8 Mo si c'est plus. Elles ont au plus une case de 12 octets par tuile de l'image, plus
- * {@value #CASES_PAR_SPHERE} N, ou 3 Mo si c'est plus. Les masques prennent 170 ko, et ceux des ombres 1 Mo au plus.
+ * La recherche choisie pour une scène et une image : des {@link Masques}, ou une {@link Foule}. Elle est construite de
+ * nouveau si un objet a bougé quand un fil la demande.
  */
-public final class Preparation implements IntConsumer {
+public final class Preparation implements Recherche {
 
-    /** Nombre d'objets jusqu'auquel les boucles du cours sont plus rapides que toute structure. */
+    /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
     private static final int DEUX = 2;
 
     /**
      * Plus grand produit des pixels, des objets et des rayons par contact d'une petite scène. Les boucles du cours y
-     * finissent avant la construction d'une structure et son sondage.
+     * finissent avant la construction d'une structure.
      */
     private static final long VITE_FAIT = 1 << 20;
 
-    /** Nombre de sphères jusqu'auquel les structures sont des masques. */
-    static final int PEU = 40;
+    /** Nombre d'objets jusqu'auquel les structures sont des masques. */
+    private static final int PEU = 40;
 
-    /** Bornes hors desquelles le calcul des carrés et des cubes des longueurs déborde. */
-    private static final double LONGUEUR_MIN = 1e-90;
-    private static final double LONGUEUR_MAX = 1e101;
+    /** Nombre d'objets par pixel au-delà duquel il n'y a pas de carte. */
+    private static final int OBJETS_PAR_PIXEL = 8;
 
-    /** Nombre de sphères par pixel au-delà duquel ni carte ni grille n'est construite. */
-    private static final int SPHERES_PAR_PIXEL = 8;
-
-    /** Les masques d'ombre d'une lampe demandent N² examens, soit au plus ce nombre par pixel. */
-    private static final int PAIRES_PAR_PIXEL = 4;
-
-    /** Nombre maximal de masques d'ombre, un par lampe et par sphère. */
-    private static final int MASQUES_D_OMBRES = 1 << 16;
-
-    /** Par sphère : nombre de places de toutes les cartes, puis nombre de cases des cartes de toutes les lampes. */
-    private static final int PLACES_PAR_SPHERE = 26;
-    private static final int CASES_PAR_SPHERE = 8;
-
-    /** Places et cases toujours permises ; nombre de cases d'une lampe : par sphère, maximum, minimum. */
-    private static final long PLACES_TOUJOURS = 1 << 20;
-    private static final long CASES_TOUJOURS = 1 << 18;
-    private static final int CASES_PAR_LAMPE = 2;
+    /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis ; cases d'une carte. */
+    private static final int PLACES_PAR_OBJET = 32;
+    private static final int PLACES_TOUJOURS = 1 << 22;
+    private static final int CASES_PAR_OBJET = 8;
+    private static final int CASES_TOUJOURS = 1 << 18;
     private static final int CASES_MAX = 1 << 19;
-    private static final int CASES_MIN = 1 << 10;
 
-    /** Côté maximal d'une case de la carte de l'œil, en pixels ; il y a à peu près autant de cases que de sphères. */
-    private static final int PIXELS_PAR_CASE = 16;
+    /** Parts approchées de la préparation faites après la copie des enveloppes, puis après l'arbre. */
+    private static final double PART_ENVELOPPES = 0.1;
+    private static final double PART_ARBRE = 0.5;
 
-    /** Nombre de sphères au-dessous duquel un seul fil construit les structures. */
-    private static final int SPHERES_PAR_FIL = 200;
-
-    /** Part approchée de la préparation faite après la copie des sphères. */
-    private static final double PART_COPIE = 0.3;
-
-    /** Les structures possibles, qu'un test peut imposer. */
-    enum Genre { MASQUES, CARTES, ARBRE }
-
+    private final Scene scene;
     private final Camera camera;
-    private final Spheres spheres;
-    private final List<Lampe> lampes;
-    private final Structures structures;
-    private final long pixels;
     private final DoubleConsumer suivi;
-    /** Point de plus grande coordonnée des sphères : une lampe lointaine pour ce point l'est pour tout contact. */
-    private Point bout;
-    private final Equipe equipe = new Equipe("preparation");
-    /** Nombre d'étapes faites. */
-    private int faites;
+    private Enveloppes enveloppes;
+    private Recherche recherche;
 
-    private Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
+    /** @param suivi reçoit la part faite, de 0 à 1, après chaque étape */
+    Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
+        this.scene = scene;
         this.camera = camera;
         this.suivi = suivi;
-        spheres = new Spheres(scene.getObjets());
-        lampes = scene.getLampes();
-        structures = new Structures(spheres, lampes);
-        pixels = (long) camera.getLargeur() * camera.getHauteur();
+        construire();
     }
 
-    /** Choisit la recherche de cette scène pour une image. @param simple vrai pour les boucles du cours */
-    public static void choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : pour(scene, camera, suivi));
+    /**
+     * Choisit la recherche de cette scène pour une image.
+     *
+     * @param simple vrai pour proposer tous les objets
+     * @return le regard sur ce que cette recherche pourrait cacher ; voir {@link Regard#cachait}
+     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
+     */
+    public static Regard choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
+        Preparation preparation = simple || !estUtile(scene, camera) ? null : new Preparation(scene, camera, suivi);
+        scene.getModele().setRecherche(preparation);
+        return new Regard(scene, camera, () -> preparation == null || preparation.estEnPlace());
     }
 
-    /** Dit si les structures, construction comprise, répondent plus vite à cette image que les boucles du cours. */
+    /** Dit si les structures, construction comprise, sont plus rapides pour cette image que de demander tous les objets. */
     static boolean estUtile(Scene scene, Camera camera) {
         int objets = scene.getObjets().size();
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
     }
 
-    /**
-     * La recherche la plus rapide pour dessiner cette scène vue de cette caméra.
-     *
-     * @param suivi reçoit la part faite, de 0 à 1, après chaque étape
-     * @return une recherche qui donne la même image et les mêmes nombres de rayons que les boucles du cours
-     * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
-     */
-    public static RechercheRapide pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        return pour(scene, camera, null, suivi);
+    /** La recherche de cette scène vue de cette caméra. Elle donne la même image que si tous les objets sont proposés. */
+    public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
+        return new Preparation(scene, camera, suivi);
     }
 
-    /** @param impose structure imposée par un test ; {@code null} pour laisser le choix */
-    static RechercheRapide pour(Scene scene, Camera camera, Genre impose, DoubleConsumer suivi) {
-        Preparation preparation = new Preparation(scene, camera, suivi);
-        suivi.accept(PART_COPIE);
-        preparation.faire(impose);
-        return new RechercheRapide(preparation.structures, new Compteurs());
+    private void construire() {
+        enveloppes = new Enveloppes(scene.getObjets());
+        suivi.accept(PART_ENVELOPPES);
+        int objets = enveloppes.objets.length;
+        long pixels = (long) camera.getLargeur() * camera.getHauteur();
+        recherche = objets <= PEU ? masques() : foule(objets <= OBJETS_PAR_PIXEL * pixels);
     }
 
-    private void faire(Genre impose) {
-        int n = spheres.nombre;
-        Boite boite = Boite.de(spheres, spheres.toutes());
-        bout = new Point(boite.portee(), 0, 0);
-        double portee = Math.max(bout.x, Math.abs(camera.getOeil().z));
-        boolean ordinaire = n > 0 && portee < LONGUEUR_MAX && bout.x > LONGUEUR_MIN;
-        Genre genre = impose != null ? impose
-                : n <= PEU ? Genre.MASQUES : n <= SPHERES_PAR_PIXEL * pixels ? Genre.CARTES : Genre.ARBRE;
-        if (genre == Genre.MASQUES && n <= Masques.MAX && ordinaire) {
-            masquer(portee);
-        } else if (genre == Genre.CARTES && ordinaire) {
-            construire();
-        }
+    /** La recherche d'une petite scène. */
+    Recherche masques() {
+        return new Masques(enveloppes, scene.getLampes(), camera);
     }
 
-    private void masquer(double portee) {
-        Masques parBits = new Masques(spheres, structures.arbre, portee, camera);
-        structures.premiers = parBits;
-        structures.suivants = parBits;
-        boolean assez = pixels * PAIRES_PAR_PIXEL >= (long) spheres.nombre * spheres.nombre;
-        int masquees = Math.min(MASQUES_D_OMBRES / spheres.nombre, lampes.size());
-        for (int l = 0; assez && l < masquees; l++) {
-            Fil.avancer();
-            if (!Scene.estLointaine(lampes.get(l), bout)) {
-                structures.ombres[l] = parBits.new Ombres(lampes.get(l).getPosition());
+    /** La recherche d'une foule. @param avecCartes faux pour l'arbre seul */
+    Recherche foule(boolean avecCartes) {
+        List<Lampe> lampes = scene.getLampes();
+        Carte[] cartes = new Carte[lampes.size()];
+        Arbre arbre = new Arbre(enveloppes);
+        long n = enveloppes.bornes.length;
+        int places = (int) (Math.max(PLACES_TOUJOURS, n * PLACES_PAR_OBJET) / (1 + cartes.length));
+        long permises = Math.max(CASES_TOUJOURS, n * CASES_PAR_OBJET) / (1 + cartes.length);
+        int cases = (int) Math.min(Math.min(permises, n * CASES_PAR_OBJET), CASES_MAX);
+        boolean utiles = avecCartes && cases > n / 16;
+        for (int l = 0; l < cartes.length; l++) {
+            suivi.accept(PART_ARBRE + (1 - PART_ARBRE) * l / (1 + cartes.length));
+            Point p = lampes.get(l).getPosition();
+            if (utiles && Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
+                cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, cases), enveloppes, places);
             }
         }
+        PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, cases) : null;
+        return new Foule(enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, places),
+                lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 
-    /** Construit la grille et les cartes, en plusieurs fils s'il y a assez de sphères. */
-    private void construire() {
-        int nombre = 2 + structures.ombres.length;
-        int fils = spheres.nombre < SPHERES_PAR_FIL ? 1 : Math.min(nombre, Runtime.getRuntime().availableProcessors());
-        equipe.faire(nombre, Collections.nCopies(fils, this));
+    /** Dit si tous les objets sont là où ils étaient à la dernière construction. */
+    boolean estEnPlace() {
+        return enveloppes.sontEnPlace();
     }
 
-    /** Construit la grille (rang 0), la carte d'une lampe, ou celle de l'œil (dernier rang). */
     @Override
-    public void accept(int k) {
-        Fil.avancer();
-        if (k == 0) {
-            Grille grille = Grille.de(spheres, structures.arbre);
-            structures.suivants = grille == null ? structures.arbre : grille;
-        } else if (k <= structures.ombres.length) {
-            structures.ombres[k - 1] = deLaLampe(lampes.get(k - 1));
-        } else {
-            structures.premiers = deLOeil();
+    public synchronized Recherche pourUnFil(Compteurs compteurs) {
+        if (!estEnPlace()) {
+            construire();
         }
-        synchronized (this) {
-            faites++;
-            suivi.accept(PART_COPIE + (1 - PART_COPIE) * faites / (2 + structures.ombres.length));
-        }
+        return recherche.pourUnFil(compteurs);
     }
 
-    private Occultations deLaLampe(Lampe lampe) {
-        long sienne = Math.max((long) spheres.nombre * CASES_PAR_SPHERE, CASES_TOUJOURS) / lampes.size();
-        if (Scene.estLointaine(lampe, bout) || sienne < spheres.nombre / 16) {
-            return structures.arbre;
-        }
-        Point p = lampe.getPosition();
-        int cases = (int) Math.min(Math.min(sienne, (long) CASES_PAR_LAMPE * spheres.nombre), CASES_MAX);
-        Carte carte = Carte.de(spheres, p, false, Faces.pour(spheres, p.x, p.y, p.z, Math.max(CASES_MIN, cases)),
-                structures.arbre, places());
-        return carte == null ? structures.arbre : carte;
+    @Override
+    public void commencer(Point P, Vecteur V, Objet3D depart) {
+        recherche.commencer(P, V, depart);
     }
 
-    private Intersections deLOeil() {
-        double cote = Math.min(PIXELS_PAR_CASE, Math.sqrt(pixels / (double) Math.min(CASES_MAX, spheres.nombre)));
-        // si l'œil est hors de l'axe, cette carte n'accepte aucun rayon
-        Carte carte = Carte.de(spheres, new Point(0, 0, camera.getOeil().z), true,
-                new Face[] {Face.deLImage(camera, cote)}, structures.arbre, places());
-        return carte == null ? structures.arbre : carte;
+    @Override
+    public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
+        recherche.commencerOmbre(lampe, P, V, distance, eclaire);
     }
 
-    /** Nombre maximal de places d'une carte : une part égale pour l'œil et pour chaque lampe. */
-    private long places() {
-        return CASES_MIN + Math.max((long) spheres.nombre * PLACES_PAR_SPHERE, PLACES_TOUJOURS) / (1 + lampes.size());
+    @Override
+    public int suivant(double auPlus) {
+        return recherche.suivant(auPlus);
+    }
+
+    @Override
+    public String toString() {
+        return recherche.toString();
     }
 }

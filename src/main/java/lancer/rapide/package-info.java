@@ -1,5 +1,5 @@
 /**
- * Recherches rapides du premier contact d'un rayon et des objets qui cachent une lampe : masques, cartes, grille,
- * arbre. Leurs réponses sont celles des boucles du cours, au bit près. Pour leur compilation, voir docs/etendre.md.
+ * Les objets qu'un rayon peut rencontrer, d'après leurs enveloppes. Des masques pour une petite scène ; pour une foule,
+ * des cartes de directions et un arbre. Les boucles de {@link lancer.Scene} demandent sa distance à chaque objet proposé.
  */
 package lancer.rapide;

@@ -18,9 +18,8 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Recherche;
 import lancer.contrat.Vue;
-import lancer.essai.RechercheNaive.Ombre;
+import lancer.essai.TraceurNaif.Ombre;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
@@ -174,14 +173,7 @@ public final class Defauts {
     }
 
     private Couleur[] naive(Scene scene, Ombre ombre, double epsilon) {
-        return naive(scene, 0, new RechercheNaive(scene.getObjets(), ombre, epsilon));
-    }
-
-    private Couleur[] naive(Scene scene, int reflets, Recherche recherche) {
-        Scene naive = new Scene(scene.getObjets(), scene.getLampes());
-        naive.getModele().setRecherche(recherche);
-        naive.getModele().setSeuil(0);
-        return image(naive, reflets);
+        return image(new TraceurNaif(scene, camera, 0, ombre, epsilon));
     }
 
     /** Trop court pour un sol de 3·10¹⁰ de rayon, trop long pour ce qui est à 5·10⁻⁵ de l'écran. */
@@ -208,7 +200,7 @@ public final class Defauts {
         Scene scene = scene(Camera.OEIL, boule, boule(0, 0, 5, 1.5, 1, 0));
         // d'une classe dérivée, elle est gardée
         Scene gardee = scene(Camera.OEIL, boule, new Sphere(boule.getCentre(), boule.getRayon()) { });
-        noter("sphère jumelle gardée", scene, 0, naive(gardee, 0, null), deLaLampe(boule, 1));
+        noter("sphère jumelle gardée", scene, 0, image(gardee, 0), deLaLampe(boule, 1));
     }
 
     /** Une lampe à un milliard : ses rayons sont parallèles. */
@@ -224,7 +216,7 @@ public final class Defauts {
         Sphere boule = boule(0, 0, 5, 1.5, 0, 0.5);
         Scene scene = new Scene(Collections.singletonList(boule), Collections.<Lampe>emptyList());
         noter("un miroir se réfléchit lui-même", scene, 1,
-                naive(scene, 1, new RechercheNaive(scene.getObjets(), Ombre.AUCUNE, 0)), vue(boule, false, (V, N) -> {
+                image(new TraceurNaif(scene, camera, 1, Ombre.AUCUNE, 0)), vue(boule, false, (V, N) -> {
                     Vecteur R = V.sub(N.mul(2 * N.dot(V)));
                     // le ciel change d'un coup à l'horizon
                     return Math.abs(R.y) < 1e-9 ? null : Analytique.ciel(R).mul(0.5);

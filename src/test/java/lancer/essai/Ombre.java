@@ -5,7 +5,6 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Recherche;
 
 /** La question de l'ombre, posée comme le fait {@link Objet3D#getColor}. */
 public final class Ombre {
@@ -16,10 +15,5 @@ public final class Ombre {
     public static boolean cachee(Scene scene, Lampe lampe, Point contact, Objet3D objet) {
         Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
         return scene.estCachee(lampe, contact, versLampe.normalized(), versLampe.norme(), objet);
-    }
-
-    public static boolean cachee(Recherche recherche, Lampe lampe, Point contact, Objet3D objet) {
-        Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
-        return recherche.estCachee(lampe, lampe.getPosition(), versLampe.normalized().neg(), versLampe.norme(), objet);
     }
 }

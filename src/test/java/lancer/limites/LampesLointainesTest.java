@@ -21,7 +21,6 @@ import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
@@ -201,15 +200,20 @@ class LampesLointainesTest {
             Recherche rapide = Preparation.pour(scene, camera, part -> { });
             scene.getModele().setRecherche(new Recherche() {
                 @Override
-                public void plusProche(Rayon incident, Objet3D saufLui) {
-                    rapide.plusProche(incident, saufLui);
+                public void commencer(Point P, Vecteur V, Objet3D depart) {
+                    rapide.commencer(P, V, depart);
                 }
 
                 @Override
-                public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
+                public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
                     questions[0]++;
                     assertSame(lampe.getPosition(), P, "une question par ombre, qui part de la lampe");
-                    return rapide.estCachee(lampe, P, V, distance, objet);
+                    rapide.commencerOmbre(lampe, P, V, distance, objet);
+                }
+
+                @Override
+                public int suivant(double auPlus) {
+                    return rapide.suivant(auPlus);
                 }
 
                 @Override

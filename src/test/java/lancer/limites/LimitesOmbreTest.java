@@ -15,6 +15,7 @@ import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
@@ -22,12 +23,12 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Recherche;
+import lancer.contrat.Vue;
 import lancer.essai.Formule;
 import lancer.essai.Ombre;
 import lancer.essai.Rangee;
-import lancer.essai.RechercheNaive;
 import lancer.essai.Ressources;
+import lancer.essai.TraceurNaif;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -41,10 +42,14 @@ class LimitesOmbreTest {
 
     /** Le nombre de pixels noirs d'une scène que l'on regarde de la lampe : il ne devrait pas y en avoir. */
     private static int noirs(Scene scene) {
-        Ressources.Image image = image(scene, COTE, COTE, 0, 1);
+        Lancer lancer = new Lancer(scene, new Camera(COTE, COTE));
+        return noirs((xe, ye) -> lancer.getCouleurPixel(xe, ye, 0));
+    }
+
+    private static int noirs(Vue vue) {
         int noirs = 0;
-        for (int k = 0; k < image.composantes.length; k += 3) {
-            noirs += image.composantes[k + 2] == 0 ? 1 : 0;
+        for (int k = 0; k < COTE * COTE; k++) {
+            noirs += vue.couleur(k % COTE + 0.5, k / COTE + 0.5).b == 0 ? 1 : 0;
         }
         return noirs;
     }
@@ -54,8 +59,8 @@ class LimitesOmbreTest {
     }
 
     /** Du contact vers la lampe, tout ce que le rayon touche à plus d'epsilon, selon le manuel, cache, l'objet éclairé compris. */
-    private static Recherche sansExclure(Scene scene, double epsilon) {
-        return new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_EXCLURE, epsilon);
+    private static TraceurNaif sansExclure(Scene scene, double epsilon) {
+        return new TraceurNaif(scene, new Camera(COTE, COTE), 0, TraceurNaif.Ombre.SANS_EXCLURE, epsilon);
     }
 
     /** L'acné. */
@@ -63,28 +68,26 @@ class LimitesOmbreTest {
     void sansExclureLaSurfaceDeDepartElleSOmbreElleMeme() {
         Scene scene = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.getModele().setRecherche(sansExclure(scene, 0));
-        assertTrue(noirs(scene) > 200, noirs(scene) + " points noirs");
-        Rangee.montre("sansExclureLaSurfaceDeDepartElleSOmbreElleMeme", noirs(scene), 0, 0);
+        int noirs = noirs(sansExclure(scene, 0));
+        assertTrue(noirs > 200, noirs + " points noirs");
+        Rangee.montre("sansExclureLaSurfaceDeDepartElleSOmbreElleMeme", noirs, 0, 0);
     }
 
     /** Un epsilon de 1e-6 couvre les arrondis d'une scène de quelques unités, ni ceux d'un grand sol, ni rien d'une petite scène. */
     @Test
     void unEpsilonFixeNeGueritQueLesScenesDeSaTaille() {
         Scene moyenne = vueDeLaLampe(boule(0, 0, 5, 1.5, 1, 0, 1));
-        moyenne.getModele().setRecherche(sansExclure(moyenne, 1e-6));
-        assertEquals(0, noirs(moyenne), "il guérit celle-ci");
+        assertEquals(0, noirs(sansExclure(moyenne, 1e-6)), "il guérit celle-ci");
         Scene grande = vueDeLaLampe(boule(6e10, -8e10 - 2.5, 5, 1e11, 1, 0, 1));
         assertEquals(0, noirs(grande));
-        grande.getModele().setRecherche(sansExclure(grande, 1e-6));
-        Rangee.montre("unEpsilonFixeNeGueritQueLesScenesDeSaTaille", noirs(grande), 0, 0);
-        assertTrue(noirs(grande) > 50, noirs(grande) + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
+        int noirs = noirs(sansExclure(grande, 1e-6));
+        Rangee.montre("unEpsilonFixeNeGueritQueLesScenesDeSaTaille", noirs, 0, 0);
+        assertTrue(noirs > 50, noirs + " points noirs : de près, la racine du manuel se trompe de u·1e11 = 1e-5");
         // une bille posée à 2e-7 du contact devrait le cacher
         Sphere mur = boule(0, 0, 5, 1, 1, 0, 1);
         Scene petite = scene(Arrays.asList(mur, boule(0, 0, 4 - 3e-7, 1e-7, 1, 0, 1)), new Lampe(new Point(), new Couleur(1)));
         assertTrue(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur));
-        petite.getModele().setRecherche(sansExclure(petite, 1e-6));
-        assertFalse(Ombre.cachee(petite, petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
+        assertFalse(sansExclure(petite, 1e-6).cachee(petite.getLampes().get(0), new Point(0, 0, 4), mur), "la lumière passe à travers");
     }
 
     /** Ignorer tout ce qui est trop près du départ, pour ignorer le départ : de deux boules qui se frôlent, l'autre disparaît. */
@@ -164,9 +167,9 @@ class LimitesOmbreTest {
         Sphere boule = boule(0, 0, 5, 1.5, 1, 0, 1);
         Scene scene = vueDeLaLampe(boule, boule(0, 0, -9, 2, 1, 0, 1));
         assertEquals(0, noirs(scene));
-        scene.getModele().setRecherche(new RechercheNaive(scene.getObjets(), RechercheNaive.Ombre.SANS_DISTANCE, 0));
-        assertTrue(noirs(scene) > 3_000, noirs(scene) + " points noirs");
-        Rangee.montre("oublierLaDistanceDeLaLampeFaitOmbrerCeQuiEstDerriereElle", noirs(scene), 0, 0);
+        int noirs = noirs(new TraceurNaif(scene, new Camera(COTE, COTE), 0, TraceurNaif.Ombre.SANS_DISTANCE, 0));
+        assertTrue(noirs > 3_000, noirs + " points noirs");
+        Rangee.montre("oublierLaDistanceDeLaLampeFaitOmbrerCeQuiEstDerriereElle", noirs, 0, 0);
     }
 
     /**

@@ -157,7 +157,7 @@ class DependancesTest {
                 .forEach(n -> cours.computeIfAbsent(classe, c -> new TreeSet<>()).add(n)));
         Map<String, Set<String>> duCours = cercles(cours);
         assertEquals(new TreeSet<>(Arrays.asList("lancer.Objet3D", "lancer.Point", "lancer.PointContact", "lancer.Rayon", "lancer.Scene",
-                "lancer.Vecteur")), duCours.keySet());
+                "lancer.Sphere", "lancer.Vecteur")), duCours.keySet());
         Map<String, Set<String>> fleches = new TreeMap<>();
         NOMS.forEach((classe, noms) -> noms.stream()
                 .filter(n -> CODES.containsKey(n) && !duCours.getOrDefault(classe, Collections.emptySet()).contains(n))

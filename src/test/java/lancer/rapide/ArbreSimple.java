@@ -175,11 +175,11 @@ final class ArbreSimple implements Recherche {
                 compteurs.testsSpheres++;
                 double d = objets.get(k).getIntersectionDistance(rayon);
                 if (d < distance || d == distance && d < Constantes.INFINI && k < trouve) {
+                    distance = d;
+                    trouve = k;
                     if (premiereVenue) {
                         return true;
                     }
-                    distance = d;
-                    trouve = k;
                 }
             }
         }
@@ -187,20 +187,32 @@ final class ArbreSimple implements Recherche {
     }
 
     @Override
-    public void plusProche(Rayon incident, Objet3D saufLui) {
-        distance = Constantes.INFINI;
-        trouve = Integer.MAX_VALUE;
-        if (racine != null) {
-            chercher(racine, incident, saufLui, false);
-        }
-        incident.setContact(trouve == Integer.MAX_VALUE ? null : objets.get(trouve), distance);
+    public void commencer(Point P, Vecteur V, Objet3D depart) {
+        proposer(Rayon.dOmbre(P, V), Constantes.INFINI, depart, false);
     }
 
     @Override
-    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double jusque, Objet3D objet) {
+    public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double jusque, Objet3D eclaire) {
+        proposer(Rayon.dOmbre(P, V), jusque, eclaire, true);
+    }
+
+    /** Ne propose que la réponse, déjà comptée : la boucle qui la demande de nouveau la compterait deux fois. */
+    private void proposer(Rayon rayon, double jusque, Objet3D saufLui, boolean premiereVenue) {
         distance = jusque;
-        trouve = -1;
-        return racine != null && chercher(racine, Rayon.dOmbre(P, V), objet, true);
+        trouve = Integer.MAX_VALUE;
+        if (racine != null) {
+            chercher(racine, rayon, saufLui, premiereVenue);
+        }
+        if (trouve != Integer.MAX_VALUE) {
+            compteurs.testsSpheres--;
+        }
+    }
+
+    @Override
+    public int suivant(double auPlus) {
+        int k = trouve == Integer.MAX_VALUE ? -1 : trouve;
+        trouve = Integer.MAX_VALUE;
+        return k;
     }
 
     @Override

@@ -103,17 +103,18 @@ class IdentiteTest {
         scene.getModele().setRecherche(null);
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
-        for (Preparation.Genre genre : Preparation.Genre.values()) {
-            Dessin impose = Dessin.de(scene, camera, Preparation.pour(scene, camera, genre, part -> { }), profondeur);
-            impose.verifier(nom + ", structures imposées : " + genre, lisible);
+        Preparation preparation = new Preparation(scene, camera, part -> { });
+        if (scene.getObjets().size() <= Long.SIZE) {
+            Dessin.de(scene, camera, preparation.masques(), profondeur).verifier(nom + ", masques", lisible);
         }
+        Dessin.de(scene, camera, preparation.foule(true), profondeur).verifier(nom + ", cartes", lisible);
+        Dessin.de(scene, camera, preparation.foule(false), profondeur).verifier(nom + ", arbre seul", lisible);
         for (int fils : new int[] {1, 2, 7}) {
             scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
             Dessin rapide = new Dessin(scene, camera, profondeur, fils);
             rapide.verifier(nom + ", " + fils + " fils", lisible);
             premiers = premiers == null ? rapide.compteurs : premiers;
             assertEquals(premiers.testsSpheres, rapide.compteurs.testsSpheres, nom + ", sphères, fils");
-            assertEquals(premiers.testsPrecis, rapide.compteurs.testsPrecis, nom + ", intersections reprises, fils");
             assertEquals(premiers.noeudsVisites, rapide.compteurs.noeudsVisites, nom + ", nœuds, fils");
         }
     }

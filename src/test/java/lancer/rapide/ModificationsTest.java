@@ -70,7 +70,7 @@ class ModificationsTest {
         "Scene | .traverser(couleur, | .traverser(couleur.mul(0.5),",
         "Lancer | camera.getRayon(xe, ye) | camera.getRayon(xe + 0.3, ye)",
         "Camera | new Point(getX(xe), getY(ye), 0) | new Point(getX(xe), getY(ye), 0.1)",
-        "Camera | new Vecteur(OEIL, ecran) | new Vecteur(0, 0, 1)",
+        "Camera | new Vecteur(getOeil(), ecran) | new Vecteur(0, 0, 1)",
         "Camera | new Point(0, 0, -FOCALE) | new Point(0.5, 0.2, -FOCALE)",
         "Camera | new Point(0, 0, -FOCALE) | new Point(0.3, 0.2, -FOCALE - 0.5)",
         "Camera | double FOCALE = | double FOCALE = 0.6 *",
@@ -90,15 +90,15 @@ class ModificationsTest {
         "Lampe | return couleur; | return couleur.mul(0.5);",
         "Scene | lampe.getPosition(), L.neg(), distance, objet | lampe.getPosition(), L, distance, objet",
         "Rayon | return V; | return V.add(new Vecteur(0, 1e-10, 0));",
-        "precision/Intersection | return d >= 0 ? d : | return d >= 0 ? 1.01 * d :",
-        "Scene | if (d < distance) | if (d < 0.8 * distance)",
-        "Scene | if (d < distance) | if (d < Constantes.INFINI)",
-        "Scene | if (objet != saufLui) { | if (objet != saufLui && objet != objets.get(0)) {",
-        "Scene | incident.setContact(plusProche, distance) | incident.setContact(plusProche, 1.001 * distance)",
+        "precision/Intersection | h2 >= 0 ? c / | h2 >= 0 ? 1.01 * c /",
+        "Scene | if (d < distance | if (d < 0.8 * distance",
+        "Scene | if (d < distance | if (d < Constantes.INFINI",
+        "Scene | if (objets[k] != saufLui) { | if (objets[k] != saufLui && k != 0) {",
+        "Scene | objets[plusProche], distance) | objets[plusProche], 1.001 * distance)",
         "Scene | distance = d; | distance = d + 0.01;",
-        "Scene | demander(autre, ombre) < distance | demander(autre, ombre) < 0.7 * distance",
-        "Scene | autre != objet && demander | autre != objet && autre != objets.get(1) && demander",
-        "Scene | for (Objet3D autre : objets) | for (Objet3D autre : objets.subList(0, 1))"})
+        "Scene | demander(objets[k], ombre) < distance | demander(objets[k], ombre) < 0.7 * distance",
+        "Scene | objets[k] != objet && demander | objets[k] != objet && k != 1 && demander",
+        "Scene | if (objets[k] != objet | if (k == 0 && objets[k] != objet"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         try (Essai.Isole programme = Modification.de(dossier, classe, ancienne, nouvelle)) {
             byte[] simple = dessiner(programme, dossier, "simple", "--simple");

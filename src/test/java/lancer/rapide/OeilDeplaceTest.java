@@ -95,7 +95,6 @@ class OeilDeplaceTest {
             }
             Scene scene = new Scene(boules, Collections.emptyList());
             Camera camera = new CameraDeplacee(LARGEUR, HAUTEUR, new Point(0, 0, 3), 0);
-            assertTrue(Preparation.pour(scene, camera, part -> { }) instanceof RechercheRapide);
             comparer(foule + " boules", scene, camera);
         }
     }

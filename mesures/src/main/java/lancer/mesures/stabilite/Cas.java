@@ -93,7 +93,7 @@ final class Cas {
 
     /** Dit si une méthode trouve un contact qui n'existe pas, en manque un, ou prend l'autre racine. */
     boolean malClasse(Formule formule) {
-        double t = formule.distance(Double.POSITIVE_INFINITY, nombres, 0);
+        double t = formule.distance(nombres, 0);
         if (Double.isInfinite(distance) || Double.isInfinite(t) || Double.isNaN(t)) {
             return t != distance;
         }
@@ -102,7 +102,7 @@ final class Cas {
 
     /** |Δt| / t. */
     double erreurRelative(Formule formule) {
-        return Math.abs(formule.distance(Double.POSITIVE_INFINITY, nombres, 0) - distance) / distance;
+        return Math.abs(formule.distance(nombres, 0) - distance) / distance;
     }
 
     /** |Δt| en unités de κ u t = u (1 + r/h) t, l'effet inévitable de l'arrondi de la direction. */

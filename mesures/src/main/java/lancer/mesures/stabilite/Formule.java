@@ -15,7 +15,7 @@ import lancer.precision.IntersectionCompensee;
 public enum Formule {
 
     /** Équation des manuels. Avec f = P − C, b² − 4ac soustrait deux nombres de l'ordre de |f|² pour un résultat de l'ordre de r². */
-    MANUEL("manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE, (avant, n, k) -> {
+    MANUEL("manuel : b² − 4ac", Style.BLEU, FormeDePoint.CARRE, (n, k) -> {
         double fx = n[k] - n[k + 6];
         double fy = n[k + 1] - n[k + 7];
         double fz = n[k + 2] - n[k + 8];
@@ -31,7 +31,7 @@ public enum Formule {
     }),
 
     /** Perpendiculaire du centre au rayon, calculée comme un vecteur : h² = r² − |f − bV|², puis les deux racines. */
-    PERPENDICULAIRE("perpendiculaire : |f − bV|²", Style.VERT, FormeDePoint.POINTE, (avant, n, k) -> {
+    PERPENDICULAIRE("perpendiculaire : |f − bV|²", Style.VERT, FormeDePoint.POINTE, (n, k) -> {
         double fx = n[k + 6] - n[k];
         double fy = n[k + 7] - n[k + 1];
         double fz = n[k + 8] - n[k + 2];
@@ -44,20 +44,12 @@ public enum Formule {
     }),
 
     /** Le calcul compensé, que le programme réserve aux départs près d'une surface. De loin, il est inexact : h² = b² − c. */
-    COMPENSEE("toujours compensée", Style.POURPRE, FormeDePoint.CROIX, (avant, n, k) -> IntersectionCompensee.distance(
+    COMPENSEE("toujours compensée", Style.POURPRE, FormeDePoint.CROIX, (n, k) -> IntersectionCompensee.distance(
             n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
 
     /** La méthode du programme. */
-    PROGRAMME("le programme", Style.VERMILLON, FormeDePoint.ROND, (avant, n, k) -> Intersection.distance(
-            n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9])),
-
-    /** La méthode du programme dans une recherche : un doute n'est tranché que si la sphère peut être la plus proche. */
-    RECHERCHE("le programme, dans une recherche", Style.ORANGE, FormeDePoint.CARRE, (avant, n, k) -> {
-        double d = Intersection.distanceOuDoute(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8],
-                n[k + 9]);
-        return d >= 0 ? d : Intersection.auMoins(d) > avant ? Constantes.INFINI : Intersection.trancher(n[k], n[k + 1], n[k + 2],
-                n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9]);
-    });
+    PROGRAMME("le programme", Style.VERMILLON, FormeDePoint.ROND, (n, k) -> Intersection.distance(
+            n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7], n[k + 8], n[k + 9]));
 
     /** Nombre de nombres d'un cas. */
     static final int NOMBRES = 10;
@@ -69,7 +61,7 @@ public enum Formule {
     private final Calcul calcul;
 
     private interface Calcul {
-        double distance(double avant, double[] n, int k);
+        double distance(double[] n, int k);
     }
 
     Formule(String nom, Color couleur, FormeDePoint forme, Calcul calcul) {
@@ -84,9 +76,9 @@ public enum Formule {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** La distance, ou un nombre supérieur à {@code avant} si elle le dépasse ; +∞ sans contact. */
-    double distance(double avant, double[] n, int k) {
-        return calcul.distance(avant, n, k);
+    /** La distance, +∞ sans contact. */
+    double distance(double[] n, int k) {
+        return calcul.distance(n, k);
     }
 
     private static double premiere(double t1, double t2) {

@@ -80,7 +80,7 @@ public final class Noyau {
         for (int ensemble = 0; ensemble < cas.length; ensemble += Formule.NOMBRES * ENSEMBLE) {
             double distance = Constantes.INFINI;
             for (int k = ensemble; k < ensemble + Formule.NOMBRES * ENSEMBLE; k += Formule.NOMBRES) {
-                double d = formule.distance(distance, cas, k);
+                double d = formule.distance(cas, k);
                 distance = d < distance ? d : distance;
             }
             plusPetites += distance;

@@ -89,8 +89,7 @@ class StabiliteTest {
         }
         Bilan bilan = new Bilan(RESULTATS);
         for (Formule methode : Formule.values()) {
-            boolean notre = methode == Formule.PROGRAMME || methode == Formule.RECHERCHE;
-            assertEquals(notre, Arrays.stream(Regime.values()).map(r -> bilan.en(r, methode))
+            assertEquals(methode == Formule.PROGRAMME, Arrays.stream(Regime.values()).map(r -> bilan.en(r, methode))
                     .allMatch(r -> r.faux == 0 && r.erreurEnUnites <= Bilan.PROMESSE), methode.nom);
         }
         assertTrue(bilan.en(Regime.LOIN, Formule.MANUEL).part() > 0.05, "de loin, le manuel ne sait plus qui touche");

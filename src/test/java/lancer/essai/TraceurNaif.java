@@ -1,18 +1,21 @@
 package lancer.essai;
 
 import java.util.List;
+import lancer.Camera;
 import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Rayon;
+import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
-import lancer.contrat.Recherche;
+import lancer.contrat.Vue;
 
-/** Les boucles du cours, et les façons courantes d'y poser une question d'ombre ou de reflet. */
-public final class RechercheNaive implements Recherche {
+/** Les boucles du cours avec la formule du manuel, et les façons courantes d'y poser une question d'ombre ou de reflet. */
+public final class TraceurNaif implements Vue {
 
     /** Ce qui, entre un contact et une lampe, la cache. */
     public enum Ombre {
@@ -26,20 +29,53 @@ public final class RechercheNaive implements Recherche {
         AUCUNE
     }
 
-    private final List<? extends Objet3D> objets;
+    private final Camera camera;
+    private final List<Objet3D> objets;
+    private final List<Lampe> lampes;
+    private final int reflets;
     private final Ombre ombre;
     private final double epsilon;
 
     /** @param epsilon une rencontre plus proche ne compte pas */
-    public RechercheNaive(List<? extends Objet3D> objets, Ombre ombre, double epsilon) {
-        this.objets = objets;
+    public TraceurNaif(Scene scene, Camera camera, int reflets, Ombre ombre, double epsilon) {
+        this.camera = camera;
+        objets = scene.getObjets();
+        lampes = scene.getLampes();
+        this.reflets = reflets;
         this.ombre = ombre;
         this.epsilon = epsilon;
     }
 
-    /** N'exclut rien : ce qui est à plus d'epsilon compte. */
     @Override
-    public void plusProche(Rayon incident, Objet3D saufLui) {
+    public Couleur couleur(double xe, double ye) {
+        return vue(camera.getRayon(xe, ye), reflets);
+    }
+
+    private Couleur vue(Rayon rayon, int profondeur) {
+        chercher(rayon);
+        PointContact contact = rayon.calcContact();
+        if (contact == null) {
+            return rayon.getSkyColor();
+        }
+        Vecteur V = rayon.getV();
+        Vecteur N = contact.objet.getNormale(contact);
+        Couleur couleur = new Couleur();
+        for (Lampe lampe : lampes) {
+            Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
+            Vecteur L = versLampe.normalized();
+            // comme le cours, la question part de la lampe
+            Point vise = lampe.getPosition().add(versLampe.norme(), L.neg());
+            if (N.dot(versLampe) > 0 && !cachee(lampe, vise, contact.objet)) {
+                couleur = couleur.add(contact.objet.getKd().mul(N.dot(L), lampe.getCouleur()));
+            }
+        }
+        Vecteur R = V.add(-2 * V.dot(N), N).normalized();
+        Couleur Ks = contact.objet.getKs();
+        return profondeur == 0 ? couleur : couleur.add(Ks.mul(vue(new Rayon(contact, R, Ks), profondeur - 1)));
+    }
+
+    /** N'exclut rien : ce qui est à plus d'epsilon compte. */
+    private void chercher(Rayon incident) {
         Objet3D meilleur = null;
         double distance = Constantes.INFINI;
         for (Objet3D objet : objets) {
@@ -52,12 +88,10 @@ public final class RechercheNaive implements Recherche {
         incident.setContact(meilleur, distance);
     }
 
-    @Override
-    public boolean estCachee(Lampe lampe, Point P, Vecteur V, double distance, Objet3D objet) {
-        Point contact = P.add(distance, V);
+    public boolean cachee(Lampe lampe, Point contact, Objet3D objet) {
         if (ombre == Ombre.PREMIER_DU_MANUEL) {
             Rayon deLaLampe = new Rayon(lampe.getPosition(), contact);
-            plusProche(deLaLampe, null);
+            chercher(deLaLampe);
             return deLaLampe.getObjet() != objet;
         }
         Rayon versLaLampe = new Rayon(contact, lampe.getPosition());
@@ -81,10 +115,5 @@ public final class RechercheNaive implements Recherche {
         }
         double reste = Formule.MANUEL.distance(P.add(rayon.getV().mul(epsilon)), rayon.getV(), s.getCentre(), s.getRayon());
         return reste + epsilon;
-    }
-
-    @Override
-    public Recherche pourUnFil(Compteurs compteurs) {
-        return this;
     }
 }

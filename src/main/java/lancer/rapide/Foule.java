@@ -1,0 +1,232 @@
+package lancer.rapide;
+
+import lancer.Lampe;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Vecteur;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+
+/**
+ * Recherche d'une scène de beaucoup d'objets. Un rayon de l'écran ou d'une lampe lit une case d'une {@link Carte}. Un rayon
+ * réfléchi, ou dont la case n'est pas connue, descend dans l'{@link Arbre}, de la boîte la plus proche à la plus
+ * lointaine.
+ */
+final class Foule implements Recherche {
+
+    private final Enveloppes enveloppes;
+    private final int[] libres;
+    private final int nombre;
+    private final Arbre arbre;
+    private final Carte oeil;
+    private final Lampe[] lampes;
+    private final Carte[] cartes;
+    private final Compteurs compteurs;
+
+    /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
+    private int lampe;
+
+    private double px;
+    private double py;
+    private double pz;
+    private double vx;
+    private double vy;
+    private double vz;
+
+    /** Place en cours d'une case ou d'une feuille, et place de fin. */
+    private int[] liste;
+    private int place;
+    private int fin;
+    /** Distances des objets d'une case, {@code null} dans l'arbre, et ce que le rayon a parcouru avant P. */
+    private float[] pres;
+    private double avance;
+
+    /** Nœuds à visiter, bornes inférieures de leurs distances, hauteur de la pile. */
+    private final int[] pile = new int[Arbre.PROFONDEUR_MAX];
+    private final double[] entrees = new double[Arbre.PROFONDEUR_MAX];
+    private int haut;
+
+    /** Vrai pour une ombre : les objets libres viennent après l'arbre, et le dernier qui a caché une lampe avant lui. */
+    private boolean ombre;
+    /** Places des prochains objets libres, et du prochain objet quand aucune structure ne convient. */
+    private int libre;
+    private int tous;
+    /** L'objet proposé en dernier, −1 à la fin ; celui qui a caché une lampe en dernier ; celui à proposer d'abord. */
+    private int propose = -1;
+    private int bloqueur = -1;
+    private int premier = -1;
+
+    /** @param oeil carte de l'œil, et de chaque lampe ; {@code null} là où l'arbre la remplace */
+    Foule(Enveloppes enveloppes, Arbre arbre, Carte oeil, Lampe[] lampes, Carte[] cartes, Compteurs compteurs) {
+        this.enveloppes = enveloppes;
+        this.arbre = arbre;
+        this.oeil = oeil;
+        this.cartes = cartes;
+        this.lampes = lampes;
+        this.compteurs = compteurs;
+        libres = enveloppes.libres;
+        nombre = enveloppes.objets.length;
+    }
+
+    @Override
+    public void commencer(Point P, Vecteur V, Objet3D depart) {
+        if (depart == null) {
+            bloqueur = -1;
+        }
+        ombre = false;
+        ouvrir(depart == null ? oeil : null, P, V);
+    }
+
+    @Override
+    public void commencerOmbre(Lampe demandee, Point P, Vecteur V, double distance, Objet3D eclaire) {
+        // la boucle qui s'est arrêtée avant la fin a trouvé ce qui cache la lampe
+        if (ombre && propose >= 0) {
+            bloqueur = propose;
+        }
+        ombre = true;
+        ouvrir(carteDe(demandee), P, V);
+    }
+
+    private Carte carteDe(Lampe demandee) {
+        for (int k = 0; k < lampes.length; k++) {
+            if (lampes[lampe] == demandee) {
+                return cartes[lampe];
+            }
+            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
+        }
+        return null;
+    }
+
+    private void ouvrir(Carte carte, Point P, Vecteur V) {
+        px = P.x;
+        py = P.y;
+        pz = P.z;
+        vx = V.x;
+        vy = V.y;
+        vz = V.z;
+        place = 0;
+        fin = 0;
+        haut = 0;
+        libre = 0;
+        tous = nombre;
+        premier = -1;
+        compteurs.noeudsVisites++;
+        int c = carte == null ? -1 : carte.point.caseDe(px, py, pz, vx, vy, vz);
+        if (c >= 0 && carte.nombre[c] >= 0) {
+            liste = carte.objets;
+            pres = carte.pres;
+            place = carte.debut[c];
+            fin = place + carte.nombre[c];
+            avance = carte.point.avance(px, py, pz, vx, vy, vz);
+        } else if (Enveloppes.estUnitaire(vx, vy, vz) && Enveloppes.plusGrande(px, py, pz) < Enveloppes.LONGUEUR_MAX) {
+            liste = arbre.feuilles;
+            pres = null;
+            pile[0] = 0;
+            entrees[0] = 0;
+            haut = liste.length == 0 ? 0 : 1;
+            premier = ombre ? bloqueur : -1;
+        } else {
+            libre = libres.length;
+            tous = 0;
+        }
+    }
+
+    @Override
+    public int suivant(double auPlus) {
+        if (place < fin && (pres == null || pres[place] - avance <= auPlus)) {
+            propose = liste[place++];
+        } else {
+            propose = suite(auPlus);
+        }
+        return propose;
+    }
+
+    /** Le premier objet proposé avant l'arbre, d'une nouvelle feuille, ou après l'arbre ou la case. */
+    private int suite(double auPlus) {
+        fin = 0;
+        if (premier >= 0) {
+            int k = premier;
+            premier = -1;
+            return k;
+        }
+        if (haut > 0 && !ombre && libre < libres.length) {
+            return libres[libre++];
+        }
+        if (haut > 0 && descendre(auPlus)) {
+            return liste[place++];
+        }
+        if (libre < libres.length) {
+            return libres[libre++];
+        }
+        return tous < nombre ? tous++ : -1;
+    }
+
+    /** Cherche la feuille suivante. @return faux s'il n'y en a plus */
+    private boolean descendre(double auPlus) {
+        double[] q = arbre.boites;
+        double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);
+        double ax = Math.abs(vx);
+        double ay = Math.abs(vy);
+        double az = Math.abs(vz);
+        int visites = 0;
+        while (haut > 0) {
+            if (entrees[--haut] > auPlus) {
+                continue;
+            }
+            int n = pile[haut];
+            // descend par l'enfant le plus proche jusqu'à une feuille ; l'autre enfant va dans la pile
+            while (n >= 0 && arbre.compte[n] == 0) {
+                visites += 2;
+                int s = arbre.suite[n];
+                double e0 = entree(q, Arbre.PAS * s, ax, ay, az, marge, auPlus);
+                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, ax, ay, az, marge, auPlus);
+                if (e0 <= auPlus && e1 <= auPlus) {
+                    boolean premier = e0 <= e1;
+                    pile[haut] = premier ? s + 1 : s;
+                    entrees[haut++] = premier ? e1 : e0;
+                    n = premier ? s : s + 1;
+                } else {
+                    n = e0 <= auPlus ? s : e1 <= auPlus ? s + 1 : -1;
+                }
+            }
+            if (n >= 0) {
+                compteurs.noeudsVisites += visites;
+                place = arbre.suite[n];
+                fin = place + arbre.compte[n];
+                return true;
+            }
+        }
+        compteurs.noeudsVisites += visites;
+        return false;
+    }
+
+    /**
+     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation sont V et ses
+     * produits vectoriels avec les trois axes.
+     */
+    private double entree(double[] q, int b, double ax, double ay, double az, double marge, double auPlus) {
+        double x = q[b] - px;
+        double y = q[b + 1] - py;
+        double z = q[b + 2] - pz;
+        double hx = q[b + 3] + marge;
+        double hy = q[b + 4] + marge;
+        double hz = q[b + 5] + marge;
+        if (Math.abs(y * vz - z * vy) > hy * az + hz * ay || Math.abs(z * vx - x * vz) > hz * ax + hx * az
+                || Math.abs(x * vy - y * vx) > hx * ay + hy * ax) {
+            return Double.NaN;
+        }
+        double milieu = x * vx + y * vy + z * vz;
+        double demi = hx * ax + hy * ay + hz * az;
+        return milieu + demi < 0 ? Double.NaN : milieu - demi;
+    }
+
+    @Override
+    public Recherche pourUnFil(Compteurs siens) {
+        return new Foule(enveloppes, arbre, oeil, lampes, cartes, siens);
+    }
+
+    @Override
+    public String toString() {
+        return "cartes et arbre";
+    }
+}

@@ -1,0 +1,159 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+import lancer.Camera;
+import lancer.Point;
+
+/** Un point par où passent des rayons, l'œil ou une lampe. Les directions qui en partent sont découpées en cases. */
+final class PointDeVue {
+
+    /** Écart permis entre le point et la droite du rayon, en part des coordonnées du point ; les enveloppes en ont le double. */
+    private static final double ECART = 5e-14;
+
+    /** Plus petite distance dont le carré garde ses chiffres. */
+    private static final double LOIN_MIN = 1e-120;
+
+    private final double x;
+    private final double y;
+    private final double z;
+    /** Fenêtre de chaque face du cube, {@code null} s'il n'y a rien, et rang de sa première case. */
+    private final Fenetre[] fenetres = new Fenetre[6];
+    private final int[] premieres = new int[6];
+    /** La case des directions hors des fenêtres ; −1 si elles ne sont pas connues. */
+    private int ailleurs = -1;
+    /** Nombre de cases. */
+    final int nombre;
+
+    /** @param bords de chaque face */
+    private PointDeVue(Point p, double[][] bords, boolean connuAilleurs, int cases) {
+        x = p.x;
+        y = p.y;
+        z = p.z;
+        double aire = 0;
+        double cote = 0;
+        for (double[] b : bords) {
+            if (b != null && b[0] < b[1]) {
+                aire += (b[1] - b[0]) * (b[3] - b[2]);
+                cote = Math.max(cote, Math.max(b[1] - b[0], b[3] - b[2]) / cases);
+            }
+        }
+        cote = Math.max(cote, Math.sqrt(aire / cases));
+        int n = 0;
+        for (int f = 0; f < fenetres.length; f++) {
+            double[] b = bords[f];
+            if (b != null && b[0] < b[1]) {
+                fenetres[f] = new Fenetre(f, b, 1 + (int) ((b[1] - b[0]) / cote), 1 + (int) ((b[3] - b[2]) / cote));
+                premieres[f] = n;
+                n += fenetres[f].colonnes * fenetres[f].lignes;
+            }
+        }
+        if (connuAilleurs) {
+            ailleurs = n++;
+        }
+        nombre = n;
+    }
+
+    /** L'œil, et l'écran pour seule fenêtre ; {@code null} si l'écran n'est pas devant lui, ou s'il en est trop près. */
+    static PointDeVue deLOeil(Camera camera, int cases) {
+        Point oeil = camera.getOeil();
+        Point a = camera.getEcran(0, 0);
+        Point b = camera.getEcran(camera.getLargeur(), camera.getHauteur());
+        double u0 = (a.x - oeil.x) / (a.z - oeil.z);
+        double u1 = (b.x - oeil.x) / (b.z - oeil.z);
+        double v0 = (a.y - oeil.y) / (a.z - oeil.z);
+        double v1 = (b.y - oeil.y) / (b.z - oeil.z);
+        double[][] bords = new double[6][];
+        bords[4] = new double[] {Math.min(u0, u1) - Fenetre.MARGE, Math.max(u0, u1) + Fenetre.MARGE,
+            Math.min(v0, v1) - Fenetre.MARGE, Math.max(v0, v1) + Fenetre.MARGE};
+        boolean devant = a.z > oeil.z && b.z > oeil.z && Arrays.stream(bords[4]).allMatch(bord -> Math.abs(bord) <= 1)
+                && Enveloppes.plusGrande(oeil.x, oeil.y, oeil.z) < Enveloppes.LONGUEUR_MAX;
+        return devant ? new PointDeVue(oeil, bords, false, Math.max(1, cases)) : null;
+    }
+
+    /** Une lampe, et sur chaque face d'un cube une fenêtre qui contient les silhouettes des enveloppes, sauf des grandes. */
+    static PointDeVue deLaLampe(Point lampe, Enveloppes enveloppes, int cases) {
+        double[][] bords = new double[6][];
+        Arrays.setAll(bords, face -> Fenetre.vide());
+        double[] d = new double[3];
+        for (int k : enveloppes.bornes) {
+            double sinus = viser(lampe.x, lampe.y, lampe.z, enveloppes.geometrie, k, d);
+            for (int f = 0; f < bords.length && sinus <= Fenetre.GRANDE; f++) {
+                Fenetre.elargir(f, d, sinus, bords[f]);
+            }
+        }
+        return new PointDeVue(lampe, bords, true, cases);
+    }
+
+    /** Note dans d la direction de cette enveloppe vue de (x, y, z). @return le sinus de son demi-angle, 1 ou plus si elle le contient */
+    private static double viser(double x, double y, double z, double[] g, int k, double[] d) {
+        int s = Enveloppes.PAS * k;
+        double dx = g[s] - x;
+        double dy = g[s + 1] - y;
+        double dz = g[s + 2] - z;
+        double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        d[0] = dx / loin;
+        d[1] = dy / loin;
+        d[2] = dz / loin;
+        return loin > LOIN_MIN ? (g[s + 3] + 2 * ECART * Enveloppes.plusGrande(x, y, z)) / loin : Double.POSITIVE_INFINITY;
+    }
+
+    /** Borne inférieure de la distance de ce point à l'enveloppe k. */
+    float auMoins(double[] g, int k) {
+        int s = Enveloppes.PAS * k;
+        double dx = g[s] - x;
+        double dy = g[s + 1] - y;
+        double dz = g[s + 2] - z;
+        double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double pres = loin - g[s + 3] - 2 * ECART * Enveloppes.plusGrande(x, y, z) - Enveloppes.MARGE * loin;
+        return Math.max(0, Math.nextDown((float) pres));
+    }
+
+    /** Les cases où se voit l'enveloppe k, ou l'objet libre k. */
+    int[] cases(double[] g, int k) {
+        double[] d = new double[3];
+        double sinus = viser(x, y, z, g, k, d);
+        int[] toutes = new int[0];
+        for (int f = 0; f < fenetres.length; f++) {
+            int n = fenetres[f] == null ? 0 : fenetres[f].chercher(d, sinus);
+            int debut = toutes.length;
+            toutes = n == 0 ? toutes : Arrays.copyOf(toutes, debut + n);
+            for (int c = 0; c < n; c++) {
+                toutes[debut + c] = premieres[f] + fenetres[f].touchees[c];
+            }
+        }
+        if (ailleurs >= 0 && !(sinus <= Fenetre.GRANDE)) {
+            toutes = Arrays.copyOf(toutes, toutes.length + 1);
+            toutes[toutes.length - 1] = ailleurs;
+        }
+        return toutes;
+    }
+
+    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il ne passe pas par le point, ou n'est pas connu. */
+    int caseDe(double px, double py, double pz, double vx, double vy, double vz) {
+        double ax = px - x;
+        double ay = py - y;
+        double az = pz - z;
+        double cx = ay * vz - az * vy;
+        double cy = az * vx - ax * vz;
+        double cz = ax * vy - ay * vx;
+        double ecart = ECART * Enveloppes.plusGrande(x, y, z);
+        if (!(cx * cx + cy * cy + cz * cz <= ecart * ecart && Enveloppes.estUnitaire(vx, vy, vz))) {
+            return -1;
+        }
+        double sens = ax * vx + ay * vy + az * vz >= 0 ? 1 : -1;
+        int f = Fenetre.face(sens * vx, sens * vy, sens * vz);
+        int c = fenetres[f] == null ? -1 : fenetres[f].caseDe(sens * vx, sens * vy, sens * vz);
+        return c < 0 ? ailleurs : premieres[f] + c;
+    }
+
+    /** Ce qu'un rayon qui s'éloigne du point a parcouru avant P ; +∞ s'il s'en approche. */
+    double avance(double px, double py, double pz, double vx, double vy, double vz) {
+        double a = (px - x) * vx + (py - y) * vy + (pz - z) * vz;
+        return a >= 0 ? a * (1 + 1e-12) : Double.POSITIVE_INFINITY;
+    }
+
+    /** La plus grande coordonnée. */
+    double portee() {
+        return Enveloppes.plusGrande(x, y, z);
+    }
+}

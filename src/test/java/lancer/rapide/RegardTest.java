@@ -1,0 +1,116 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import org.junit.jupiter.api.Test;
+
+/** Le regard voit une recherche qui cache un objet et une réponse qui change ; il ne voit rien d'une recherche juste. */
+class RegardTest {
+
+    private static final Camera CAMERA = new Camera(97, 61);
+
+    /** Une sphère dont l'enveloppe n'a que cette part du rayon. */
+    private static final class Debordante extends Sphere {
+
+        private final double part;
+
+        Debordante(Sphere sphere, double part) {
+            super(sphere.getCentre(), sphere.getRayon());
+            this.part = part;
+        }
+
+        @Override
+        public Sphere getEnveloppe() {
+            return new Sphere(getCentre(), part * getRayon());
+        }
+    }
+
+    private static Couleur[] dessiner(Scene scene, Regard regard, int fils) {
+        Couleur[] image = new Couleur[97 * 61];
+        Lancer lancer = new Lancer(scene, CAMERA);
+        lancer.TracerPixels(regard.sur((c, x, y) -> image[y * 97 + x] = c), 3, fils);
+        if (regard.cachait(lancer, 3)) {
+            lancer.TracerPixels((c, x, y) -> image[y * 97 + x] = c, 3, fils);
+        }
+        return image;
+    }
+
+    @Test
+    void dUneRechercheJusteIlNeVoitRienEtNeCompteRien() {
+        Map<String, Scene> scenes = new HashMap<>(ScenesDEssai.toutes(60));
+        scenes.putAll(ScenesDEssai.toutes(20));
+        scenes.putAll(ScenesDEssai.extremes(60));
+        scenes.putAll(ScenesDEssai.hostiles(1000));
+        scenes.forEach((nom, scene) -> {
+            Regard regard = Preparation.choisir(scene, CAMERA, false, part -> { });
+            assertNull(regard.getEcart(), nom);
+            assertEquals(0, scene.getCompteurs().examens(), nom);
+            if (scene.getLampes().size() < 100) {
+                dessiner(scene, regard, 2);
+                assertNull(regard.getEcart(), nom);
+            }
+        });
+    }
+
+    @Test
+    void unObjetPlusGrandQueSonEnveloppeEstVuEtTousLesObjetsDessinent() {
+        for (double part : new double[] {0.5, 0.9}) {
+            List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+            objets.replaceAll(objet -> new Debordante((Sphere) objet, part));
+            Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+            Couleur[] attendue = dessiner(scene, Preparation.choisir(scene, CAMERA, true, p -> { }), 2);
+            Regard regard = Preparation.choisir(scene, CAMERA, false, p -> { });
+            assertArrayEquals(attendue, dessiner(scene, regard, 2));
+            assertTrue(regard.getEcart().contains("les boucles sur tous les objets"), regard.getEcart());
+            assertNull(scene.getModele().getRecherche());
+        }
+    }
+
+    /** Trois objets faux parmi mille : ceux de chaque classe ont autant de rayons. */
+    @Test
+    void uneSeuleClasseFausseParmiMilleSpheresEstVueAussi() {
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 1000, 0).scene().getObjets());
+        for (int k = 0; k < 3; k++) {
+            objets.set(300 * k, new Debordante((Sphere) objets.get(300 * k), 0.7));
+        }
+        Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+        assertTrue(Preparation.choisir(scene, CAMERA, false, p -> { }).getEcart() != null);
+    }
+
+    /** Un champ que deux fils partagent : l'image n'est pas dessinée de nouveau, mais une ligne le demande. */
+    @Test
+    void uneReponseQuiChangeDUnAppelALAutreEstDite() {
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+        int[] appels = new int[1];
+        objets.add(new Sphere(new Point(0, 0, 6), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return new Couleur(++appels[0]);
+            }
+        });
+        for (boolean simple : new boolean[] {false, true}) {
+            Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+            Regard regard = Preparation.choisir(scene, CAMERA, simple, p -> { });
+            assertNull(regard.getEcart());
+            dessiner(scene, regard, 1);
+            assertEquals("la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?", regard.getEcart());
+            assertEquals(simple, scene.getModele().getRecherche() == null);
+        }
+    }
+}
