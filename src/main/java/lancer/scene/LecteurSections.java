@@ -29,7 +29,8 @@ public final class LecteurSections {
     private static final int PALETTE_MAX = 256;
 
     /** Les clés de la matière, permises dans la section de toute forme. */
-    public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
+    public static final List<String> CLES_MATIERE =
+            Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
     private final Map<String, Forme> formes;
     /** Les clés de chaque type d'objets déjà lu, et celles d'une lampe. */
