@@ -52,7 +52,7 @@ class ClasseTest extends ClasseEssai {
         etapes("101", "1/7", "0/9", "0/7", "0/9", "0/9", "0/7", "0/6", "0/8", "0/3");
         assertEquals("aucune en entier", classe.get("101").get("étape atteinte"));
         String page = page(dossier, "101");
-        assertEquals(List.of("raté", "non commencé"), List.of(etat(page, "u.dot(v) est le produit scalaire"),
+        assertEquals(List.of("fausse", "non commencé"), List.of(etat(page, "u.dot(v) est le produit scalaire"),
                 etat(page, "norme2 est le carré de la norme")), "écrit et faux, ou laissé tel quel");
     }
 
@@ -71,7 +71,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
         etapes("103", "7/7", "9/9", "0/7", "1/9", "1/9");
-        contient(page(dossier, "103"), "Sphere.java:31 : syntaxe : il manque « ; »", "n&#39;est pas en UTF-8");
+        contient(page(dossier, "103"), "Sphere.java:31 : le compilateur dit « Syntax error, insert &quot;;&quot; to complete", "n&#39;est pas en UTF-8");
     }
 
     @Test
@@ -107,7 +107,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void unMessageQuiSeRepeteNEstDeplieQuUneFois() throws IOException {
         String page = page(dossier, "103");
-        assertEquals(1, page.split("<details open><summary><span class=\"e ne_se_compile_pas\">", -1).length - 1,
+        assertEquals(1, page.split("<details open><summary><span class=\"e fausse\">", -1).length - 1,
                 "la même cause, à chaque vérification de la méthode");
     }
 

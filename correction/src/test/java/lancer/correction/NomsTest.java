@@ -21,6 +21,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -54,7 +55,7 @@ class NomsTest extends ClasseEssai {
         String[] lignes = essai.erreur.split("\n");
         assertEquals(1 + NOMS.size(), lignes.length, "une ligne chacun : " + essai.erreur);
         for (String ligne : lignes) {
-            assertTrue(ligne.matches("correction : (\\d/4 .*|4 rendus .*)") && !Echange.NUISIBLES.matcher(ligne).find(), ligne);
+            assertTrue(ligne.matches("correction : (\\d/4 .*|4 rendus .*)") && !Texte.NUISIBLES.matcher(ligne).find(), ligne);
         }
         assertEquals(NOMS.size(), pages.resolve("etudiants").toFile().list((d, nom) -> nom.matches("[A-Za-z0-9.-]{8,100}")).length);
         assertFalse(Files.readString(pages.resolve("classe.csv")).matches("(?s).*;\\s*=.*"));

@@ -1,6 +1,8 @@
 package lancer.correction.enfant;
 
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -24,23 +26,28 @@ import java.util.Map;
  * La machine virtuelle où s'exécute un rendu. Elle ne connaît pas les vérifications : elle reçoit l'ordre d'appeler une méthode, et répond
  * ce que la méthode rend. Elle ne contient ni valeur attendue, ni verdict, ni secret : un rendu ne peut falsifier que sa propre réponse.
  *
- * <p>Une demande commence par sa sorte. {@link #CLASSES} donne les classes du rendu, une seule fois. {@link #APPEL} appelle une méthode,
- * par son numéro dans {@code lancer.Appels}. {@link #SONDE} appelle une méthode de la sonde, avec la scène qu'elle lit. {@link #OUBLI}
- * oublie les objets déjà rendus ; la réponse est le nombre de fils que le rendu a laissés.
+ * <p>Une demande commence par sa sorte, et sa réponse par la sienne : le résultat, ou une raison et un lieu.
  */
 public final class Execution {
 
-    public static final String CLASSES = "C";
-    public static final String APPEL = "A";
-    public static final String SONDE = "S";
-    public static final String OUBLI = "N";
+    /** Donne les classes du rendu, une seule fois : leur nombre, puis le nom et les octets de chacune. */
+    public static final char CLASSES = 'C';
+    /** Appelle une méthode, par son numéro dans {@code lancer.Appels} ; rend son résultat, puis les champs publics de celui-ci. */
+    public static final char APPEL = 'A';
+    /** Appelle une méthode de la sonde, avec la scène qu'elle lit ; rend une image, en octets. */
+    public static final char DESSIN = 'D';
+    /** De même ; rend une liste de textes. */
+    public static final char TEXTES = 'T';
+    /** Oublie les objets déjà rendus ; rend le nombre de fils que le rendu a laissés. */
+    public static final char OUBLI = 'O';
 
     /** Sorte d'une réponse : le résultat de la méthode. */
-    public static final String RENDU = "R";
-    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, avec un lieu et un message. */
-    public static final String EXCEPTION = "E";
-    public static final String SANS_FIN = "D";
-    public static final String FAUTE = "C";
+    public static final char RENDU = 'R';
+    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, ce qui ne peut être demandé. */
+    public static final char EXCEPTION = 'E';
+    public static final char SANS_FIN = 'S';
+    public static final char FAUTE = 'F';
+    public static final char IMPOSSIBLE = 'I';
 
     private Classes classes;
     private final List<Object> objets = new ArrayList<>();
@@ -83,8 +90,7 @@ public final class Execution {
         InputStream demandes = new FileInputStream(FileDescriptor.in);
         OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
-        // les affichages d'un rendu sont ignorés
-        PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
+        PrintStream puits = new Puits();
         System.setOut(puits);
         System.setErr(puits);
         try {
@@ -105,30 +111,83 @@ public final class Execution {
         return sortie;
     }
 
-    private byte[] repondre(DataInputStream message) throws IOException {
-        try {
-            List<?> demande = (List<?>) Echange.lire(message, o -> objets.get(o.numero));
-            return Echange.message(traiter(demande.get(0).toString(), demande), this::nommer);
-        } catch (Throwable e) {
-            return Echange.message(cause(e instanceof UndeclaredThrowableException ? e.getCause() : e), this::nommer);
+    /** Ignore les affichages d'un rendu, sans même les coder : un affichage par rayon ne doit pas passer pour une boucle sans fin. */
+    private static final class Puits extends PrintStream {
+
+        Puits() {
+            super(OutputStream.nullOutputStream());
+        }
+
+        @Override
+        public void println(String texte) {
+            // rien à faire
+        }
+
+        @Override
+        public void print(String texte) {
+            // rien à faire
+        }
+
+        @Override
+        public PrintStream format(String modele, Object... arguments) {
+            return this;
         }
     }
 
-    private List<?> traiter(String sorte, List<?> demande) throws IOException {
-        if (sorte.equals(CLASSES)) {
-            classes = new Classes(Echange.fichiers(demande.get(1)), Execution.class.getClassLoader());
-            Thread.currentThread().setContextClassLoader(classes);
-            return List.of(RENDU);
-        } else if (sorte.equals(APPEL)) {
-            Object rendu = invoquer("lancer.Appels", "m" + demande.get(1), List.of(Object[].class),
-                    (Object) ((List<?>) demande.get(2)).toArray());
-            return Arrays.asList(RENDU, rendu, Arrays.asList((Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu)));
-        } else if (sorte.equals(SONDE)) {
-            return List.of(RENDU, sonder((byte[]) demande.get(1), (String) demande.get(2), (List<?>) demande.get(3)));
+    private byte[] repondre(DataInputStream demande) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        DataOutputStream reponse = new DataOutputStream(octets);
+        try {
+            reponse.writeByte(RENDU);
+            traiter(demande, reponse);
+        } catch (Throwable e) {
+            octets.reset();
+            expliquer(e instanceof UndeclaredThrowableException ? e.getCause() : e, reponse);
         }
-        objets.clear();
-        numeros.clear();
-        return List.of(RENDU, Thread.currentThread().getThreadGroup().activeCount() - 1);
+        return octets.toByteArray();
+    }
+
+    private void traiter(DataInputStream demande, DataOutputStream reponse) throws IOException {
+        char sorte = (char) demande.readByte();
+        if (sorte == CLASSES) {
+            Map<String, byte[]> octets = new HashMap<>();
+            for (int reste = demande.readInt(); reste > 0; reste--) {
+                octets.put(Echange.lireTexte(demande), Echange.lireOctets(demande));
+            }
+            classes = new Classes(octets, Execution.class.getClassLoader());
+            Thread.currentThread().setContextClassLoader(classes);
+        } else if (sorte == APPEL) {
+            String methode = "m" + demande.readInt();
+            Object rendu = invoquer("lancer.Appels", methode, List.of(Object[].class), (Object) lire(demande).toArray());
+            if (rendu instanceof Object[]) {
+                rendu = remplacer((Object[]) rendu);
+            }
+            Echange.ecrire(reponse, rendu, this::nommer);
+            Object champs = invoquer("lancer.Appels", "champs", List.of(Object.class), rendu);
+            Echange.ecrire(reponse, Arrays.asList((Object[]) champs), this::nommer);
+        } else if (sorte == DESSIN) {
+            Echange.ecrireOctets(reponse, (byte[]) sonder(demande));
+        } else if (sorte == TEXTES) {
+            Echange.ecrire(reponse, sonder(demande), this::nommer);
+        } else {
+            objets.clear();
+            numeros.clear();
+            reponse.writeInt(Thread.currentThread().getThreadGroup().activeCount() - 1);
+        }
+    }
+
+    private List<?> lire(DataInputStream demande) throws IOException {
+        return (List<?>) Echange.lire(demande, o -> objets.get(o.numero));
+    }
+
+    /** Une scène lue d'un fichier, puis des objets et leurs copies, que cette scène contient : chacune prend le numéro du sien. */
+    private Object remplacer(Object[] scene) {
+        for (int k = 1; k < scene.length; k += 2) {
+            Integer numero = numeros.remove(scene[k]);
+            numeros.put(scene[k + 1], numero);
+            objets.set(numero, scene[k + 1]);
+        }
+        return scene[0];
     }
 
     private Echange.Objet nommer(Object objet) {
@@ -140,12 +199,13 @@ public final class Execution {
     }
 
     /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
-    private Object sonder(byte[] texte, String methode, List<?> arguments) throws IOException {
+    private Object sonder(DataInputStream demande) throws IOException {
+        String methode = Echange.lireTexte(demande);
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
-        Files.write(scene, texte);
+        Files.write(scene, Echange.lireOctets(demande));
         try {
             return invoquer("lancer.Sonde", methode, List.of(String.class, String[].class), scene.toString(),
-                    arguments.toArray(new String[0]));
+                    lire(demande).toArray(new String[0]));
         } finally {
             Files.deleteIfExists(scene);
         }
@@ -162,15 +222,27 @@ public final class Execution {
     }
 
     /** Répond par une exception du rendu, avec la première ligne de son code, ou par une faute de compilation. */
-    private static List<?> cause(Throwable e) {
+    private static void expliquer(Throwable e, DataOutputStream reponse) throws IOException {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        // une classe qui n'a pu être définie manque à toutes celles qui la nomment
-        String sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
-        return List.of(sorte, (sorte.equals(FAUTE) ? "" : sorte.equals(SANS_FIN) ? "appels sans fin (StackOverflowError)"
-                : nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)) + ou(e),
-                compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
+        char sorte = EXCEPTION;
+        String dit = nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message);
+        if (e instanceof StackOverflowError) {
+            sorte = SANS_FIN;
+            dit = "appels sans fin (StackOverflowError)";
+        } else if (compile || e instanceof LinkageError && !(e instanceof NoClassDefFoundError && message.startsWith("java"))) {
+            // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment
+            sorte = FAUTE;
+            dit = "";
+        } else if (nom.equals("lancer.Appels$Impossible")) {
+            sorte = IMPOSSIBLE;
+            dit = message;
+        }
+        String lieu = sorte == IMPOSSIBLE ? "" : ou(e);
+        reponse.writeByte(sorte);
+        Echange.ecrireTexte(reponse, dit + lieu);
+        Echange.ecrireTexte(reponse, compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
     }
 
     private static String ou(Throwable e) {

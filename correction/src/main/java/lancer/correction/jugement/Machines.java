@@ -1,6 +1,10 @@
 package lancer.correction.jugement;
 
+import com.google.gson.Gson;
+import com.google.gson.JsonParseException;
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -10,23 +14,23 @@ import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
+import lancer.correction.depot.Compilateur;
+import lancer.correction.depot.Contenu;
 import lancer.correction.depot.Depot;
-import lancer.correction.enfant.Compilateur;
-import lancer.correction.enfant.Contenu;
+import lancer.correction.depot.Faute;
+import lancer.correction.depot.Json;
+import lancer.correction.depot.Lecteur;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
-import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
@@ -50,15 +54,14 @@ final class Machines {
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
     private final String chemin = chemin(Stream.concat(
-            Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
             .filter(c -> c.getName().startsWith("org.eclipse."))));
 
-    /** @param dossier son contenu est effacé */
+    /** @param dossier dossier de travail, à soi seul */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
-        FileUtils.deleteDirectory(dossier.toFile());
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {
@@ -91,6 +94,11 @@ final class Machines {
         }
     }
 
+    /** Lecture d'une réponse. */
+    private interface Reponse<T> {
+        T lire(DataInputStream reponse) throws IOException;
+    }
+
     /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
     private abstract class Machine implements AutoCloseable {
 
@@ -102,15 +110,16 @@ final class Machines {
          * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
-        boolean lancer(Class<?> principale, String chemin, Limites siennes, Object premiere, Path... aLire) {
+        boolean lancer(Class<?> principale, String chemin, Limites siennes, byte[] premiere, Path... aLire) {
             if (enfant != null) {
                 return false;
             }
-            enfant = new Enfant(confinement.java(principale, chemin, principale != Execution.class, outillage.getParent(), siennes, aLire),
-                    siennes);
+            boolean executee = principale == Execution.class;
+            enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes, aLire), siennes,
+                    confinement.confine);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
-                demander(premiere, Echange.REPONSE_MAX, reponse -> reponse);
+                demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
                 return true;
             } catch (Arret e) {
                 throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
@@ -118,20 +127,18 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(Object demande, int max, Function<Object, T> lecture) throws Arret {
+        <T> T demander(byte[] demande, int max, Reponse<T> lecture) throws Arret {
             try {
-                DataInputStream reponse = enfant.demander(Echange.message(demande, o -> (Echange.Objet) o), max);
+                DataInputStream reponse = enfant.demander(demande, max);
                 try {
-                    T lue = lecture.apply(Echange.lire(reponse, Dialogue.Recu::new));
+                    T lue = lecture.lire(reponse);
                     if (reponse.available() == 0) {
                         return lue;
                     }
-                } catch (IOException | ClassCastException | IndexOutOfBoundsException | NullPointerException e) {
+                } catch (IOException | ClassCastException | NullPointerException | JsonParseException e) {
                     // réponse trop courte, ou d'une autre forme
                 }
                 throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
             } catch (Arret e) {
                 close();
                 throw e;
@@ -151,20 +158,21 @@ final class Machines {
     final class Lecture extends Machine implements Depot.Acces {
 
         private final Path rendus;
+        private final boolean seul;
 
-        Lecture(Path rendus) {
+        /** @param seul vrai si tout ce lieu est un seul rendu */
+        Lecture(Path rendus, boolean seul) {
             this.rendus = rendus;
+            this.seul = seul;
         }
 
         @Override
-        public List<?> demander(Map<String, byte[]> noms) throws Arret {
-            lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
-                    Limites.DE_COMPILATION, Map.of(), rendus);
+        public Contenu.Reponse demander(Map<String, String> noms) throws Arret {
+            lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, Gson.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
+                    Limites.DE_COMPILATION, Json.ecrire(new Contenu.Demande("", false, null)), rendus);
             enfant.commencer(Limites.DE_COMPILATION.calcul);
-            Map<String, byte[]> demande = new LinkedHashMap<>();
-            demande.put(confinement.lu(rendus), new byte[0]);
-            demande.putAll(noms);
-            return demander(demande, Echange.GROSSE_REPONSE_MAX, reponse -> (List<?>) reponse);
+            return demander(Json.ecrire(new Contenu.Demande(confinement.lu(rendus), seul, noms)), Echange.GROSSE_REPONSE_MAX,
+                    reponse -> Json.lire(Contenu.Reponse.class, reponse));
         }
     }
 
@@ -189,20 +197,16 @@ final class Machines {
     /** Machine virtuelle qui lit et compile des sources ; elle n'exécute aucun rendu. */
     final class Compilation extends Machine {
 
-        /** Lecture de ces textes par le JDK, une valeur par texte : voir {@link Lecteur#lire}. */
-        List<?> lire(List<String> textes) throws Arret {
-            Map<String, String> tous = new LinkedHashMap<>();
-            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
-            return demander(Compilateur.LIRE, tous, lus -> ((List<?>) lus).subList(0, textes.size()));
+        /** Lecture de ces textes par le JDK : voir {@link Lecteur#lire}. */
+        Lecteur.Fichier[] lire(List<String> textes) throws Arret {
+            return textes.isEmpty() ? new Lecteur.Fichier[0] : demander(new Compilateur.Demande(textes, Map.of())).lus;
         }
 
-        private <T> T demander(String sorte, Map<String, String> textes, Function<Object, T> lecture) throws Arret {
-            Map<String, byte[]> octets = new LinkedHashMap<>();
-            textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, List.of(Compilateur.COMPILER, Map.of()));
+        private Compilateur.Reponse demander(Compilateur.Demande demande) throws Arret {
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Json.ecrire(new Compilateur.Demande(List.of(), Map.of())));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(List.of(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
+                return demander(Json.ecrire(demande), Echange.GROSSE_REPONSE_MAX, r -> Json.lire(Compilateur.Reponse.class, r));
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -216,13 +220,23 @@ final class Machines {
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou s'il est tué
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
-            List<?> reponse = demander(Compilateur.COMPILER, sources, r -> (List<?>) r);
-            if (reponse.isEmpty()) {
+            Compilateur.Reponse reponse = demander(new Compilateur.Demande(List.of(), sources));
+            if (reponse.classes.isEmpty()) {
                 close();
                 throw new Arret("arrêté : ces sources font échouer le compilateur", false);
             }
-            return new Assemblage(Echange.fichiers(reponse.get(1)), ((List<?>) reponse.get(0)).stream()
-                    .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
+            return new Assemblage(reponse.classes, reponse.fautes);
+        }
+    }
+
+    /** Une demande à un rendu, qui commence par sa sorte. */
+    private static final class Demande {
+
+        final ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        final DataOutputStream message = new DataOutputStream(octets);
+
+        Demande(char sorte) throws IOException {
+            message.writeByte(sorte);
         }
     }
 
@@ -235,10 +249,23 @@ final class Machines {
             this.classes = classes;
         }
 
+        private byte[] classes(Map<String, byte[]> lesquelles) throws IOException {
+            Demande demande = new Demande(Execution.CLASSES);
+            demande.message.writeInt(lesquelles.size());
+            for (Map.Entry<String, byte[]> une : lesquelles.entrySet()) {
+                Echange.ecrireTexte(demande.message, une.getKey());
+                Echange.ecrireOctets(demande.message, une.getValue());
+            }
+            return demande.octets.toByteArray();
+        }
+
         /** Commence une demande qui n'utilise plus les objets de la précédente. */
         void oublier() throws Arret {
             commencer(1);
-            if (!demander(List.of(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> reponse.equals(List.of(Execution.RENDU, 0)))) {
+            if (ecrire(() -> demander(new Demande(Execution.OUBLI).octets.toByteArray(), Echange.REPONSE_MAX, reponse -> {
+                Dialogue.attendreUnResultat(reponse);
+                return reponse.readInt();
+            })) != 0) {
                 // des fils s'exécutent encore : il faut une nouvelle machine virtuelle
                 close();
                 commencer(1);
@@ -250,17 +277,65 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
-            if (lancer(Execution.class, outillage.toString(), limites, List.of(Execution.CLASSES, Map.of()))) {
-                demander(List.of(Execution.CLASSES, classes), Echange.REPONSE_MAX, reponse -> reponse);
+            if (ecrire(() -> lancer(Execution.class, outillage.toString(), limites, classes(Map.of())))) {
+                ecrire(() -> demander(classes(classes), Echange.REPONSE_MAX, DataInputStream::readAllBytes));
             }
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Réponse, de ce type, de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
-        <T> T sonder(Class<T> type, int max, String methode, String scene, Object... arguments) throws Arret {
-            return demander(List.of(Execution.SONDE, scene.getBytes(StandardCharsets.UTF_8), methode,
-                    Stream.of(arguments).map(String::valueOf).collect(Collectors.toList())), max,
-                    reponse -> type.cast(Dialogue.reponse(reponse).get(1)));
+        /** Appelle une méthode, par son numéro ; si elle rend un objet, ses champs le suivent. */
+        Object appeler(int methode, List<?> arguments) throws Arret {
+            return ecrire(() -> {
+                Demande demande = new Demande(Execution.APPEL);
+                demande.message.writeInt(methode);
+                Echange.ecrire(demande.message, arguments, o -> (Echange.Objet) o);
+                return demander(demande.octets.toByteArray(), Echange.REPONSE_MAX, reponse -> {
+                    Dialogue.attendreUnResultat(reponse);
+                    Object rendu = Echange.lire(reponse, Dialogue.Recu::new);
+                    List<?> champs = (List<?>) Echange.lire(reponse, Dialogue.Recu::new);
+                    if (rendu instanceof Dialogue.Recu) {
+                        ((Dialogue.Recu) rendu).champs = champs;
+                    }
+                    return rendu;
+                });
+            });
+        }
+
+        /** L'image que dessine cette méthode de la sonde, sur cette scène. */
+        byte[] dessiner(String methode, String scene, Object... arguments) throws Arret {
+            return ecrire(() -> demander(sonde(Execution.DESSIN, methode, scene, arguments), Echange.GROSSE_REPONSE_MAX, reponse -> {
+                Dialogue.attendreUnResultat(reponse);
+                return Echange.lireOctets(reponse);
+            }));
+        }
+
+        /** Ce que dit cette méthode de la sonde, sur cette scène : des noms, chacun suivi de sa valeur. */
+        List<?> decrire(String methode, String scene, Object... arguments) throws Arret {
+            return ecrire(() -> demander(sonde(Execution.TEXTES, methode, scene, arguments), Echange.REPONSE_MAX, reponse -> {
+                Dialogue.attendreUnResultat(reponse);
+                return (List<?>) Echange.lire(reponse, Dialogue.Recu::new);
+            }));
+        }
+
+        private byte[] sonde(char sorte, String methode, String scene, Object... arguments) throws IOException {
+            Demande demande = new Demande(sorte);
+            Echange.ecrireTexte(demande.message, methode);
+            Echange.ecrireOctets(demande.message, scene.getBytes(StandardCharsets.UTF_8));
+            Echange.ecrire(demande.message, Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()), o -> null);
+            return demande.octets.toByteArray();
+        }
+    }
+
+    /** Ce qui écrit une demande en mémoire, où rien ne manque. */
+    private interface Ecriture<T> {
+        T faire() throws IOException, Arret;
+    }
+
+    private static <T> T ecrire(Ecriture<T> ecriture) throws Arret {
+        try {
+            return ecriture.faire();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 }

@@ -27,8 +27,8 @@ class LectureTest extends JuryEssai {
     @TempDir
     Path dossier;
 
-    private Map<String, Rendu> lire(Path rendus, Confinement confinement) throws IOException {
-        return jury(confinement, PATIENTES).lire(rendus).stream().collect(Collectors.toMap(r -> r.nom, r -> r));
+    private Map<String, Rendu> lire(Path rendus, Confinement confinement) {
+        return jury(confinement, PATIENTES).lire(rendus, false).stream().collect(Collectors.toMap(r -> r.nom, r -> r));
     }
 
     @Test
