@@ -145,7 +145,7 @@ public final class Correction {
         long[] graine = new long[1];
         seul(dossier, () -> graine[0] = graine(dossier.resolve("graine.txt")));
         try (Jury jury = new Jury(confinement, Limites.ORDINAIRES, graine[0], Jury.DUREE_MAX)) {
-            List<Rendu> rendus = jury.lire(Path.of(demande.get(RENDUS)), demande.containsKey("--un"));
+            List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)), demande.containsKey("--un"));
             suivi.println("correction : " + compter(rendus.stream().mapToInt(r -> r.entrees.size()).sum(), rendus.size())
                     + " ; le corrigé d'abord");
             GrilleDeNotation grille = jury.reference().grille;

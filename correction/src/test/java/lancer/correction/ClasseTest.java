@@ -114,7 +114,7 @@ class ClasseTest extends ClasseEssai {
     @Test
     void lesPagesNOntRienQuiVienneDAilleurs() throws IOException {
         String index = index(dossier);
-        contient(index, "L'étape qui arrête le plus d'étudiants", "6 rendus");
+        contient(index, "L'étape qui arrête le plus d'étudiants", "6 entrées, 6 lignes");
         assertFalse(index.matches("(?s).*le plus d'étudiants : <strong>[^<]*(Extension|image).*"),
                 "une étape du cours, non une extension que personne n'a encore faite");
         for (String page : List.of(index, page(dossier, "104"))) {
@@ -224,16 +224,14 @@ class ClasseTest extends ClasseEssai {
     }
 
     @Test
-    void unResultatPerduOuAbimeEstNomme(@TempDir Path copie) throws IOException {
+    void unResultatAbimeEstNomme(@TempDir Path copie) throws IOException {
         copier(dossier, copie);
-        Path perdu = copie.resolve("resultats/002-102.json");
-        String texte = Files.readString(perdu);
-        Files.delete(perdu);
-        contient(executer("--noter", "--sortie", copie).erreur, "le rendu numéro 2 manque");
-        Files.writeString(perdu, texte.substring(0, texte.length() / 2) + "\"");
+        Path abime = copie.resolve("resultats/102.json");
+        String texte = Files.readString(abime);
+        Files.writeString(abime, texte.substring(0, texte.length() / 2) + "\"");
         Essai essai = executer("--noter", "--sortie", copie);
         assertEquals(2, essai.code);
-        contient(essai.erreur, "002-102.json manque, ou est abîmé");
+        contient(essai.erreur, "102.json manque, ou est abîmé");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.text.Collator;
@@ -15,7 +16,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Texte;
-import lancer.correction.isolement.Arret;
 
 /**
  * Les rendus d'une classe, un dossier ou une archive : chaque entrée est une ligne. Les entrées que Moodle donne à un même numéro, ou Canvas
@@ -35,13 +35,6 @@ public final class Depot {
 
     private static final Collator ALPHABET = Collator.getInstance(Locale.FRENCH);
 
-    /** Lecture des dossiers et des archives. */
-    public interface Acces {
-
-        /** @param noms voir {@link Contenu.Demande} ; @throws Arret si la lecture est arrêtée */
-        Contenu.Reponse demander(Map<String, String> noms) throws Arret;
-    }
-
     /** Les rendus, par identifiant. */
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
 
@@ -56,30 +49,30 @@ public final class Depot {
      * @param seul vrai si tout ce lieu est un seul rendu
      * @throws Panne si ce lieu n'a pas de rendu, est illisible, ou n'est qu'un projet
      */
-    public static List<Rendu> lire(Path lieu, boolean seul, Acces acces) {
+    public static List<Rendu> lire(Path lieu, boolean seul) {
         Depot depot = new Depot();
         String nom = lieu.toAbsolutePath().normalize().getFileName().toString();
-        if (!Files.isDirectory(lieu) && !nom.matches("(?is).*\\.zip")) {
+        if (!Files.isReadable(lieu)) {
+            throw new Panne(2, "aucun rendu à cet endroit : " + lieu + " ; attendu : un dossier, ou un .zip");
+        } else if (!Files.isDirectory(lieu) && !nom.matches("(?is).*\\.zip")) {
             throw new Panne(2, "rendus illisibles : " + lieu + Contenu.A_DEPLIER);
         }
-        try {
-            Contenu.Reponse contenu = acces.demander(null);
-            if (!contenu.faute.isEmpty()) {
-                throw new Panne(2, "rendus illisibles : " + lieu + " (" + contenu.faute + ")");
-            } else if (contenu.noms.isEmpty()) {
+        try (Lieu ici = new Lieu(lieu.toRealPath(), !seul)) {
+            Map<String, Boolean> noms = ici.noms();
+            if (noms.isEmpty()) {
                 throw new Panne(2, "aucun rendu dans " + lieu);
             } else if (seul) {
                 Matcher moodle = MOODLE.matcher(nom);
                 Rendu rendu = moodle.matches() ? depot.rendu(moodle.group(2), moodle.group(1).trim()) : depot.rendu(nom, nom);
                 rendu.entrees.put(nom, "");
             } else {
-                depot.repartir(lieu, contenu.noms);
+                depot.repartir(lieu, noms);
             }
-        } catch (Arret e) {
-            throw new Panne(1, "rendus illisibles : " + lieu + " (" + e.getMessage() + ")");
+            depot.rendus.values().forEach(r -> r.lire(ici, seul));
+        } catch (IOException | OutOfMemoryError e) {
+            throw new Panne(2, "rendus illisibles : " + lieu + " (" + e.getMessage() + ")");
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
-        liste.forEach(r -> r.lire(acces));
         liste.sort(Comparator.comparing((Rendu r) -> r.nom, Depot::comparer).thenComparing(r -> r.id));
         return liste;
     }

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import lancer.correction.enfant.Texte;
-import lancer.correction.isolement.Arret;
 
 /** Le travail rendu par un étudiant, une ligne de la classe : ses sources, ou la raison pour laquelle elles sont illisibles. */
 public final class Rendu {
@@ -40,23 +40,15 @@ public final class Rendu {
         this.nom = propre.isEmpty() ? "sans nom" : propre;
     }
 
-    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. */
-    void lire(Depot.Acces acces) {
+    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param seul vrai si tout ce lieu est ce rendu */
+    void lire(Lieu ici, boolean seul) {
         try {
-            Contenu.Reponse contenu = acces.demander(entrees);
-            if (!contenu.faute.isEmpty()) {
-                refus.add(contenu.faute);
-                return;
-            }
-            sources.putAll(contenu.sources);
-            contenu.refus.forEach(r -> refus.add(r.endsWith(Contenu.A_DEPLIER) ? r + ", dans un dossier de même nom que ce rendu : « "
-                    + Texte.protege(entrees.keySet().iterator().next(), NOM_MAX) + " »" : r));
-            remarques.addAll(contenu.remarques);
-            outils.addAll(contenu.outils.values());
-            bibliotheques.addAll(contenu.bibliotheques);
-        } catch (Arret | RuntimeException | Error e) {
+            Contenu contenu = new Contenu(this);
+            ici.lire(seul ? ici.noms().keySet().stream().collect(Collectors.toMap(n -> n, n -> n)) : entrees, contenu);
+            contenu.finir();
+        } catch (RuntimeException | Error e) {
             sources.clear();
-            refus.add((e instanceof Arret ? e.getMessage() : Texte.protege("arrêté : " + e)) + " (en lisant ses fichiers)");
+            refus.add(Texte.protege("arrêté : " + e) + " (en lisant ses fichiers)");
         }
     }
 

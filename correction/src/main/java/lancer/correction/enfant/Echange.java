@@ -1,12 +1,14 @@
 package lancer.correction.enfant;
 
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -49,13 +51,13 @@ public final class Echange {
         }
     }
 
-    public static void ecrireOctets(DataOutputStream message, byte[] octets) throws IOException {
+    private static void ecrireOctets(DataOutputStream message, byte[] octets) throws IOException {
         message.writeInt(octets.length);
         message.write(octets);
     }
 
     /** @throws EOFException si le message est plus court que la longueur annoncée ; aucune mémoire n'est réservée avant */
-    public static byte[] lireOctets(DataInputStream message) throws IOException {
+    private static byte[] lireOctets(DataInputStream message) throws IOException {
         int longueur = message.readInt();
         if (longueur < 0 || longueur > message.available()) {
             throw new EOFException();
@@ -63,12 +65,11 @@ public final class Echange {
         return message.readNBytes(longueur);
     }
 
-    /** Écrit un texte, protégé, sur une ligne. */
-    public static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
+    private static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
         ecrireOctets(message, Texte.protege(texte).getBytes(StandardCharsets.UTF_8));
     }
 
-    public static String lireTexte(DataInputStream message) throws IOException {
+    private static String lireTexte(DataInputStream message) throws IOException {
         return Texte.protege(new String(lireOctets(message), StandardCharsets.UTF_8));
     }
 
@@ -85,11 +86,21 @@ public final class Echange {
     }
 
     /**
-     * Écrit un argument ou un résultat : rien, un booléen, un nombre, un texte, une liste, ou un objet du rendu.
+     * Écrit une valeur : rien, un booléen, un nombre, un texte d'une ligne, des octets, une liste, ou un objet du rendu.
      *
      * @param nommer désigne un objet d'une autre classe
      */
-    public static void ecrire(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
+    public static byte[] message(Object valeur, Function<Object, Objet> nommer) {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        try {
+            ecrire(new DataOutputStream(octets), valeur, nommer);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return octets.toByteArray();
+    }
+
+    private static void ecrire(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
         if (valeur == null) {
             message.writeByte('n');
         } else if (valeur instanceof Boolean) {
@@ -104,6 +115,9 @@ public final class Echange {
         } else if (valeur instanceof CharSequence) {
             message.writeByte('t');
             ecrireTexte(message, valeur.toString());
+        } else if (valeur instanceof byte[]) {
+            message.writeByte('x');
+            ecrireOctets(message, (byte[]) valeur);
         } else if (valeur instanceof List) {
             message.writeByte('l');
             message.writeInt(((List<?>) valeur).size());
@@ -131,6 +145,8 @@ public final class Echange {
                 return message.readDouble();
             case 't':
                 return lireTexte(message);
+            case 'x':
+                return lireOctets(message);
             case 'l':
                 List<Object> liste = new ArrayList<>();
                 for (int reste = message.readInt(); reste > 0; reste--) {

@@ -1,8 +1,6 @@
 package lancer.correction.enfant;
 
-import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
@@ -30,24 +28,22 @@ import java.util.Map;
  */
 public final class Execution {
 
-    /** Donne les classes du rendu, une seule fois : leur nombre, puis le nom et les octets de chacune. */
-    public static final char CLASSES = 'C';
+    /** Donne les classes du rendu, une seule fois : le nom puis les octets de chacune. */
+    public static final String CLASSES = "C";
     /** Appelle une méthode, par son numéro dans {@code lancer.Appels} ; rend son résultat, puis les champs publics de celui-ci. */
-    public static final char APPEL = 'A';
-    /** Appelle une méthode de la sonde, avec la scène qu'elle lit ; rend une image, en octets. */
-    public static final char DESSIN = 'D';
-    /** De même ; rend une liste de textes. */
-    public static final char TEXTES = 'T';
+    public static final String APPEL = "A";
+    /** Appelle une méthode de la sonde, avec la scène qu'elle lit ; rend une image, en octets, ou une liste de textes. */
+    public static final String SONDE = "S";
     /** Oublie les objets déjà rendus ; rend le nombre de fils que le rendu a laissés. */
-    public static final char OUBLI = 'O';
+    public static final String OUBLI = "O";
 
     /** Sorte d'une réponse : le résultat de la méthode. */
-    public static final char RENDU = 'R';
+    public static final String RENDU = "R";
     /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, ce qui ne peut être demandé. */
-    public static final char EXCEPTION = 'E';
-    public static final char SANS_FIN = 'S';
-    public static final char FAUTE = 'F';
-    public static final char IMPOSSIBLE = 'I';
+    public static final String EXCEPTION = "E";
+    public static final String SANS_FIN = "S";
+    public static final String FAUTE = "F";
+    public static final String IMPOSSIBLE = "I";
 
     private Classes classes;
     private final List<Object> objets = new ArrayList<>();
@@ -134,50 +130,37 @@ public final class Execution {
         }
     }
 
-    private byte[] repondre(DataInputStream demande) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        DataOutputStream reponse = new DataOutputStream(octets);
+    private byte[] repondre(DataInputStream message) throws IOException {
         try {
-            reponse.writeByte(RENDU);
-            traiter(demande, reponse);
+            List<?> demande = (List<?>) Echange.lire(message, o -> objets.get(o.numero));
+            return Echange.message(traiter((String) demande.get(0), demande.subList(1, demande.size())), this::nommer);
         } catch (Throwable e) {
-            octets.reset();
-            expliquer(e instanceof UndeclaredThrowableException ? e.getCause() : e, reponse);
+            return Echange.message(cause(e instanceof UndeclaredThrowableException ? e.getCause() : e), this::nommer);
         }
-        return octets.toByteArray();
     }
 
-    private void traiter(DataInputStream demande, DataOutputStream reponse) throws IOException {
-        char sorte = (char) demande.readByte();
-        if (sorte == CLASSES) {
+    private List<?> traiter(String sorte, List<?> demande) throws IOException {
+        if (sorte.equals(CLASSES)) {
             Map<String, byte[]> octets = new HashMap<>();
-            for (int reste = demande.readInt(); reste > 0; reste--) {
-                octets.put(Echange.lireTexte(demande), Echange.lireOctets(demande));
+            for (int k = 0; k < demande.size(); k += 2) {
+                octets.put((String) demande.get(k), (byte[]) demande.get(k + 1));
             }
             classes = new Classes(octets, Execution.class.getClassLoader());
             Thread.currentThread().setContextClassLoader(classes);
-        } else if (sorte == APPEL) {
-            String methode = "m" + demande.readInt();
-            Object rendu = invoquer("lancer.Appels", methode, List.of(Object[].class), (Object) lire(demande).toArray());
+            return List.of(RENDU);
+        } else if (sorte.equals(APPEL)) {
+            Object rendu = invoquer("lancer.Appels", "m" + demande.get(0), List.of(Object[].class),
+                    (Object) ((List<?>) demande.get(1)).toArray());
             if (rendu instanceof Object[]) {
                 rendu = remplacer((Object[]) rendu);
             }
-            Echange.ecrire(reponse, rendu, this::nommer);
-            Object champs = invoquer("lancer.Appels", "champs", List.of(Object.class), rendu);
-            Echange.ecrire(reponse, Arrays.asList((Object[]) champs), this::nommer);
-        } else if (sorte == DESSIN) {
-            Echange.ecrireOctets(reponse, (byte[]) sonder(demande));
-        } else if (sorte == TEXTES) {
-            Echange.ecrire(reponse, sonder(demande), this::nommer);
-        } else {
-            objets.clear();
-            numeros.clear();
-            reponse.writeInt(Thread.currentThread().getThreadGroup().activeCount() - 1);
+            return Arrays.asList(RENDU, rendu, Arrays.asList((Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu)));
+        } else if (sorte.equals(SONDE)) {
+            return List.of(RENDU, sonder((String) demande.get(0), (byte[]) demande.get(1), (List<?>) demande.get(2)));
         }
-    }
-
-    private List<?> lire(DataInputStream demande) throws IOException {
-        return (List<?>) Echange.lire(demande, o -> objets.get(o.numero));
+        objets.clear();
+        numeros.clear();
+        return List.of(RENDU, Thread.currentThread().getThreadGroup().activeCount() - 1);
     }
 
     /** Une scène lue d'un fichier, puis des objets et leurs copies, que cette scène contient : chacune prend le numéro du sien. */
@@ -199,13 +182,12 @@ public final class Execution {
     }
 
     /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
-    private Object sonder(DataInputStream demande) throws IOException {
-        String methode = Echange.lireTexte(demande);
+    private Object sonder(String methode, byte[] texte, List<?> arguments) throws IOException {
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
-        Files.write(scene, Echange.lireOctets(demande));
+        Files.write(scene, texte);
         try {
             return invoquer("lancer.Sonde", methode, List.of(String.class, String[].class), scene.toString(),
-                    lire(demande).toArray(new String[0]));
+                    arguments.toArray(new String[0]));
         } finally {
             Files.deleteIfExists(scene);
         }
@@ -222,27 +204,21 @@ public final class Execution {
     }
 
     /** Répond par une exception du rendu, avec la première ligne de son code, ou par une faute de compilation. */
-    private static void expliquer(Throwable e, DataOutputStream reponse) throws IOException {
+    private static List<?> cause(Throwable e) {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        char sorte = EXCEPTION;
-        String dit = nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message);
         if (e instanceof StackOverflowError) {
-            sorte = SANS_FIN;
-            dit = "appels sans fin (StackOverflowError)";
-        } else if (compile || e instanceof LinkageError && !(e instanceof NoClassDefFoundError && message.startsWith("java"))) {
+            return List.of(SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
+        } else if (compile) {
+            return List.of(FAUTE, ou(e), message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0]);
+        } else if (e instanceof LinkageError && !(e instanceof NoClassDefFoundError && message.startsWith("java"))) {
             // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment
-            sorte = FAUTE;
-            dit = "";
+            return List.of(FAUTE, ou(e), "");
         } else if (nom.equals("lancer.Appels$Impossible")) {
-            sorte = IMPOSSIBLE;
-            dit = message;
+            return List.of(IMPOSSIBLE, message, "");
         }
-        String lieu = sorte == IMPOSSIBLE ? "" : ou(e);
-        reponse.writeByte(sorte);
-        Echange.ecrireTexte(reponse, dit + lieu);
-        Echange.ecrireTexte(reponse, compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
+        return List.of(EXCEPTION, nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message) + ou(e), "");
     }
 
     private static String ou(Throwable e) {

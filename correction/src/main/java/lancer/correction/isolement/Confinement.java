@@ -120,10 +120,8 @@ public final class Confinement {
      *
      * @param temporaire dossier provisoire, sans confinement
      * @param visibles vrai si les archives de ce chemin sont visibles, car aucun code d'étudiant ne s'exécute
-     * @param aLire un dossier ou un fichier à lire, visible sous le nom que donne {@link #lu}
      */
-    public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
-            Limites limites, Path... aLire) {
+    public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire, Limites limites) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
@@ -137,7 +135,6 @@ public final class Confinement {
             commande.addAll(enveloppe(enPlus));
             List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
             vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
-            Stream.of(aLire).forEach(f -> commande.addAll(List.of("--ro-bind", f.toString(), lu(f))));
             if (!visibles) {
                 commande.addAll(List.of("--seccomp", "8", "--ro-bind-data", "9", BOITE));
             }
@@ -156,11 +153,6 @@ public final class Confinement {
         }
         commande.addAll(List.of("-cp", classes, principale.getName()));
         return commande;
-    }
-
-    /** Le nom, dans une machine virtuelle, de ce qui y est à lire. */
-    public String lu(Path ici) {
-        return confine ? "/a-lire" : ici.toString();
     }
 
     private static List<String> enveloppe(List<String> enPlus) {

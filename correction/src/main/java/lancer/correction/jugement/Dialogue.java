@@ -1,7 +1,5 @@
 package lancer.correction.jugement;
 
-import java.io.DataInputStream;
-import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -170,19 +168,19 @@ public final class Dialogue {
         }
     }
 
-    /** Lit la sorte d'une réponse : le résultat la suit. @throws Echec si le rendu n'a pas répondu */
-    static void attendreUnResultat(DataInputStream reponse) throws IOException {
-        char sorte = (char) reponse.readByte();
-        if (sorte == Execution.RENDU) {
-            return;
+    /** Ce qui suit la sorte d'une réponse : le résultat. @throws Echec si le rendu n'a pas répondu */
+    static List<?> resultat(List<?> reponse) {
+        Object sorte = reponse.get(0);
+        if (sorte.equals(Execution.RENDU)) {
+            return reponse.subList(1, reponse.size());
         }
-        String ou = Echange.lireTexte(reponse);
-        String quoi = Echange.lireTexte(reponse);
-        if (sorte == Execution.SANS_FIN) {
+        String ou = (String) reponse.get(1);
+        String quoi = (String) reponse.get(2);
+        if (sorte.equals(Execution.SANS_FIN)) {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
         }
-        throw sorte == Execution.FAUTE ? new Echec(JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.citer(quoi)))
-                : new Echec(ou, sorte == Execution.IMPOSSIBLE);
+        throw sorte.equals(Execution.FAUTE) ? new Echec(JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : "
+                + Faute.citer(quoi)), false) : new Echec(ou, sorte.equals(Execution.IMPOSSIBLE));
     }
 }

@@ -18,7 +18,6 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import lancer.correction.Panne;
-import lancer.correction.depot.Depot;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Texte;
@@ -64,18 +63,6 @@ public final class Jury implements AutoCloseable {
             machines = new Machines(confinement, limites, travail);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
-        }
-    }
-
-    /** Lit les rendus d'une classe, ou un seul : voir {@link Depot#lire}. */
-    public List<Rendu> lire(Path rendus, boolean seul) {
-        if (!Files.isReadable(rendus)) {
-            throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
-        }
-        try (Machines.Lecture lecture = machines.new Lecture(rendus.toRealPath(), seul)) {
-            return Depot.lire(rendus, seul, lecture);
-        } catch (IOException e) {
-            throw new Panne(2, "rendus illisibles : " + e.getMessage());
         }
     }
 

@@ -2,21 +2,21 @@ package lancer.correction.jugement;
 
 import com.google.gson.Gson;
 import com.google.gson.JsonParseException;
-import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -24,8 +24,6 @@ import java.util.zip.ZipOutputStream;
 import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
 import lancer.correction.depot.Compilateur;
-import lancer.correction.depot.Contenu;
-import lancer.correction.depot.Depot;
 import lancer.correction.depot.Faute;
 import lancer.correction.depot.Json;
 import lancer.correction.depot.Lecteur;
@@ -35,10 +33,7 @@ import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
-import org.apache.commons.compress.archivers.zip.ZipFile;
 import org.apache.commons.io.FileUtils;
-import org.apache.commons.io.function.IOSupplier;
-import org.apache.commons.lang3.ArrayFill;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
@@ -110,12 +105,12 @@ final class Machines {
          * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
-        boolean lancer(Class<?> principale, String chemin, Limites siennes, byte[] premiere, Path... aLire) {
+        boolean lancer(Class<?> principale, String chemin, Limites siennes, byte[] premiere) {
             if (enfant != null) {
                 return false;
             }
             boolean executee = principale == Execution.class;
-            enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes, aLire), siennes,
+            enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes), siennes,
                     confinement.confine);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
@@ -135,7 +130,7 @@ final class Machines {
                     if (reponse.available() == 0) {
                         return lue;
                     }
-                } catch (IOException | ClassCastException | NullPointerException | JsonParseException e) {
+                } catch (IOException | ClassCastException | IndexOutOfBoundsException | NullPointerException | JsonParseException e) {
                     // réponse trop courte, ou d'une autre forme
                 }
                 throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
@@ -151,28 +146,6 @@ final class Machines {
                 enfant.close();
                 enfant = null;
             }
-        }
-    }
-
-    /** Machine virtuelle qui lit les dossiers et les archives d'une classe ; elle n'exécute aucun rendu. */
-    final class Lecture extends Machine implements Depot.Acces {
-
-        private final Path rendus;
-        private final boolean seul;
-
-        /** @param seul vrai si tout ce lieu est un seul rendu */
-        Lecture(Path rendus, boolean seul) {
-            this.rendus = rendus;
-            this.seul = seul;
-        }
-
-        @Override
-        public Contenu.Reponse demander(Map<String, String> noms) throws Arret {
-            lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, Gson.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
-                    Limites.DE_COMPILATION, Json.ecrire(new Contenu.Demande("", false, null)), rendus);
-            enfant.commencer(Limites.DE_COMPILATION.calcul);
-            return demander(Json.ecrire(new Contenu.Demande(confinement.lu(rendus), seul, noms)), Echange.GROSSE_REPONSE_MAX,
-                    reponse -> Json.lire(Contenu.Reponse.class, reponse));
         }
     }
 
@@ -229,17 +202,6 @@ final class Machines {
         }
     }
 
-    /** Une demande à un rendu, qui commence par sa sorte. */
-    private static final class Demande {
-
-        final ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        final DataOutputStream message = new DataOutputStream(octets);
-
-        Demande(char sorte) throws IOException {
-            message.writeByte(sorte);
-        }
-    }
-
     /** Machine virtuelle qui exécute un rendu, avec les seules classes de son assemblage. */
     final class Rendue extends Machine {
 
@@ -249,23 +211,16 @@ final class Machines {
             this.classes = classes;
         }
 
-        private byte[] classes(Map<String, byte[]> lesquelles) throws IOException {
-            Demande demande = new Demande(Execution.CLASSES);
-            demande.message.writeInt(lesquelles.size());
-            for (Map.Entry<String, byte[]> une : lesquelles.entrySet()) {
-                Echange.ecrireTexte(demande.message, une.getKey());
-                Echange.ecrireOctets(demande.message, une.getValue());
-            }
-            return demande.octets.toByteArray();
+        /** Demande ceci à un rendu, et rend ce que donne sa réponse. */
+        private <T> T demander(int max, Function<List<?>, T> lecture, Object... demande) throws Arret {
+            return demander(Echange.message(Arrays.asList(demande), o -> (Echange.Objet) o), max, reponse ->
+                    lecture.apply(Dialogue.resultat((List<?>) Echange.lire(reponse, Dialogue.Recu::new))));
         }
 
         /** Commence une demande qui n'utilise plus les objets de la précédente. */
         void oublier() throws Arret {
             commencer(1);
-            if (ecrire(() -> demander(new Demande(Execution.OUBLI).octets.toByteArray(), Echange.REPONSE_MAX, reponse -> {
-                Dialogue.attendreUnResultat(reponse);
-                return reponse.readInt();
-            })) != 0) {
+            if (!demander(Echange.REPONSE_MAX, r -> r.get(0).equals(0), Execution.OUBLI)) {
                 // des fils s'exécutent encore : il faut une nouvelle machine virtuelle
                 close();
                 commencer(1);
@@ -277,65 +232,28 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
-            if (ecrire(() -> lancer(Execution.class, outillage.toString(), limites, classes(Map.of())))) {
-                ecrire(() -> demander(classes(classes), Echange.REPONSE_MAX, DataInputStream::readAllBytes));
+            if (lancer(Execution.class, outillage.toString(), limites, Echange.message(List.of(Execution.CLASSES), o -> null))) {
+                List<Object> demande = new ArrayList<>(List.of(Execution.CLASSES));
+                classes.forEach((nom, octets) -> demande.addAll(List.of(nom, octets)));
+                demander(Echange.REPONSE_MAX, r -> r, demande.toArray());
             }
             enfant.commencer(fois * limites.calcul);
         }
 
         /** Appelle une méthode, par son numéro ; si elle rend un objet, ses champs le suivent. */
         Object appeler(int methode, List<?> arguments) throws Arret {
-            return ecrire(() -> {
-                Demande demande = new Demande(Execution.APPEL);
-                demande.message.writeInt(methode);
-                Echange.ecrire(demande.message, arguments, o -> (Echange.Objet) o);
-                return demander(demande.octets.toByteArray(), Echange.REPONSE_MAX, reponse -> {
-                    Dialogue.attendreUnResultat(reponse);
-                    Object rendu = Echange.lire(reponse, Dialogue.Recu::new);
-                    List<?> champs = (List<?>) Echange.lire(reponse, Dialogue.Recu::new);
-                    if (rendu instanceof Dialogue.Recu) {
-                        ((Dialogue.Recu) rendu).champs = champs;
-                    }
-                    return rendu;
-                });
-            });
+            return demander(Echange.REPONSE_MAX, reponse -> {
+                if (reponse.get(0) instanceof Dialogue.Recu) {
+                    ((Dialogue.Recu) reponse.get(0)).champs = (List<?>) reponse.get(1);
+                }
+                return reponse.get(0);
+            }, Execution.APPEL, methode, arguments);
         }
 
-        /** L'image que dessine cette méthode de la sonde, sur cette scène. */
-        byte[] dessiner(String methode, String scene, Object... arguments) throws Arret {
-            return ecrire(() -> demander(sonde(Execution.DESSIN, methode, scene, arguments), Echange.GROSSE_REPONSE_MAX, reponse -> {
-                Dialogue.attendreUnResultat(reponse);
-                return Echange.lireOctets(reponse);
-            }));
-        }
-
-        /** Ce que dit cette méthode de la sonde, sur cette scène : des noms, chacun suivi de sa valeur. */
-        List<?> decrire(String methode, String scene, Object... arguments) throws Arret {
-            return ecrire(() -> demander(sonde(Execution.TEXTES, methode, scene, arguments), Echange.REPONSE_MAX, reponse -> {
-                Dialogue.attendreUnResultat(reponse);
-                return (List<?>) Echange.lire(reponse, Dialogue.Recu::new);
-            }));
-        }
-
-        private byte[] sonde(char sorte, String methode, String scene, Object... arguments) throws IOException {
-            Demande demande = new Demande(sorte);
-            Echange.ecrireTexte(demande.message, methode);
-            Echange.ecrireOctets(demande.message, scene.getBytes(StandardCharsets.UTF_8));
-            Echange.ecrire(demande.message, Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()), o -> null);
-            return demande.octets.toByteArray();
-        }
-    }
-
-    /** Ce qui écrit une demande en mémoire, où rien ne manque. */
-    private interface Ecriture<T> {
-        T faire() throws IOException, Arret;
-    }
-
-    private static <T> T ecrire(Ecriture<T> ecriture) throws Arret {
-        try {
-            return ecriture.faire();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        /** Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène. */
+        <T> T sonder(Class<T> sorte, String methode, String scene, Object... arguments) throws Arret {
+            return demander(Echange.GROSSE_REPONSE_MAX, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
+                    scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
         }
     }
 }

@@ -35,16 +35,12 @@ abstract class DepotEssai {
     }
 
     static List<Rendu> classe(Path lieu) {
-        return Depot.lire(lieu, false, noms -> repondre(lieu, false, noms));
+        return Depot.lire(lieu, false);
     }
 
     /** Tout ce lieu est un seul rendu. */
     static Rendu un(Path lieu) {
-        return Depot.lire(lieu, true, noms -> repondre(lieu, true, noms)).get(0);
-    }
-
-    static Contenu.Reponse repondre(Path lieu, boolean seul, Map<String, String> noms) {
-        return Contenu.repondre(new Contenu.Demande(lieu.toString(), seul, noms));
+        return Depot.lire(lieu, true).get(0);
     }
 
     Map<String, Rendu> lire(Path lieu) {

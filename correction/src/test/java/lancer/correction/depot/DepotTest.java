@@ -49,7 +49,7 @@ class DepotTest extends DepotEssai {
         ecrire(projet.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
         ecrire(projet.resolve("__MACOSX/src/._Vecteur.java"), "x");
         ecrire(projet.resolve(".idea/Autre.java"), "x");
-        ecrire(projet.resolve("target/classes/Autre.java"), "x");
+        ecrire(projet.resolve("target/classes/Autre.class"), "x");
         Path tout = dossier.resolve("tout");
         Path un = Files.createDirectories(tout.resolve("Étudiant 1_11_assignsubmission_file"));
         ClasseEssai.archiver(projet, un.resolve("TP.zip"), "TP1/");
@@ -151,7 +151,7 @@ class DepotTest extends DepotEssai {
             video.setLength(90L << 20);
         }
         Rendu lu = lire(rendus).get("11");
-        assertEquals(List.of(List.of(), "[build/lancer/Point.java, out/lancer/Vecteur.java]", "[Vecteur.class, target]"),
+        assertEquals(List.of(List.of(), "[build/lancer/Point.java, out/lancer/Vecteur.java]", "[target]"),
                 List.of(lu.refus, lu.sources.keySet().toString(), lu.outils.toString()));
     }
 
@@ -369,20 +369,23 @@ class DepotTest extends DepotEssai {
                 projet(lu).aRegarder);
     }
 
+    /** Le nom d'une archive, et celui de ses dossiers, dans toutes les écritures. */
     @Test
-    void uneLectureArreteeNeCouteQueSonRendu() throws IOException {
-        for (String nom : List.of("a", "b", "c")) {
-            ecrire(rendus.resolve(nom).resolve("lancer/Vecteur.java"), CLASSE);
-        }
-        for (Error cause : List.of(new NoClassDefFoundError("org/x/Y"), new OutOfMemoryError("x"), new StackOverflowError())) {
-            Map<String, Rendu> lus = Depot.lire(rendus, false, noms -> {
-                if (noms != null && noms.containsKey("b")) {
-                    throw cause;
-                }
-                return repondre(rendus, false, noms);
-            }).stream().collect(Collectors.toMap(r -> r.id, r -> r));
-            assertEquals(List.of("arrêté : " + cause + " (en lisant ses fichiers)"), lus.get("b").refus);
-            assertEquals(List.of(1, 0, 1), lus.values().stream().map(r -> r.sources.size()).collect(Collectors.toList()));
+    void uneClasseEtSesArchivesSeLisentPareillementDepliees() throws IOException {
+        ecrire(rendus.resolve("Zoé/note.md"), "x");
+        ecrire(rendus.resolve("Zoé/lancer/Vecteur.java"), CLASSE);
+        Path projet = dossier.resolve("p");
+        ecrire(projet.resolve("Vecteur.java"), CLASSE);
+        ClasseEssai.archiver(projet, rendus.resolve("王.zip"), "проект/");
+        Path classe = dossier.resolve("classe.zip");
+        ClasseEssai.archiver(rendus, classe, "");
+        Files.createSymbolicLink(rendus.resolve("lien.zip"), classe);
+        for (Path lieu : List.of(rendus, classe)) {
+            Map<String, Rendu> lus = lire(lieu);
+            assertEquals("[lancer/Vecteur.java]", lus.get("Zoé").sources.keySet().toString());
+            assertEquals("[王/проект/Vecteur.java]", lus.get("王.zip").sources.keySet().toString());
+            assertEquals(lieu == rendus ? List.of("lien refusé : lien.zip") : List.of(), lus.values().stream()
+                    .flatMap(r -> r.refus.stream()).collect(Collectors.toList()));
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
+import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
@@ -48,7 +49,7 @@ abstract class JuryEssai extends ClasseEssai {
     }
 
     static Map<String, Resultat> juger(Jury jury, Path rendus) {
-        List<Rendu> liste = jury.lire(rendus, false);
+        List<Rendu> liste = Depot.lire(rendus, false);
         List<Resultat> tous = jury.juger(liste, resultat -> { });
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {
