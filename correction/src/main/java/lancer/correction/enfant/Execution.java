@@ -212,7 +212,7 @@ public final class Execution {
             return List.of(SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
         } else if (compile) {
             return List.of(FAUTE, ou(e), message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0]);
-        } else if (e instanceof LinkageError && !(e instanceof NoClassDefFoundError && message.startsWith("java"))) {
+        } else if (e instanceof LinkageError && !(e instanceof UnsatisfiedLinkError) && !message.startsWith("java")) {
             // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment
             return List.of(FAUTE, ou(e), "");
         } else if (nom.equals("lancer.Appels$Impossible")) {

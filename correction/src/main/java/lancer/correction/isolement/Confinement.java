@@ -2,7 +2,6 @@ package lancer.correction.isolement;
 
 import java.io.File;
 import java.io.IOException;
-import java.lang.module.ModuleFinder;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -26,10 +25,6 @@ public final class Confinement {
     /** Dossier de Java, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
-    /** Les modules de Java SE, sauf ceux qui observent la machine virtuelle. */
-    private static final String SANS_GESTION = ModuleFinder.ofSystem().findAll().stream().map(m -> m.descriptor().name())
-            .filter(m -> m.startsWith("java.") && !m.startsWith("java.management") && !m.equals("java.se")).sorted()
-            .collect(Collectors.joining(","));
     /**
      * Par processeur : son numéro (linux/audit.h), celui de l'appel clone, puis ceux des appels refusés, qui lancent un programme ou
      * sortent d'ici : fork, vfork, unshare.
@@ -147,10 +142,6 @@ public final class Confinement {
                 "--add-opens", "java.base/java.io=ALL-UNNAMED",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Dsun.jnu.encoding=UTF-8", "-Duser.language=fr",
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire)));
-        if (!visibles) {
-            // rien n'y montre la mémoire de cette machine
-            commande.addAll(List.of("--limit-modules", SANS_GESTION));
-        }
         commande.addAll(List.of("-cp", classes, principale.getName()));
         return commande;
     }
@@ -183,6 +174,14 @@ public final class Confinement {
         // après /tmp, qui cacherait un JDK qui y est
         if (!JAVA.startsWith("/usr/")) {
             commande.addAll(List.of("--ro-bind", JAVA, JAVA));
+        }
+        // sans leurs bibliothèques, les MXBean, qui montreraient la mémoire de la machine, ne se chargent pas ; --limit-modules, qui les
+        // ôterait aussi, prive Java de ses classes préparées, et double le temps de son démarrage
+        for (String nom : List.of("management", "management_ext")) {
+            String bibliotheque = JAVA + "/lib/lib" + nom + ".so";
+            if (Files.exists(Paths.get(bibliotheque))) {
+                commande.addAll(List.of("--ro-bind", "/dev/null", bibliotheque));
+            }
         }
         return commande;
     }

@@ -158,6 +158,7 @@ class HostilesTest extends JuryEssai {
     void unRenduQuiDureTropEnToutEstRefuse() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
+        ecrireCorrige(rendus.resolve("deux"));
         try (Jury jury = new Jury(new Confinement(false, ""), PATIENTES, GRAINE, 0)) {
             Resultat resultat = juger(jury, rendus).get("un");
             assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
