@@ -1,12 +1,22 @@
 package lancer.correction.depot;
 
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import com.google.gson.JsonDeserializer;
+import com.google.gson.JsonPrimitive;
+import com.google.gson.JsonSerializer;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.StringWriter;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,12 +28,20 @@ import javax.tools.FileObject;
 import javax.tools.ForwardingJavaFileManager;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import lancer.correction.enfant.Echange;
 import org.apache.commons.io.FileUtils;
 
 /** Lit ou compile des sources, dans une autre machine virtuelle, par le compilateur d'Eclipse : il écrit même les classes fautives. */
 public final class Compilateur {
+
+    /** Les demandes et les réponses : des objets, par les noms de leurs champs. */
+    private static final Gson JSON = new GsonBuilder().disableHtmlEscaping()
+            .registerTypeAdapter(byte[].class, (JsonSerializer<byte[]>) (octets, type, json) ->
+                    new JsonPrimitive(Base64.getEncoder().encodeToString(octets)))
+            .registerTypeAdapter(byte[].class, (JsonDeserializer<byte[]>) (texte, type, json) ->
+                    Base64.getDecoder().decode(texte.getAsString())).create();
 
     /** Dernière version de Java que ce compilateur connaît. */
     private static final int NIVEAU_MAX = 25;
@@ -51,6 +69,31 @@ public final class Compilateur {
         public final Map<String, byte[]> classes = new LinkedHashMap<>();
     }
 
+    /** Une source à lire, ou une classe à écrire, que le compilateur tient en mémoire. */
+    static final class EnMemoire extends SimpleJavaFileObject {
+
+        private final String nom;
+        private final String texte;
+        private final ByteArrayOutputStream ecrit = new ByteArrayOutputStream();
+
+        /** @param texte {@code null} pour une classe */
+        EnMemoire(String nom, String texte) {
+            super(URI.create("memoire:///" + nom), texte == null ? Kind.CLASS : Kind.SOURCE);
+            this.nom = nom;
+            this.texte = texte;
+        }
+
+        @Override
+        public CharSequence getCharContent(boolean tel) {
+            return texte;
+        }
+
+        @Override
+        public OutputStream openOutputStream() {
+            return ecrit;
+        }
+    }
+
     private final JavaCompiler compilateur;
     /** Un seul gestionnaire de fichiers pour tous : il garde ouvertes les archives des classes. */
     private final StandardJavaFileManager gestion;
@@ -62,14 +105,23 @@ public final class Compilateur {
         gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
     }
 
+    public static byte[] ecrire(Object message) {
+        return JSON.toJson(message).getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** @throws RuntimeException si le message n'a pas cette forme */
+    public static <T> T lire(Class<T> type, DataInputStream message) throws IOException {
+        return JSON.fromJson(new String(message.readAllBytes(), StandardCharsets.UTF_8), type);
+    }
+
     public static void main(String[] args) throws IOException {
         Compilateur ici = new Compilateur();
         Echange.servir(System.in, System.out, message -> {
-            Demande demande = Json.lire(Demande.class, message);
+            Demande demande = lire(Demande.class, message);
             Reponse reponse = new Reponse();
             if (!demande.aLire.isEmpty()) {
                 reponse.lus = Lecteur.lire(demande.aLire);
-                return Json.ecrire(reponse);
+                return ecrire(reponse);
             }
             Path dossier = Files.createTempDirectory("compilation").toRealPath();
             try {
@@ -80,7 +132,7 @@ public final class Compilateur {
             } finally {
                 FileUtils.deleteQuietly(dossier.toFile());
             }
-            return Json.ecrire(reponse);
+            return ecrire(reponse);
         });
     }
 
@@ -109,7 +161,7 @@ public final class Compilateur {
         }, List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn", "-proc:none", "-proceedOnError",
                 "-classpath", System.getProperty("java.class.path")), null,
                 gestion.getJavaFileObjectsFromPaths(fichiers)).call();
-        ecrites.stream().limit(CLASSES_MAX + 1).forEach(c -> reponse.classes.put(c.nom.replace('/', '.'), c.octets()));
+        ecrites.stream().limit(CLASSES_MAX + 1).forEach(c -> reponse.classes.put(c.nom.replace('/', '.'), c.ecrit.toByteArray()));
         if (ecrites.size() > CLASSES_MAX) {
             throw new IllegalStateException("trop de classes");
         }

@@ -17,7 +17,10 @@ public final class Cours {
 
     /** D'où vient ce texte : 0, de l'étudiant ; 1, du projet à compléter ; 2, du corrigé. */
     int provenance(Type type) {
-        return !squelette.containsKey(type.nom) ? 0 : type.empreinte.equals(squelette.get(type.nom).empreinte) ? 1
-                : type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
+        Type aCompleter = squelette.get(type.nom);
+        if (aCompleter == null || type.empreinte.equals(aCompleter.empreinte)) {
+            return aCompleter == null ? 0 : 1;
+        }
+        return type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
     }
 }

@@ -95,7 +95,7 @@ public final class Lecteur {
             if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < NOMS_MAX) {
                 fautes.add((int) faute.getPosition());
             }
-        }, List.of("-proc:none"), null, List.of(new EnMemoire("A.java", texte)));
+        }, List.of("-proc:none"), null, List.of(new Compilateur.EnMemoire("A.java", texte)));
         try {
             return new Lecteur(texte, tache.parse().iterator().next(), Trees.instance(tache).getSourcePositions()).fichier(fautes);
         } catch (IOException | RuntimeException | Error e) {

@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -61,7 +62,7 @@ public final class Rendu {
                 empreinte.update(octets);
             });
             empreinte.update(refus.toString().getBytes(StandardCharsets.UTF_8));
-            return new java.math.BigInteger(1, empreinte.digest()).toString(16);
+            return new BigInteger(1, empreinte.digest()).toString(16);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException(e);
         }

@@ -25,7 +25,6 @@ import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
 import lancer.correction.depot.Compilateur;
 import lancer.correction.depot.Faute;
-import lancer.correction.depot.Json;
 import lancer.correction.depot.Lecteur;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
@@ -176,10 +175,10 @@ final class Machines {
         }
 
         private Compilateur.Reponse demander(Compilateur.Demande demande) throws Arret {
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Json.ecrire(new Compilateur.Demande(List.of(), Map.of())));
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Compilateur.ecrire(new Compilateur.Demande(List.of(), Map.of())));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(Json.ecrire(demande), Echange.GROSSE_REPONSE_MAX, r -> Json.lire(Compilateur.Reponse.class, r));
+                return demander(Compilateur.ecrire(demande), Echange.GROSSE_REPONSE_MAX, r -> Compilateur.lire(Compilateur.Reponse.class, r));
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -252,7 +251,8 @@ final class Machines {
 
         /** Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène. */
         <T> T sonder(Class<T> sorte, String methode, String scene, Object... arguments) throws Arret {
-            return demander(Echange.GROSSE_REPONSE_MAX, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
+            int max = sorte == byte[].class ? Echange.GROSSE_REPONSE_MAX : Echange.REPONSE_MAX;
+            return demander(max, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
                     scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
         }
     }

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Source;
-import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import org.apache.commons.csv.CSVFormat;

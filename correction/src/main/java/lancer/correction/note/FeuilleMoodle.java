@@ -185,9 +185,10 @@ public final class FeuilleMoodle {
             // le signe décimal est celui de la note maximale
             ligne.set(note, valeur(ligne, maximum).contains(",") ? neuve.replace('.', ',') : neuve);
         } else if (!ancienne.isBlank()) {
-            eleve.aRegarder.add((aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
-                    : "note de la feuille gardée, que nous n'avons pas écrite : ") + ancienne
-                    + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera") + (juge ? " ; la nôtre serait " + neuve : ""));
+            String aQui = aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
+                    : "note de la feuille gardée, que nous n'avons pas écrite : ";
+            eleve.aRegarder.add(aQui + ancienne + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
+                    + (juge ? " ; la nôtre serait " + neuve : ""));
         }
         if (commentaire >= 0 && commentaire < ligne.size() && (juge || !aNous)) {
             // le texte de l'enseignant est gardé ; celui de la correction est remplacé avec la note

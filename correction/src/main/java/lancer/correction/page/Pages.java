@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Reference;
@@ -119,8 +118,12 @@ public final class Pages {
 
     /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
     public String combien(Eleve.Part part) {
-        return part.aNoter ? "à noter" : part.ajustement != null ? nombre(part.points) + (part.sur > 0 ? "/" + nombre(part.sur) : "")
-                : part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
+        if (part.aNoter) {
+            return "à noter";
+        } else if (part.ajustement != null) {
+            return nombre(part.points) + (part.sur > 0 ? "/" + nombre(part.sur) : "");
+        }
+        return part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
     }
 
     private static String nombre(double x) {
@@ -129,8 +132,12 @@ public final class Pages {
 
     /** La sorte d'une part : sa couleur, dans {@code commun.ftlh}. */
     public String sorte(Eleve.Part part) {
-        return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
-                : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
+        if (part.aNoter || part.vide()) {
+            return part.aNoter ? "a_noter" : "vide";
+        } else if (part.complete()) {
+            return "complet";
+        }
+        return part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }
 
     public double moyenne(List<Eleve> eleves) {

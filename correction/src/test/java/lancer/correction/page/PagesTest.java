@@ -3,7 +3,6 @@ package lancer.correction.page;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Texte;
 import org.junit.jupiter.api.Test;
 
