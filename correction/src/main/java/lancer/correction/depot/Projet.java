@@ -106,6 +106,7 @@ public final class Projet {
                 racines.computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
             }
         }
+        racines.values().forEach(types -> situer(types, cours));
         Set<String> projets = racines.keySet().stream().filter(r -> racines.get(r).stream().anyMatch(Projet::aCompleter))
                 .map(Projet::dossier).collect(Collectors.toSet());
         Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
@@ -113,14 +114,14 @@ public final class Projet {
         List<String> laisses = new ArrayList<>();
         Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
         for (String nom : SourcesDuCours.VARIANTES) {
-            Map<String, Map<String, Type>> siennes = choisir(groupes.getOrDefault(nom, Map.of()), cours, laisses);
+            Map<String, Map<String, Type>> siennes = choisir(groupes.getOrDefault(nom, Map.of()), laisses);
             siennes.values().stream().findFirst().ifPresent(premiere -> variantes.put(nom, premiere));
             if (siennes.size() > 1) {
                 laisses.add(plusieurs("de l'extension " + nom + " : montrée", siennes, siennes.keySet().iterator().next()));
             }
         }
-        Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()), cours, laisses);
-        ecarter(bases.values(), cours, laisses);
+        Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()), laisses);
+        ecarter(bases.values(), laisses);
         if (bases.isEmpty() || !variantes.isEmpty() && bases.values().stream().noneMatch(b -> b.values().stream()
                 .anyMatch(Projet::aCompleter))) {
             // une variante est une copie complète du projet
@@ -155,6 +156,18 @@ public final class Projet {
             }
         }
         return copies;
+    }
+
+    /**
+     * Dit d'où viennent les textes d'un dossier. Un étudiant écrit de lui-même quelques classes comme le corrigé : elles n'en viennent que si
+     * la plupart de celles du dossier sont celles du corrigé.
+     */
+    private static void situer(List<Type> types, Cours cours) {
+        types.forEach(t -> t.provenance = cours.provenance(t));
+        long duCorrige = types.stream().filter(t -> aCompleter(t) && t.provenance == 2).count();
+        if (2 * duCorrige <= types.stream().filter(Projet::aCompleter).count()) {
+            types.stream().filter(t -> t.provenance == 2).forEach(t -> t.provenance = 0);
+        }
     }
 
     private static boolean aCompleter(Type type) {
@@ -282,8 +295,8 @@ public final class Projet {
      *
      * @param laisses reçoit les fichiers qui déclarent une classe lue dans un autre fichier
      */
-    private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes, Cours cours, List<String> laisses) {
-        ToIntFunction<Type> rang = t -> 8 * cours.provenance(t) + t.source.rang(t.nom);
+    private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes, List<String> laisses) {
+        ToIntFunction<Type> rang = t -> 8 * t.provenance + t.source.rang(t.nom);
         List<String> racines = new ArrayList<>(groupes.keySet());
         racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(Projet::aCompleter).map(t -> t.nom).distinct()
                 .count()).thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base")).thenComparing(String::length));
@@ -307,20 +320,22 @@ public final class Projet {
     }
 
     /** Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. */
-    private static void ecarter(Collection<Map<String, Type>> copies, Cours cours, List<String> laisses) {
+    private static void ecarter(Collection<Map<String, Type>> copies, List<String> laisses) {
+        Map<String, String> ecartes = new TreeMap<>();
         for (String classe : SourcesDuCours.classes()) {
             String nom = "lancer/" + classe;
-            Type meilleur = copies.stream().map(c -> c.get(nom)).filter(Objects::nonNull).min(Comparator.comparing(cours::provenance))
+            Type meilleur = copies.stream().map(c -> c.get(nom)).filter(Objects::nonNull).min(Comparator.comparing(t -> t.provenance))
                     .orElse(null);
             for (Map<String, Type> copie : copies) {
                 Type type = copie.get(nom);
-                if (type != null && cours.provenance(type) > cours.provenance(meilleur)) {
+                if (type != null && type.provenance > meilleur.provenance) {
                     copie.put(nom, meilleur);
-                    laisses.add(type.source.chemin + Contenu.DE_COTE + (cours.provenance(type) == 2 ? "c'est le texte du corrigé"
-                            : "c'est le texte à compléter") + " ; " + classe + " est dans " + meilleur.source.chemin);
+                    String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
+                    ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, classe, (a, b) -> a + ", " + b);
                 }
             }
         }
+        ecartes.forEach((pourquoi, classes) -> laisses.add(pourquoi + " : " + classes));
     }
 
     /** Le texte d'une classe du cours ; {@code null} si elle n'est pas rendue. */

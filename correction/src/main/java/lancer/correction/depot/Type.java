@@ -19,6 +19,8 @@ public final class Type {
     public final Set<String> noms = new TreeSet<>();
     public final List<Signature> methodes = new ArrayList<>();
     transient Source source;
+    /** D'où vient son texte, et s'il cède la place à un autre : voir {@link Cours#provenance}. */
+    transient int provenance;
     transient String texte;
     /** Longueur du texte après la fin de la classe. */
     private transient int reste;

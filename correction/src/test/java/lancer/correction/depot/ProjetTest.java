@@ -291,13 +291,22 @@ class ProjetTest extends DepotEssai {
         classes("lancer-base", SourcesDuCours::squelette, toutes);
         Projet intact = projet(lire(rendus).get("11"));
         assertEquals(Set.of(), intact.changees, "rien n'y est de lui");
-        assertTrue(intact.aRegarder.contains("base-java/src/lancer/Sphere.java : laissé de côté, c'est le texte du corrigé ; Sphere est dans "
-                + "lancer-base/src/lancer/Sphere.java"), intact.aRegarder.toString());
+        assertTrue(intact.aRegarder.contains("base-java/src/lancer/ : laissé de côté, c'est le texte du corrigé ; un autre est jugé : "
+                + String.join(", ", toutes)), intact.aRegarder.toString());
         // ce qu'il a écrit, même faux ; ce qu'il a laissé est celui du projet à compléter
         classes("lancer-base", c -> SourcesDuCours.corrige(c).replace("* v.y", "* v.x"), "Vecteur");
         Projet commence = projet(lire(rendus).get("11"));
         assertEquals(Set.of("Vecteur"), commence.changees);
         assertTrue(commence.texte("Vecteur").contains("y * v.x"));
+    }
+
+    @Test
+    void quelquesClassesEcritesCommeLeCorrigeSontBienALEtudiant() throws IOException {
+        String[] siennes = {"Sphere", "Scene", "Lancer", "Objet3D", "Camera"};
+        classes("lancer-base", SourcesDuCours::corrige, "Vecteur", "Point", "Rayon");
+        classes("lancer-base", c -> SourcesDuCours.corrige(c).replaceFirst("\\}\\s*$", "int enPlus; }"), siennes);
+        classes("distribue", SourcesDuCours::squelette, SourcesDuCours.A_COMPLETER.toArray(new String[0]));
+        assertEquals(new TreeSet<>(SourcesDuCours.A_COMPLETER), new TreeSet<>(projet(lire(rendus).get("11")).changees));
     }
 
     @Test
