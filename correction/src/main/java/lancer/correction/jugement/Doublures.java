@@ -92,7 +92,9 @@ final class Doublures {
         }
         for (Constructor<?> c : classe.getConstructors()) {
             if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
-                int numero = numeroter("new " + nom + "(" + passes(c, 0) + ")", false);
+                // le cours ne demande pas le constructeur d'une scène par deux listes
+                boolean listes = nom.equals("Scene") && c.getParameterTypes()[0] == List.class;
+                int numero = numeroter((listes ? "scene(" : "new " + nom + "(") + passes(c, 0) + ")", false);
                 source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue.appeler(" + RECU + ".class, "
                         + numero + arguments(c) + ")); }\n");
             }
