@@ -142,7 +142,7 @@ mutations: outils
 CORRECTION := correction/target/correction.jar
 # il ne dure pas : compiler à fond coûterait de la mémoire sans rien gagner (make mesure-corriger)
 CORRIGER = $(JAVA) -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar $(CORRECTION)
-$(CORRECTION): ensemble.xml correction/pom.xml src/test/java/lancer/Tests.java $(call sources,correction) \
+$(CORRECTION): ensemble.xml correction/pom.xml $(wildcard src/test/java/lancer/*.java) $(call sources,correction) \
 	$(shell find correction/src/modele correction/src/sondes -type f) $(wildcard scenes/*.ini) \
 	$(foreach c,Tuple Couleur Lampe PointContact,src/main/java/lancer/$(c).java) | outils
 	$(DIRE)

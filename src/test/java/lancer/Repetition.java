@@ -33,42 +33,42 @@ abstract class Repetition {
     /** Demandé une fois pour toutes les vérifications : voir {@link Causes}. */
     Supplier<Bilan> bilan;
 
-    @Test @Order(1) @Tag("Vecteur") @DisplayName("Vecteur répond toujours de même")
+    @Test @Order(1) @Tag("Vecteur") @DisplayName("un vecteur répond toujours de même")
     void unVecteurNeGardeRien() {
         bilan.get().verifier("Vecteur");
     }
 
-    @Test @Order(2) @Tag("Point") @DisplayName("Point répond toujours de même")
+    @Test @Order(2) @Tag("Point") @DisplayName("un point répond toujours de même")
     void unPointNeGardeRien() {
         bilan.get().verifier("Point");
     }
 
-    @Test @Order(3) @Tag("Rayon") @DisplayName("Rayon répond toujours de même")
+    @Test @Order(3) @Tag("Rayon") @DisplayName("un rayon répond toujours de même")
     void unRayonNeGardeRien() {
         bilan.get().verifier("Rayon");
     }
 
-    @Test @Order(4) @Tag("Camera") @DisplayName("Camera répond toujours de même")
+    @Test @Order(4) @Tag("Camera") @DisplayName("la caméra répond toujours de même")
     void laCameraNeGardeRien() {
         bilan.get().verifier("Camera");
     }
 
-    @Test @Order(5) @Tag("Sphere") @DisplayName("Sphere répond toujours de même")
+    @Test @Order(5) @Tag("Sphere") @DisplayName("une sphère répond toujours de même")
     void uneSphereNeGardeRien() {
         bilan.get().verifier("Sphere");
     }
 
-    @Test @Order(6) @Tag("Scene") @DisplayName("Scene répond toujours de même")
+    @Test @Order(6) @Tag("Scene") @DisplayName("une scène répond toujours de même")
     void laSceneNeGardeRien() {
         bilan.get().verifier("Scene");
     }
 
-    @Test @Order(7) @Tag("Objet3D") @DisplayName("Objet3D répond toujours de même")
+    @Test @Order(7) @Tag("Objet3D") @DisplayName("un objet répond toujours de même")
     void unObjetNeGardeRien() {
         bilan.get().verifier("Objet3D");
     }
 
-    @Test @Order(8) @Tag("Lancer") @DisplayName("Lancer répond toujours de même")
+    @Test @Order(8) @Tag("Lancer") @DisplayName("un pixel répond toujours de même")
     void unLancerNeGardeRien() {
         bilan.get().verifier("Lancer");
     }
@@ -207,7 +207,8 @@ abstract class Repetition {
         /** Les classes du cours, les causes d'abord, et leurs champs qui changent. */
         private static final List<String> CLASSES =
                 Arrays.asList("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Objet3D", "Lancer");
-        private static final List<String> DU_COURS = Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
+        private static final List<String> DU_COURS =
+                Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
 
         /** Combien de fois chaque question est posée, selon qu'un champ peut changer ou non ; par deux fils, dans le premier cas. */
         private static final int FOIS = 400;
@@ -338,7 +339,8 @@ abstract class Repetition {
             List<String> noms = new ArrayList<>();
             try {
                 for (Field champ : Class.forName("lancer." + classe, false, Bilan.class.getClassLoader()).getDeclaredFields()) {
-                    if (!Modifier.isFinal(champ.getModifiers()) && !champ.isSynthetic() && !DU_COURS.contains(classe + "." + champ.getName())) {
+                    if (!Modifier.isFinal(champ.getModifiers()) && !champ.isSynthetic()
+                            && !DU_COURS.contains(classe + "." + champ.getName())) {
                         noms.add(champ.getName());
                     }
                 }

@@ -62,7 +62,7 @@ public class Etapes implements TestExecutionListener {
                         : premier.aCommencer ? " ; à commencer : " + premier.dit
                         : " ; à reprendre d'abord : " + premier.intitule);
                 // ce qu'une étape d'après explique n'est pas imputé à celle-ci
-                if (aReprendre == null || !premier.nonEvaluable && (aReprendre.nonEvaluable || aReprendre.aCommencer && !premier.aCommencer)) {
+                if (aReprendre == null || premier.rang < aReprendre.rang) {
                     aReprendre = premier;
                     detail = manques.stream().map(Manque::toString).distinct().collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
@@ -98,6 +98,8 @@ public class Etapes implements TestExecutionListener {
         private final String aFaire;
         private final boolean nonEvaluable;
         private final boolean aCommencer;
+        /** Ce qui se reprend d'abord : ce qui échoue, puis ce qui n'est pas commencé, puis ce que le reste empêche d'évaluer. */
+        private final int rang;
 
         Manque(TestIdentifier qui, TestIdentifier etape) {
             intitule = qui.getDisplayName();
@@ -130,6 +132,7 @@ public class Etapes implements TestExecutionListener {
             nonEvaluable = abandonnee && dit.startsWith("étape non évaluable");
             aCommencer = abandonnee && (lieu.endsWith(FIXME) || cause.getMessage().contains("étape non commencée")
                     && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
+            rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
             aFaire = (aCommencer || lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
         }
 
