@@ -36,9 +36,6 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     private static final String NON_EVALUABLE = "étape non évaluable : ";
 
-    /** Millisecondes laissées aux répétitions, qui ne devraient pas en prendre la moitié. */
-    private static final long REPETITIONS_MS = 5000;
-
     /** Les piles d'un fil qui ne répond pas, et les millisecondes de l'une à l'autre. */
     private static final int PILES = 10;
     private static final int ECART_MS = 20;
@@ -113,7 +110,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             vu.commence = true;
             PrintStream sortie = System.out;
             try {
-                limiter(() -> vu.bilan = new Repetition.Bilan(true), Math.min(patience, REPETITIONS_MS), new Vu());
+                limiter(() -> vu.bilan = new Repetition.Bilan(true), patience, new Vu());
             } catch (Throwable sansFin) {
                 // les vérifications le disent
                 vu.bilan = new Repetition.Bilan();

@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -22,8 +22,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * Rien n'est gardé d'un appel à l'autre : chaque méthode du cours est demandée plusieurs fois, d'autres entre deux, puis
- * par deux fils à la fois. Une réponse fausse, mais toujours la même, n'est pas une faute ici. Ce fichier est donné : il
+ * Rien n'est gardé d'un appel à l'autre : chaque méthode du cours est demandée plusieurs fois, d'autres entre deux, et
+ * une couleur pendant qu'un autre fil en demande une autre. Une réponse fausse, mais toujours la même, n'est pas une faute ici. Ce fichier est donné : il
  * n'y a rien à y changer.
  */
 abstract class Repetition {
@@ -87,6 +87,8 @@ abstract class Repetition {
             Object demander(Monde monde);
         }
 
+        private static final String ECHEC = "échec : ";
+
         final String classe;
         final String methode;
         final Reponse reponse;
@@ -99,7 +101,11 @@ abstract class Repetition {
         }
 
         String poser(Monde monde) {
-            return texte(reponse.demander(monde));
+            try {
+                return texte(reponse.demander(monde));
+            } catch (RuntimeException | StackOverflowError e) {
+                return ECHEC + e.getClass().getSimpleName();
+            }
         }
 
         private static String texte(Object o) {
@@ -130,6 +136,8 @@ abstract class Repetition {
         private final Camera camera;
         private final Scene scene;
         private final Lancer lancer;
+        /** Ce qu'un autre fil fera au milieu du prochain calcul d'une couleur, {@code null} s'il ne fait rien. */
+        private Runnable pendant;
 
         Monde() {
             this(IntStream.range(0, RAYONS.length).mapToObj(Monde::boule).collect(Collectors.toList()), new Camera(40, 30));
@@ -138,13 +146,32 @@ abstract class Repetition {
         private Monde(List<Sphere> boules, Camera camera) {
             this.boules = boules;
             this.camera = camera;
-            scene = new Scene(boules, Arrays.asList(new Lampe(new Point(-4, 6, -3), new Couleur(0.75, 0.5, 0.25)),
-                    new Lampe(new Point(5, 4, 0), new Couleur(0.25, 0.5, 0.25))));
+            scene = new Scene(boules, Arrays.asList(lampe(-4, 6, -3), lampe(5, 4, 0)));
             lancer = new Lancer(scene, camera);
         }
 
         Monde pourUnFil() {
             return new Monde(boules, camera);
+        }
+
+        /** Une lampe qui, avant de dire où elle est, laisse un autre fil faire ce qu'il a à faire. */
+        private Lampe lampe(double x, double y, double z) {
+            return new Lampe(new Point(x, y, z), new Couleur(0.75, 0.5, 0.25)) {
+                @Override
+                public Point getPosition() {
+                    if (pendant != null) {
+                        Thread autre = new Thread(pendant);
+                        pendant = null;
+                        autre.start();
+                        try {
+                            autre.join();
+                        } catch (InterruptedException e) {
+                            Thread.currentThread().interrupt();
+                        }
+                    }
+                    return super.getPosition();
+                }
+            };
         }
 
         private static Sphere boule(int k) {
@@ -210,8 +237,8 @@ abstract class Repetition {
         private static final List<String> DU_COURS =
                 Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
 
-        /** Combien de fois chaque question est posée, selon qu'un champ peut changer ou non ; par deux fils, dans le premier cas. */
-        private static final int FOIS = 400;
+        /** Combien de fois chaque question est posée, selon qu'un champ peut changer ou non. */
+        private static final int FOIS = 200;
         private static final int FOIS_SANS_CHAMP = 3;
 
         /** La classe et la méthode dont une réponse change, {@code null} si aucune ne change. */
@@ -234,18 +261,20 @@ abstract class Repetition {
             String quand = "";
             Monde monde = new Monde();
             List<Question> questions = questions();
-            if (ici) {
-                ecouter(monde);
-            }
-            questions.removeIf(q -> !commencer(q, monde));
+            questions.forEach(q -> q.premiere = q.poser(monde));
+            // d'autres vérifications le disent
+            questions.removeIf(q -> q.premiere.startsWith(Question.ECHEC));
             boolean champ = ici && CLASSES.stream().anyMatch(Bilan::peutChanger);
             for (int fois = 1; fois < (champ ? FOIS : FOIS_SANS_CHAMP) && fautive == null; fois++) {
                 Collections.reverse(questions);
                 fautive = fautive(questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList()));
             }
             if (champ && fautive == null) {
-                fautive = aDeux(questions, monde);
+                fautive = aDeux(monde);
                 quand = ", quand deux fils la demandent à la fois";
+            }
+            if (ici) {
+                ecouter(monde);
             }
             classe = fautive == null ? null : fautive.classe;
             methode = fautive == null ? null : fautive.methode;
@@ -253,58 +282,38 @@ abstract class Repetition {
                     + " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ" + champs();
         }
 
-        /** Une question qui échoue n'est plus posée : d'autres vérifications le disent. */
-        private static boolean commencer(Question question, Monde monde) {
-            try {
-                question.premiere = question.poser(monde);
-                return true;
-            } catch (RuntimeException | StackOverflowError e) {
-                return false;
-            }
-        }
-
-        /** De celles dont la réponse a changé, la première dans l'ordre des causes dont la classe a un champ qui puisse changer. */
+        /**
+         * La faute de ces changements : la première, dans l'ordre des causes, dont la classe a un champ qui puisse changer, ou une classe qui a
+         * un tel champ ; à défaut, la première.
+         */
         private static Question fautive(List<Question> changees) {
-            Question premiere = null;
+            if (changees.isEmpty()) {
+                return null;
+            }
+            List<Question> candidates = new ArrayList<>(changees);
+            candidates.addAll(questions());
             for (String classe : CLASSES) {
-                for (Question q : changees) {
-                    if (q.classe.equals(classe) && (premiere == null || champs(premiere.classe).isEmpty() && !champs(classe).isEmpty())) {
-                        premiere = q;
+                for (Question q : candidates) {
+                    if (q.classe.equals(classe) && !champs(classe).isEmpty()) {
+                        return q;
                     }
                 }
             }
-            return premiere;
+            return changees.stream().min(Comparator.comparing(q -> CLASSES.indexOf(q.classe))).get();
         }
 
-        private static Question aDeux(List<Question> questions, Monde monde) {
-            List<Question> changees = Collections.synchronizedList(new ArrayList<>());
-            CountDownLatch depart = new CountDownLatch(2);
-            List<Thread> fils = new ArrayList<>();
-            for (int k = 0; k < 2; k++) {
-                List<Question> siennes = new ArrayList<>(questions);
-                Collections.rotate(siennes, k * siennes.size() / 2);
-                Thread fil = new Thread(() -> {
-                    Monde sien = monde.pourUnFil();
-                    depart.countDown();
-                    try {
-                        depart.await();
-                        for (int fois = 0; fois < FOIS; fois++) {
-                            siennes.stream().filter(q -> !q.premiere.equals(q.poser(sien))).forEach(changees::add);
-                        }
-                    } catch (InterruptedException | RuntimeException | StackOverflowError e) {
-                        // une question qui échoue n'est plus posée
-                    }
-                });
-                fil.setDaemon(true);
-                fils.add(fil);
-                fil.start();
-            }
-            try {
-                for (Thread fil : fils) {
-                    fil.join();
+        /** Au milieu du calcul d'une couleur, un autre fil en calcule une autre, de la même boule. */
+        private static Question aDeux(Monde monde) {
+            List<Question> changees = new ArrayList<>();
+            for (int k = 0; k < 3; k++) {
+                int q = k;
+                Question couleur = new Question("Objet3D", "getColor", m -> m.couleur(q, 0));
+                Question autre = new Question("Objet3D", "getColor", m -> m.couleur(q + 3, 0));
+                couleur.premiere = couleur.poser(monde);
+                monde.pendant = () -> autre.poser(monde.pourUnFil());
+                if (!couleur.premiere.equals(couleur.poser(monde))) {
+                    changees.add(couleur);
                 }
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
             }
             return fautive(changees);
         }

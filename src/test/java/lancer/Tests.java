@@ -839,7 +839,8 @@ public class Tests extends Valeurs {
             assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
                     "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
             assumeTrue(Stream.of(aMiChemin(), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
-                    .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))) || ombreDeSoi() != null,
+                    .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
+                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null,
                     "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
