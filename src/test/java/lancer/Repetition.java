@@ -108,10 +108,15 @@ abstract class Repetition {
             }
         }
 
+        private static String contact(String lieu, PointContact contact) {
+            return lieu + " à " + contact.distance + (contact.objet == null ? " de rien" : "");
+        }
+
         private static String texte(Object o) {
             if (o instanceof Tuple) {
                 Tuple t = (Tuple) o;
-                return t.x + " " + t.y + " " + t.z + (o instanceof PointContact ? " à " + ((PointContact) o).distance : "");
+                String lieu = t.x + " " + t.y + " " + t.z;
+                return o instanceof PointContact ? contact(lieu, (PointContact) o) : lieu;
             } else if (o instanceof Couleur) {
                 Couleur c = (Couleur) o;
                 return c.r + " " + c.v + " " + c.b;
