@@ -84,11 +84,12 @@ corrige: $(CORRECTION)
 	@$(JAVA) -jar $(CORRECTION) --corrige "$(DOSSIER)" $(if $(VARIANTE),--variante "$(VARIANTE)")
 
 # Juger et noter une classe : make corriger RENDUS=rendus.zip NOTES=notes.csv ; SANS_CONFINEMENT=1 là où bwrap ne marche pas.
-# AJOUTER=1 : les rendus donnés s'ajoutent à ceux qui ont été jugés, ou les remplacent ; les autres restent.
+# UN=dossier : un seul rendu. Ces rendus s'ajoutent à ceux qui ont été jugés, ou remplacent les leurs ; NEUF=1 les met d'abord de côté.
 corriger: $(CORRECTION)
-	@test -n "$(RENDUS)" || { echo "Quels rendus ? make corriger RENDUS=dossier-ou-archive.zip [NOTES=feuille.csv] [AJOUTER=1]" >&2; exit 2; }
+	@test -n "$(RENDUS)$(UN)" || { echo "Quels rendus ? make corriger RENDUS=classe.zip (ou UN=rendu) [NOTES=feuille.csv] [NEUF=1]" >&2; exit 2; }
 	@$(CORRIGER) $(if $(NOTES),--notes "$(NOTES)") $(if $(BAREME),--bareme "$(BAREME)") $(if $(SORTIE),--sortie "$(SORTIE)") \
-	    $(if $(filter-out 0 non,$(AJOUTER)),--ajouter) $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) "$(RENDUS)"
+	    $(if $(filter-out 0 non,$(NEUF)),--neuf) $(if $(filter-out 0 non,$(SANS_CONFINEMENT)),--sans-confinement) \
+	    $(if $(UN),--un "$(UN)","$(RENDUS)")
 
 # Le profil AppArmor dont bwrap a besoin sous Ubuntu 23.10 et suivants.
 profil-bwrap:
@@ -105,8 +106,8 @@ aide:
 	@echo "make comparer A=… B=…      compare deux images, ou une image et une scène"
 	@echo "make squelette DOSSIER=…   écrit le projet à compléter que reçoivent les étudiants"
 	@echo "make corrige DOSSIER=…     écrit le programme fini du cours ; VARIANTE=brume, antialias ou blinn pour une extension"
-	@echo "make corriger RENDUS=…     juge et note les rendus d'une classe, ou un seul dossier ; NOTES=feuille.csv de Moodle"
-	@echo "    … AJOUTER=1            ajoute ou remplace ces rendus, sans juger les autres"
+	@echo "make corriger RENDUS=…     juge et note une classe, dossier ou archive : une entrée, une ligne ; NOTES=feuille.csv de Moodle"
+	@echo "make corriger UN=…         un seul rendu ; NEUF=1, avec RENDUS ou UN, met de côté ce qui a été jugé avant"
 	@echo "make noter                 refait les notes : bareme.ini ou ajustements.csv a changé ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
 	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"

@@ -1,15 +1,17 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.abort;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.ClassOrderer;
 import org.junit.jupiter.api.DisplayName;
@@ -20,6 +22,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestClassOrder;
 import org.junit.jupiter.api.TestMethodOrder;
+import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
  * Les vérifications élémentaires du cours, étape par étape, dans l'ordre de l'énoncé. À lancer avec le <i>runner</i>
@@ -32,218 +35,20 @@ import org.junit.jupiter.api.TestMethodOrder;
  */
 @DisplayName("Vérifications élémentaires du TP")
 @TestClassOrder(ClassOrderer.OrderAnnotation.class)
-public class Tests {
+@ExtendWith(Causes.class)
+public class Tests extends Valeurs {
 
-    /** Ce qui sépare deux réels que l'on tient pour égaux : le cours ne cherche ici que des erreurs très grossières. */
-    private static final double PRES = 1e-5;
-
-    /** La même chose pour une composante d'une couleur : un quart de ce qui se voit à l'écran. */
-    private static final double PRES_COULEUR = 1e-3;
+    /** La vérification qui explique, seule, que des boules restent noires. */
+    static final String OMBRE_DE_SOI = "uneBouleNeSeCachePasElleMeme";
 
     /** Nombre de rayons voisins, l'un après l'autre, à qui demander une couleur que des arrondis peuvent changer. */
     private static final int ESSAIS = 60;
 
-    private static final Couleur NOIR = new Couleur(0, 0, 0);
-    private static final Couleur BLANC = new Couleur(1, 1, 1);
     private static final Couleur JAUNE = new Couleur(1, 1, 0);
     private static final Couleur VERT = new Couleur(0, 1, 0);
 
-    /** D'où les valeurs sont tirées, toujours les mêmes pour une vérification et une graine ; {@code null} : elles ne le sont pas. */
-    private final SplittableRandom hasard = Long.getLong("tests.graine") == null ? null
-            : new SplittableRandom(Long.getLong("tests.graine"));
-
     /** La profondeur qui ne montre pas de reflet, négative si elle n'est pas encore connue. */
     private int sansReflet = -1;
-
-    /** De quel angle la scène est tournée autour de la verticale, et où est son origine. */
-    private double tour = tirer(0, -3, 3);
-    private double[] origine = {tirer(0, -2, 2), tirer(0, -2, 2), tirer(0, -2, 2)};
-
-    /** Le cosinus d'une direction de biais, et son sinus. */
-    private final double c = tirer(0.8, 0.5, 0.9);
-    private final double s = sinus(c);
-
-    private final Couleur gris = teinte(0.5, 0.5, 0.5);
-    private final Couleur couleurOrange = teinte(1, 0.5, 0.25);
-
-    /** Cette valeur ou, si les valeurs sont tirées, une autre entre ces bornes, à deux décimales. */
-    private double tirer(double valeur, double min, double max) {
-        return hasard == null ? valeur : Math.rint(100 * hasard.nextDouble(min, max)) / 100;
-    }
-
-    private int entier(int valeur, int min, int max) {
-        return hasard == null ? valeur : hasard.nextInt(min, max);
-    }
-
-    /** Cette valeur ou, tirée, la moitié d'un entier, que même un {@code float} représente exactement. */
-    private double demi(double valeur) {
-        return hasard == null ? valeur : (hasard.nextBoolean() ? 0.5 : -0.5) * hasard.nextInt(2, 19);
-    }
-
-    private double[] demis(double x, double y, double z) {
-        return new double[] {demi(x), demi(y), demi(z)};
-    }
-
-    /** Cette couleur, chaque composante un peu assombrie si les valeurs sont tirées. */
-    private Couleur teinte(double rouge, double vert, double bleu) {
-        return new Couleur(part(rouge), part(vert), part(bleu));
-    }
-
-    private double part(double composante) {
-        return hasard == null ? composante : Math.rint(100 * composante * hasard.nextDouble(0.6, 0.95)) / 100;
-    }
-
-    /** Le sinus d'un angle de ce cosinus, et l'inverse : 0,6 pour 0,8, sans les derniers chiffres. */
-    private static double sinus(double cosinus) {
-        return arrondi(Math.sqrt(1 - cosinus * cosinus));
-    }
-
-    private static double arrondi(double x) {
-        return Math.rint(x * 1e9) / 1e9;
-    }
-
-    /** La scène reste où elle est écrite : devant l'écran. */
-    private void devantLaCamera() {
-        tour = 0;
-        origine = new double[3];
-    }
-
-    /** Où va cette direction quand la scène est tournée, et ce point. */
-    private double[] direction(double x, double y, double z) {
-        double cos = Math.cos(tour);
-        double sin = Math.sin(tour);
-        return new double[] {cos * x + sin * z, y, cos * z - sin * x};
-    }
-
-    private double[] lieu(double x, double y, double z) {
-        return somme(origine, 1, direction(x, y, z));
-    }
-
-    /** a + k b */
-    private static double[] somme(double[] a, double k, double[] b) {
-        return new double[] {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
-    }
-
-    private static double produit(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    }
-
-    private static double[] unitaire(double[] v) {
-        return somme(new double[3], 1 / Math.sqrt(produit(v, v)), v);
-    }
-
-    private static boolean pres(double a, double b) {
-        // l'égalité d'abord : elle seule compare deux infinis
-        return a == b || Math.abs(a - b) <= PRES;
-    }
-
-    private static boolean pres(Couleur c, Couleur d) {
-        return Math.abs(c.r - d.r) <= PRES_COULEUR && Math.abs(c.v - d.v) <= PRES_COULEUR && Math.abs(c.b - d.b) <= PRES_COULEUR;
-    }
-
-    private static void verifier(String demande, double attendu, double obtenu) {
-        dire(pres(attendu, obtenu), demande, arrondi(attendu), arrondi(obtenu));
-    }
-
-    private static void verifier(String demande, double[] a, Tuple t) {
-        dire(t != null && pres(a[0], t.x) && pres(a[1], t.y) && pres(a[2], t.z), demande, lisible(a[0], a[1], a[2]),
-                t == null ? t : lisible(t.x, t.y, t.z));
-    }
-
-    private static void verifier(String demande, Couleur attendue, Couleur c) {
-        dire(c != null && pres(attendue, c), demande, lisible(attendue.r, attendue.v, attendue.b), c == null ? c
-                : lisible(c.r, c.v, c.b));
-    }
-
-    private static void dire(boolean juste, String demande, Object attendu, Object obtenu) {
-        if (!juste) {
-            fail(demande + " ; attendu : " + attendu + ", obtenu : " + obtenu);
-        }
-    }
-
-    /** Sans les derniers chiffres, qui ne sont que des arrondis : 0,8 et non 0,7999999999999999. */
-    private static String lisible(double x, double y, double z) {
-        return "(" + arrondi(x) + ", " + arrondi(y) + ", " + arrondi(z) + ")";
-    }
-
-    private static String plus(double x) {
-        return (x < 0 ? " - " : " + ") + nb(Math.abs(x));
-    }
-
-    /** Un nombre d'une question, à trois décimales. */
-    private static String nb(double x) {
-        double proche = Math.rint(x * 1e3) / 1e3;
-        return proche == Math.rint(proche) ? String.valueOf((long) proche) : String.valueOf(proche);
-    }
-
-    private static String texte(double... t) {
-        return "(" + nb(t[0]) + "," + nb(t[1]) + "," + nb(t[2]) + ")";
-    }
-
-    private static String texte(Couleur c) {
-        return c.r == c.v && c.v == c.b ? nb(c.r) : texte(c.r, c.v, c.b);
-    }
-
-    /** Ce point et cette direction, tels qu'ils sont une fois la scène tournée. */
-    private String point(double x, double y, double z) {
-        return texte(lieu(x, y, z));
-    }
-
-    private String vers(double x, double y, double z) {
-        return x == 0 && y == 0 && hasard == null ? z > 0 ? "+z" : "-z" : texte(direction(x, y, z));
-    }
-
-    private Sphere boule(double x, double y, double z, double rayon) {
-        double[] centre = lieu(x, y, z);
-        return new Sphere(new Point(centre[0], centre[1], centre[2]), rayon);
-    }
-
-    private Sphere boule(double x, double y, double z, double rayon, Couleur Kd, Couleur Ks, double ns) {
-        Sphere boule = boule(x, y, z, rayon);
-        boule.setKd(Kd);
-        boule.setKs(Ks);
-        boule.setNs(ns);
-        return boule;
-    }
-
-    /** Une boule de rayon 1, pour que seule l'étape 5 voie que N n'est pas normalisé, et touchée en (0,0,4) vers +z. */
-    private Sphere boule(Couleur Kd, Couleur Ks, double ns) {
-        return boule(0, 0, 5, 1, Kd, Ks, ns);
-    }
-
-    private Lampe lampe(double x, double y, double z, Couleur couleur) {
-        double[] position = lieu(x, y, z);
-        return new Lampe(new Point(position[0], position[1], position[2]), couleur);
-    }
-
-    private Lampe lampe(double x, double y, double z) {
-        return lampe(x, y, z, BLANC);
-    }
-
-    /** Une lampe dont chaque composante est autre : qui en oublie la couleur se voit. */
-    private Lampe orange(double x, double y, double z) {
-        return lampe(x, y, z, couleurOrange);
-    }
-
-    private static Scene scene(Lampe lampe, Sphere... boules) {
-        return new Scene(Arrays.asList(boules), lampe == null ? Collections.<Lampe>emptyList() : Collections.singletonList(lampe));
-    }
-
-    private Rayon rayon(double px, double py, double pz, double vx, double vy, double vz) {
-        double[] p = lieu(px, py, pz);
-        double[] v = direction(vx, vy, vz);
-        return new Rayon(new Point(p[0], p[1], p[2]), new Vecteur(v[0], v[1], v[2]));
-    }
-
-    /** Le rayon de (0,0,0) vers +z. */
-    private Rayon devant() {
-        return rayon(0, 0, 0, 0, 0, 1);
-    }
-
-    /** La couleur du ciel, dans une direction de longueur 1 qui monte d'autant. */
-    private static Couleur ciel(double y) {
-        return y > 0 ? new Couleur(0.7 * (1 - y), 0.7 * (1 - y), 1) : new Couleur(0.5, 0.4 + 0.2 * y, 0.1);
-    }
 
     /** La couleur que voit ce rayon : il doit rencontrer quelque chose. */
     private static Couleur vue(Scene scene, Rayon rayon, int profondeur) {
@@ -258,10 +63,6 @@ public class Tests {
     private Couleur vue(Scene scene, Rayon rayon) {
         if (sansReflet < 0) {
             Scene eclairee = scene(lampe(0, 0, 3), boule(gris, NOIR, 1));
-            Couleur couleur = vue(eclairee, devant(), 0);
-            Couleur encore = vue(eclairee, devant(), 0);
-            dire(pres(couleur, encore), "getColor ne doit rien garder d'un appel à l'autre : appelé deux fois de même",
-                    lisible(couleur.r, couleur.v, couleur.b), lisible(encore.r, encore.v, encore.b));
             sansReflet = pres(NOIR, aCote(devant(), c -> !pres(NOIR, c), r -> vue(eclairee, r, 0))) ? 1 : 0;
         }
         return vue(scene, rayon, sansReflet);
@@ -300,12 +101,60 @@ public class Tests {
     }
 
     private void verifierApport(String demande, Couleur attendue, List<Lampe> lampes, Rayon rayon, Sphere boule) {
-        verifier(demande, attendue, apport(c -> pres(attendue, c), lampes, rayon, boule));
+        verifier(demande + " (contact " + point(0, 0, 4) + ", lampe en " + lampes.stream().map(Lampe::getPosition)
+                .map(p -> texte(p.x, p.y, p.z)).collect(Collectors.joining(" et en ")) + ")", attendue,
+                apport(c -> pres(attendue, c), lampes, rayon, boule));
     }
 
-    /** Abandonne le test tant que getClosestIntersection ne trouve rien. */
+    /** Une boule qui se met elle-même à l'ombre, ici ou là : en combien de points ; {@code null} si elle ne le fait pas. */
+    String ombreDeSoi() {
+        vue(scene(null, boule(gris, NOIR, 1)), devant());
+        Sphere boule = boule(gris, NOIR, 1);
+        Lampe lampe = lampe(1, 2, -7);
+        Scene seule = scene(lampe, boule);
+        List<Rayon> noirs = new ArrayList<>();
+        int points = 0;
+        double pas = tirer(0.1, 0.1, 0.13);
+        for (double y = -0.55; y < 0.6; y += pas) {
+            for (double x = -0.53; x < 0.6; x += pas) {
+                points++;
+                if (pres(vue(scene(null, boule), rayon(x, y, 0, 0.01, 0.02, 1)), vue(seule, rayon(x, y, 0, 0.01, 0.02, 1)))) {
+                    noirs.add(rayon(x, y, 0, 0.01, 0.02, 1));
+                }
+            }
+        }
+        // le rayon d'ombre en est la cause si, sans la boule, le même point est éclairé ; ou, pour qui veut toujours la
+        // retrouver, si un point dont rien n'est arrondi est éclairé
+        boolean ombre = !noirs.isEmpty() && (eclaireSansElle(seule, lampe, noirs.get(0)) || noirs.size() < points && sansArrondi());
+        return ombre ? noirs.size() + " points noirs sur " + points
+                + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même" : null;
+    }
+
+    /** Dit si le point que voit ce rayon est éclairé quand la scène est vide. */
+    private boolean eclaireSansElle(Scene seule, Lampe lampe, Rayon rayon) {
+        PointContact contact = seule.getClosestIntersection(rayon, null);
+        try {
+            return !pres(contact.objet.getColor(scene(null), rayon, contact, sansReflet),
+                    contact.objet.getColor(scene(lampe), rayon, contact, sansReflet));
+        } catch (RuntimeException e) {
+            return false;
+        }
+    }
+
+    /** Dit si un contact aux coordonnées entières, dans l'axe de la lampe, n'est éclairé que dans la scène où est sa boule. */
+    private boolean sansArrondi() {
+        devantLaCamera();
+        Lampe lampe = lampe(0, 0, 3);
+        Scene seule = scene(lampe, boule(gris, NOIR, 1));
+        return !pres(NOIR, vue(seule, devant())) && !eclaireSansElle(seule, lampe, devant());
+    }
+
+    /** Abandonne le test tant que getClosestIntersection ne trouve rien, même parmi deux boules. */
     private void sceneCommencee() {
-        assumeTrue(scene(null, boule(0, 0, 5, 1)).getClosestIntersection(devant(), null) != null,
+        Sphere boule = boule(0, 0, 5, 1);
+        assumeTrue(scene(null, boule).getClosestIntersection(devant(), null) != null
+                || scene(null, boule, boule(0, 0, 9, 1)).getClosestIntersection(devant(), null) != null
+                || scene(null, boule(9, 0, 5, 1), boule).getClosestIntersection(devant(), boule(0, 0, 5, 1)) != null,
                 "étape non commencée : getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle trouve");
     }
 
@@ -320,8 +169,8 @@ public class Tests {
     @DisplayName("1. Points et vecteurs")
     class Vecteurs {
 
-        private final double[] a = demis(1, 2, 3);
-        private final double[] b = demis(4, -5, 6);
+        private final double[] a = demis(1.5, 2, 3);
+        private final double[] b = demis(4, -5, 6.5);
         private final double[] c = demis(0, 3, -4);
         private final double k = Math.abs(demi(2));
         private final Vecteur u = new Vecteur(a[0], a[1], a[2]);
@@ -382,6 +231,17 @@ public class Tests {
             verifier(texte(a) + " / " + nb(k), somme(a, 1 / k - 1, a), u.div(k));
             verifier("l'opposé de " + texte(a), somme(a, -2, a), u.neg());
             verifier("le point " + texte(a) + " translaté de " + texte(b), somme(a, 1, b), p.add(v));
+        }
+
+        @Test @Order(9) @Tag("Couleur") @DisplayName("getCode limite chaque composante d'une couleur à [0, 1]")
+        void uneCouleurALEcranEstLimitee() {
+            code("au-delà de 1, en dessous de 0, et NaN", 0xFF0000, new Couleur(1.5, -0.5, Double.NaN));
+            code("entre 0 et 1", 0x3366CC, new Couleur(0.2, 0.4, 0.8));
+        }
+
+        private void code(String demande, int attendu, Couleur couleur) {
+            dire((couleur.getCode() & 0xFFFFFF) == attendu, "le code d'une couleur aux composantes " + demande,
+                    Integer.toHexString(attendu), Integer.toHexString(couleur.getCode() & 0xFFFFFF));
         }
     }
 
@@ -460,7 +320,9 @@ public class Tests {
             double d = decalage();
             Rayon rayon = camera.getRayon(L / 2.0 - d, H / 2.0 - d);
             verifier("le centre de l'écran est l'origine", new double[3], rayon.getP());
-            verifier("l'œil, que place new Camera(L, H), est derrière l'écran, la scène devant (z > 0)", new double[] {0, 0, 1},
+            boolean versLOeil = camera.getRayon(L, H / 2.0).getV().x < 0;
+            verifier(versLOeil ? "getRayon : un rayon va de l'œil à l'écran, puis s'éloigne vers la scène (z > 0)"
+                    : "l'œil, que place new Camera(L, H), est derrière l'écran, la scène devant (z > 0)", new double[] {0, 0, 1},
                     rayon.getV());
         }
 
@@ -613,6 +475,7 @@ public class Tests {
         @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
         void laPlusProcheDesSpheresEstTrouvee() {
             sceneCommencee();
+            plusProche("une seule boule", pres, scene(null, pres).getClosestIntersection(devant, null));
             plusProche(boules + "lointaine en premier", pres, scene(null, loin, pres).getClosestIntersection(devant, null));
             plusProche(boules + "proche en premier", pres, scene(null, pres, loin).getClosestIntersection(devant, null));
         }
@@ -665,16 +528,12 @@ public class Tests {
             sceneCommencee();
             assumeTrue(scene.getClosestIntersection(camera.getRayon(xe, ye), null) != null,
                     "étape non évaluable : le rayon de ce pixel, que donne la caméra, ne rencontre pas la boule qui est devant l'écran");
-            Couleur vue = null;
             try {
-                vue = vue(scene, camera.getRayon(xe, ye), profondeur);
-                vue = pres(vue, vue(scene, camera.getRayon(xe, ye), profondeur)) ? vue : null;
+                return vue(scene, camera.getRayon(xe, ye), profondeur);
             } catch (RuntimeException | StackOverflowError e) {
                 // à l'étape où getColor s'écrit de le dire
+                return abort("étape non évaluable : getColor, que les étapes suivantes vérifient, échoue");
             }
-            assumeTrue(vue != null, "étape non évaluable : getColor, que les étapes suivantes vérifient, échoue, ou ne rend "
-                    + "pas deux fois la même couleur");
-            return vue;
         }
 
         /** Ce que rend getColor pour le rayon de ce point ou, un demi-pixel plus loin, pour celui du centre du pixel. */
@@ -802,7 +661,7 @@ public class Tests {
         void dansLeDosIlFaitNoir() {
             couleurCommencee();
             assumeTrue(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
-                    boule(gris, NOIR, 1))), "étape non commencée : pour l'instant, une boule face à une lampe reste noire");
+                    boule(gris, NOIR, 1))), "étape non évaluable : une boule face à une lampe reste noire");
             eclairee("lampe derrière la boule, N.L = -1", NOIR, lampe(0, 0, tirer(9, 7.5, 12)), boule(gris, NOIR, 1));
         }
 
@@ -836,6 +695,8 @@ public class Tests {
         @BeforeEach
         void commencee() {
             couleurCommencee();
+            assumeTrue(!pres(NOIR, deFace()) || refletAilleurs() || matiereBrillante(),
+                    "étape non commencée : pour l'instant, Ks et ns ne changent encore aucune couleur");
         }
 
         private final double ns = tirer(8, 3, 40);
@@ -851,16 +712,27 @@ public class Tests {
                     rayon(-vx, 0, 4 - vz, vx, 0, vz), boule(NOIR, Ks, ns));
         }
 
-        /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien nulle part. */
-        private void refletCommence() {
-            Couleur face = apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
-                    boule(NOIR, gris, 1));
-            if (pres(NOIR, face)) {
-                // un signe faux met le reflet ailleurs, là où la lumière est rasante
-                assumeTrue(refletRasant(1) || refletRasant(-1),
-                        "étape non commencée : pour l'instant, face à la lampe et à l'œil, aucun reflet");
-                verifier("face à la lampe et à l'œil, R.-V = 1 ; il y a un reflet, mais ailleurs : un signe faux ?", gris, face);
-            }
+        private Couleur deFace() {
+            return apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(), boule(NOIR, gris, 1));
+        }
+
+        /** Rien de faux où il ne faut rien ne prouve rien tant qu'il n'y a rien où il faut. */
+        private void refletDeFace() {
+            dire(!pres(NOIR, deFace()), "face à la lampe et à l'œil, R.-V = 1" + (refletAilleurs()
+                    ? " ; il y a un reflet, mais ailleurs : un signe faux ?" : ""), texte(gris), "rien");
+        }
+
+        /** Un signe faux met le reflet là où la lumière est rasante. */
+        private boolean refletAilleurs() {
+            return refletRasant(1) || refletRasant(-1);
+        }
+
+        /** Dit si Ks ou ns changent quoi que ce soit d'une boule éclairée. */
+        private boolean matiereBrillante() {
+            Lampe lampe = lampe(s, 0, 4 - c);
+            Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), devant());
+            return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
+                    .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), devant())));
         }
 
         private boolean refletRasant(int cote) {
@@ -897,20 +769,19 @@ public class Tests {
 
         @Test @Order(4) @Tag("Objet3D") @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
         void unCosinusNegatifNeDonneRien() {
-            refletCommence();
+            refletDeFace();
             reflet("V " + vers(sv, 0, cv) + ", L " + vers(-sr, 0, -cr) + " : R.-V = " + nb(cv * cr - sv * sr) + ", ns = 2",
                     NOIR, gris, 2, sv, cv, -sr, -cr);
         }
 
         @Test @Order(5) @Tag("Objet3D") @DisplayName("une lampe derrière la surface ne s'y reflète pas")
         void uneLampeDerriereNeSeRefletePas() {
-            refletCommence();
+            refletDeFace();
             reflet("N.L = " + nb(-cr) + " et R.-V = " + nb(sv * sr - cv * cr), NOIR, gris, 1, sv, cv, sr, cr);
         }
 
         @Test @Order(6) @Tag("Objet3D") @DisplayName("le reflet s'ajoute à l'éclairement diffus")
         void leRefletSAjouteAuDiffus() {
-            refletCommence();
             List<Lampe> lampe = Collections.singletonList(lampe(0, 0, 3));
             Couleur Kd = teinte(0.3, 0.25, 0.125);
             Couleur Ks = teinte(0.2, 0.3, 0.25);
@@ -922,7 +793,6 @@ public class Tests {
 
         @Test @Order(7) @Tag("Objet3D") @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
         void laCouleurDesLampesMultiplieKs() {
-            refletCommence();
             Couleur Ks = teinte(0.3, 0.2, 0.4);
             verifierApport("L, N et -V confondus, lampes " + texte(couleurOrange) + " et blanche : Ks " + texte(couleurOrange)
                     + " + Ks", Ks.mul(couleurOrange).add(Ks), Arrays.asList(orange(0, 0, 3), lampe(0, 0, 3)),
@@ -966,11 +836,11 @@ public class Tests {
             for (eclairee = couleur(lampe, boule); ou < ESSAIS && pres(eclairee, eteinte); eclairee = couleur(lampe, boule)) {
                 ou++;
             }
-            assumeTrue(!pres(eclairee, eteinte), "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
-        }
-
-        private void ombreCommencee() {
-            assumeTrue(!pres(eclairee, couleur(lampe, boule, aMiChemin())),
+            assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
+                    "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            assumeTrue(Stream.of(aMiChemin(), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
+                    .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
+                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null,
                     "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
@@ -987,13 +857,11 @@ public class Tests {
 
         @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
         void derriereLaLampeRienNeCache() {
-            ombreCommencee();
             verifier("une boule au-delà de la lampe : rien ne change", eclairee, couleur(lampe, boule, surLeChemin(2, 0)));
         }
 
         @Test @Order(4) @Tag("Objet3D") @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
         void aCoteRienNeCache() {
-            ombreCommencee();
             verifier("une boule à côté du chemin de la lumière", eclairee, couleur(lampe, boule, surLeChemin(0.5, tirer(3, 2, 4))));
             verifier("une boule derrière la boule éclairée, dans le prolongement", eclairee,
                     couleur(lampe, boule, surLeChemin(-1, 0)));
@@ -1001,19 +869,10 @@ public class Tests {
 
         @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule seule n'est pas dans sa propre ombre")
         void uneBouleNeSeCachePasElleMeme() {
-            ombreCommencee();
-            int noirs = 0;
-            int points = 0;
-            double pas = tirer(0.1, 0.1, 0.13);
-            for (double y = -0.55; y < 0.6; y += pas) {
-                for (double x = -0.53; x < 0.6; x += pas) {
-                    Rayon rayon = rayon(x, y, 0, 0.01, 0.02, 1);
-                    points++;
-                    noirs += pres(NOIR, apport(Collections.singletonList(lampe(1, 2, 3 - D)), rayon, boule(gris, NOIR, 1))) ? 1 : 0;
-                }
+            String ombre = ombreDeSoi();
+            if (ombre != null) {
+                fail(ombre);
             }
-            dire(noirs == 0, "points noirs sur " + points
-                    + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même", 0, noirs);
         }
 
         @Test @Order(6) @Tag("Objet3D") @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
@@ -1043,6 +902,12 @@ public class Tests {
         @BeforeEach
         void commencee() {
             couleurCommencee();
+            try {
+                assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue(),
+                        "étape non commencée : pour l'instant, la profondeur ne change encore aucune couleur");
+            } catch (StackOverflowError e) {
+                // commencée, et sans fin : la vérification le dira mieux
+            }
         }
 
         /** De normale (0, 0.6, -0.8), un miroir renvoie (0, 0, 1) dans la direction (0, 0.96, -0.28). */
@@ -1069,28 +934,22 @@ public class Tests {
             verifier(demande, attendue, reflet(c -> pres(attendue, c), lampes, profondeur, autres));
         }
 
-        private void commenceeOuSansFin() {
-            try {
-                refletCommence();
-            } catch (StackOverflowError e) {
-                // commencée, et sans fin : la vérification le dira mieux
-            }
-        }
-
-        private void refletCommence() {
-            assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)),
-                    "étape non commencée : pour l'instant, une boule brillante, seule, ne reflète encore rien");
+        /** Dit si la profondeur change la couleur d'une boule, mate ou brillante, devant le ciel ou devant une autre. */
+        private boolean profondeurVue() {
+            Sphere autre = boule(0, ry * 5, z + rz * 5, 1, gris, gris, 1);
+            return Stream.of(miroir(BLANC), boule(0, -sn, z + cn, 1, gris, gris, 1), boule(0, -sn, z + cn, 1, gris, NOIR, 1))
+                    .anyMatch(b -> Stream.of(scene(lampe, b), scene(lampe, b, autre), scene(null, b))
+                    .anyMatch(scene -> !pres(vue(scene, devant()), vue(scene, devant(), 2))));
         }
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
-            verifierReflet("Ks fois le ciel dans la direction du miroir, " + vers(0, ry, rz), Ks.mul(ciel),
+            verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz), Ks.mul(ciel),
                     Collections.singletonList(lampe), 1);
         }
 
         @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
         void unRefletNeSAjouteQuUneFois() {
-            commenceeOuSansFin();
             verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
             int combien = entier(2, 2, 4);
@@ -1099,9 +958,8 @@ public class Tests {
 
         @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
         void sansKsIlNYAPasDeReflet() {
-            commenceeOuSansFin();
-            Scene mate = scene(null, boule(NOIR, NOIR, 1));
-            verifier("Ks = (0,0,0), sans lampe : la profondeur 1 moins la profondeur 0", NOIR,
+            Scene mate = scene(null, boule(gris, NOIR, 1));
+            verifier("Ks = (0,0,0), Kd = " + texte(gris) + ", sans lampe : la profondeur 1 moins la profondeur 0", NOIR,
                     vue(mate, rayon(0, s, 0, 0, 0, 1), 1).sub(vue(mate, rayon(0, s, 0, 0, 0, 1), 0)));
         }
 
@@ -1136,7 +994,6 @@ public class Tests {
 
         @Test @Order(6) @Tag("Objet3D") @DisplayName("à profondeur 0, pas de reflet")
         void aProfondeurZeroIlNYAPasDeReflet() {
-            commenceeOuSansFin();
             verifierReflet("une boule noire et brillante, à profondeur 0 : ce que Ks y ajoute", NOIR,
                     Collections.singletonList(lampe), 0);
         }
@@ -1158,7 +1015,6 @@ public class Tests {
         @Test @Order(7) @Tag("Objet3D")
         @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
         void deuxMiroirsSeRenvoientLaLumiere() {
-            commenceeOuSansFin();
             try {
                 devantLaCamera();
                 Lampe milieu = lampe(0, 0, 4, couleurOrange.mul(0.4));
@@ -1177,7 +1033,6 @@ public class Tests {
 
         @Test @Order(8) @Tag("Objet3D") @DisplayName("deux miroirs face à face : la récursion s'arrête")
         void laRecursionSArrete() {
-            commenceeOuSansFin();
             try {
                 int p = entier(19, 17, 24);
                 verifier("deux miroirs noirs face à face, sans lampe : de même à profondeur " + (p + 1) + " qu'à profondeur " + p,
@@ -1186,5 +1041,10 @@ public class Tests {
                 fail("deux miroirs face à face se renvoient le rayon sans fin : le paramètre profondeur doit arrêter les appels");
             }
         }
+    }
+
+    @Nested @Order(9) @Tag(Repetition.ETAPE) @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
+    @DisplayName("9. D'un appel à l'autre")
+    class DUnAppelALAutre extends Repetition {
     }
 }

@@ -6,6 +6,8 @@ import java.awt.Graphics;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.concurrent.ExecutionException;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
@@ -60,6 +62,13 @@ public class Main implements Toile {
         new Lancer(scene, new Camera(largeur, hauteur)).TracerImage(this, largeur, hauteur, Constantes.MAX_REFLETS);
     }
 
+    /** Ce qui a fait échouer le dessin, et la ligne du projet où c'est arrivé. */
+    private static String echec(Throwable cause) {
+        return "Le dessin a échoué : " + cause.getClass().getSimpleName() + Arrays.stream(cause.getStackTrace())
+                .filter(appel -> appel.getClassName().startsWith("lancer.")).findFirst()
+                .map(appel -> ", " + appel.getFileName() + ":" + appel.getLineNumber()).orElse("");
+    }
+
     private void ouvrirFenetre() {
         JPanel dessin = new JPanel() {
             private static final long serialVersionUID = 1;
@@ -93,13 +102,15 @@ public class Main implements Toile {
             @Override
             protected void done() {
                 rafraichir.stop();
-                jauge.setValue(100);
                 dessin.repaint();
                 try {
                     get();
-                } catch (InterruptedException | java.util.concurrent.ExecutionException e) {
-                    // une erreur du dessin : la montrer, plutôt qu'une image à moitié faite
-                    e.printStackTrace();
+                    jauge.setValue(100);
+                } catch (InterruptedException | ExecutionException e) {
+                    Throwable cause = e.getCause() == null ? e : e.getCause();
+                    fenetre.setTitle(echec(cause));
+                    System.err.println(echec(cause));
+                    cause.printStackTrace();
                 }
             }
         }.execute();

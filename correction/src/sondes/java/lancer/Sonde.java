@@ -4,15 +4,16 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Interroge les méthodes publiques des classes d'un étudiant : ce qu'elles dessinent, et ce qu'elles répondent en chemin. */
 public final class Sonde {
 
-    private final Map<String, String> reponses = new LinkedHashMap<>();
+    /** Des noms, chacun suivi de sa valeur. */
+    private final List<String> reponses = new ArrayList<>();
 
     private Sonde() {
     }
@@ -26,30 +27,31 @@ public final class Sonde {
         return octets.array();
     }
 
-    /** @param a largeur, hauteur, profondeur */
+    /** @param a largeur, hauteur, profondeur ; par getCouleurPixel ou, si rien ici ne l'appelle, par les méthodes qu'il appelle */
     public static byte[] dessiner(String fichier, String... a) throws Exception {
-        Scene scene = new Scene(fichier);
         int largeur = Integer.parseInt(a[0]);
         int profondeur = Integer.parseInt(a[2]);
+        Scene scene = new Scene(fichier);
         Camera camera = new Camera(largeur, Integer.parseInt(a[1]));
-        // par getCouleurPixel ; s'il n'existe pas sous cette forme, par les méthodes qu'il appelle
-        boolean parLancer = true;
-        try {
-            parLancer(scene, camera, 0, 0, profondeur);
-        } catch (Error e) {
-            parLancer = false;
-        }
+        Lancer lancer = lancer(scene, camera, profondeur);
         Couleur[] pixels = new Couleur[largeur * Integer.parseInt(a[1])];
         for (int p = 0; p < pixels.length; p++) {
-            pixels[p] = parLancer ? parLancer(scene, camera, p % largeur, p / largeur, profondeur)
-                    : parRayon(scene, camera.getRayon(p % largeur, p / largeur), profondeur);
+            int xe = p % largeur;
+            int ye = p / largeur;
+            pixels[p] = lancer != null ? lancer.getCouleurPixel(xe, ye, profondeur) : parRayon(scene, camera.getRayon(xe, ye), profondeur);
         }
         return coder(pixels);
     }
 
-    /** Des entiers : {@code getCouleurPixel} peut les vouloir. */
-    private static Couleur parLancer(Scene scene, Camera camera, int xe, int ye, int profondeur) throws Exception {
-        return new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
+    /** Un seul pour l'image, comme dans le programme ; {@code null} s'il ne peut être appelé comme cela. */
+    private static Lancer lancer(Scene scene, Camera camera, int profondeur) throws Exception {
+        try {
+            Lancer lancer = new Lancer(scene, camera);
+            lancer.getCouleurPixel(0, 0, profondeur);
+            return lancer;
+        } catch (Error e) {
+            return null;
+        }
     }
 
     private static Couleur parRayon(Scene scene, Rayon rayon, int profondeur) throws Exception {
@@ -77,8 +79,8 @@ public final class Sonde {
         return coder(pixels);
     }
 
-    /** @param a largeur, hauteur, xe, ye, profondeur ; rend chaque réponse, {@code x y z}, par son nom */
-    public static Map<String, String> decrire(String fichier, String... a) throws Exception {
+    /** @param a largeur, hauteur, xe, ye, profondeur ; rend des noms, chacun suivi de sa valeur, {@code x y z} */
+    public static List<String> decrire(String fichier, String... a) throws Exception {
         Sonde chemin = new Sonde();
         try {
             chemin.suivre(fichier, new Camera(Integer.parseInt(a[0]), Integer.parseInt(a[1])), Double.parseDouble(a[2]),
@@ -136,6 +138,7 @@ public final class Sonde {
             Couleur c = (Couleur) valeur;
             nombres = (float) c.r + " " + (float) c.v + " " + (float) c.b;
         }
-        reponses.put(nom, nombres);
+        reponses.add(nom);
+        reponses.add(nombres);
     }
 }

@@ -57,7 +57,8 @@ public final class LecteurSections {
     };
 
     /** Les clés de la matière, permises dans la section de toute forme. */
-    public static final List<String> CLES_MATIERE = Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
+    public static final List<String> CLES_MATIERE =
+            Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
     final Map<String, Forme> formes = new LinkedHashMap<>();
     final Map<String, Variante> variantes = new LinkedHashMap<>();

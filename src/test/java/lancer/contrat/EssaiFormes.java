@@ -3,6 +3,7 @@ package lancer.contrat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -74,7 +75,7 @@ abstract class EssaiFormes {
             Path fichier = Files.createDirectories(classes.resolve("sources")).resolve(nom + ".java");
             Files.write(fichier, source.getBytes(StandardCharsets.UTF_8));
             assertEquals(0, javac.run(null, null, null, "-encoding", "UTF-8", "-Xlint:all", "-Werror", "-d", classes.toString(),
-                    "-cp", Essai.origine(Main.class).toString(), fichier.toString()), source);
+                    "-cp", Essai.origine(Main.class) + File.pathSeparator + classes, fichier.toString()), source);
         }
         Files.createDirectories(classes.resolve(service).getParent());
         Files.write(classes.resolve(service), noms, StandardCharsets.UTF_8);

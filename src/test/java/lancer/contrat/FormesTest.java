@@ -35,6 +35,29 @@ class FormesTest extends EssaiFormes {
         assertEquals(image[12] * 0.2, image[0], 1e-7);
     }
 
+    @Test
+    void leDamierDeLaPageADeuxCouleursDontLesTermesSAjoutent() throws IOException {
+        inscrire(dossier, SERVICE, blocs.get(0), bloc("class Damier"));
+        String sol = bloc("[Damier sol]").trim() + "\n[Lampe 1]\nposition=0 9 3\ncouleur=1 1 1";
+        float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, sol), "--taille", "8x6");
+        // la première rangée d'un PFM est celle du bas : le sol, où deux cases voisines sont de Kd 0.9 et 0.1
+        double plusClair = 0;
+        double plusSombre = 1;
+        for (int x = 0; x < 8; x++) {
+            plusClair = Math.max(plusClair, image[3 * x]);
+            plusSombre = Math.min(plusSombre, image[3 * x]);
+        }
+        assertTrue(plusClair > 0.5 && plusSombre > 0 && plusSombre < 0.1, plusClair + " " + plusSombre);
+        try (Essai.Isole isole = new Essai.Isole(Collections.singletonList(dossier))) {
+            String recit = isole.executer("--taille=8x6", "--pixel=0,5", scene.toString()).toString();
+            assertTrue(recit.startsWith("statut 0") && recit.contains("somme ") && !recit.contains("que le récit ne connaît pas"), recit);
+        }
+    }
+
+    private static String bloc(String contient) {
+        return blocs.stream().filter(bloc -> bloc.contains(contient)).findFirst().get();
+    }
+
     // ce que voit le rayon du milieu, qui part de (0, 0, 0) vers les z croissants
 
     private static final String BLANC = "Kd=1 1 1";

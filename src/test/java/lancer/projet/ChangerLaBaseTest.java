@@ -83,6 +83,7 @@ class ChangerLaBaseTest {
                 "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
         for (Map.Entry<String, String> change : textes.entrySet()) {
             if (change.getKey().endsWith(".java")) {
+                assertTrue(Arrays.stream(change.getValue().split("\n")).allMatch(l -> l.length() <= 120), change.getKey());
                 Path source = dossier.resolve(Paths.get(change.getKey()).getFileName());
                 javac.add(Files.write(source, change.getValue().getBytes(StandardCharsets.UTF_8)).toString());
             }

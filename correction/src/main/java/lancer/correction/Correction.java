@@ -2,9 +2,14 @@ package lancer.correction;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.security.SecureRandom;
+import java.time.LocalDateTime;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -12,13 +17,12 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.jugement.DossierDeResultats;
@@ -36,6 +40,7 @@ import lancer.correction.page.Pages;
 public final class Correction {
 
     private static final String RENDUS = "RENDUS";
+    private static final int ID_MAX = 70;
     private static final List<String> AVEC_VALEUR =
             List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
 
@@ -50,7 +55,7 @@ public final class Correction {
         this.suivi = suivi;
         for (int k = 0; k < arguments.length && !demande.containsKey("--aide"); k++) {
             String nom = arguments[k];
-            if (List.of("--aide", "--help", "-h", "--sans-confinement", "--noter", "--ajouter", "--profil-bwrap").contains(nom)) {
+            if (List.of("--aide", "--help", "-h", "--sans-confinement", "--noter", "--neuf", "--un", "--profil-bwrap").contains(nom)) {
                 demande.put(nom.matches("--help|-h") ? "--aide" : nom, "");
             } else if (AVEC_VALEUR.contains(nom)) {
                 if (++k >= arguments.length || arguments[k].isEmpty()) {
@@ -66,7 +71,7 @@ public final class Correction {
         }
         if (Collections.disjoint(demande.keySet(), List.of(RENDUS, "--aide", "--profil-bwrap", "--noter", "--squelette", "--corrige"))) {
             throw new Panne(2, "aucun rendu à noter ; attendu : un dossier, ou l'archive de Moodle");
-        } else if (demande.containsKey("--noter") && (demande.containsKey(RENDUS) || demande.containsKey("--ajouter"))) {
+        } else if (demande.containsKey("--noter") && !Collections.disjoint(demande.keySet(), List.of(RENDUS, "--neuf", "--un"))) {
             throw new Panne(2, "--noter ne prend pas de rendus : il note ceux qui ont été jugés");
         }
     }
@@ -96,50 +101,86 @@ public final class Correction {
                 if (demande.containsKey(RENDUS)) {
                     correction.juger(dossier);
                 }
-                correction.noter(dossier, feuille);
+                correction.seul(dossier, () -> correction.noter(dossier, feuille));
             }
             return 0;
         } catch (Panne e) {
-            erreur.println("correction : " + Echange.protege(e.getMessage()));
+            erreur.println("correction : " + Texte.protege(e.getMessage()));
             return e.code;
         } catch (IOException e) {
-            erreur.println("correction : lecture ou écriture impossible : " + Echange.protege(e.toString()));
+            erreur.println("correction : lecture ou écriture impossible : " + Texte.protege(e.toString()));
             return 1;
         }
     }
 
     private static String qui(Resultat resultat) {
-        return resultat.nom + (resultat.nom.equals(resultat.id) ? "" : " (" + resultat.id + ")");
+        String id = Texte.protege(resultat.id, ID_MAX);
+        return resultat.nom + (resultat.nom.equals(id) ? "" : " (" + id + ")");
     }
 
-    /** Juge chaque rendu, et écrit les résultats : un fichier par rendu, et la grille du corrigé. */
+    /** Ce qu'un correcteur fait pendant que les autres l'attendent. */
+    private interface Travail {
+        void faire() throws IOException;
+    }
+
+    /** Fait ce travail seul : un autre correcteur du même dossier, ou un autre fil, attend. */
+    private void seul(Path dossier, Travail travail) throws IOException {
+        synchronized (Correction.class) {
+            try (FileChannel verrou = FileChannel.open(dossier.resolve(".verrou"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+                verrou.lock();
+                travail.faire();
+            }
+        }
+    }
+
+    /** Juge chaque rendu, et écrit son résultat dès qu'il est jugé. */
     private void juger(Path dossier) throws IOException {
-        Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        boolean ajouter = demande.containsKey("--ajouter");
-        DossierDeResultats anciens = DossierDeResultats.chercher(dossier, ajouter);
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
                     + " ; sinon, un conteneur (docs/classe.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
                     + "lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
         }
-        try (Jury jury = new Jury(travail, confinement, Limites.ORDINAIRES, graine(dossier.resolve("graine.txt")))) {
-            List<Rendu> rendus = jury.lire(Path.of(demande.get(RENDUS)));
-            Set<String> ids = rendus.stream().map(r -> r.id).collect(Collectors.toSet());
-            long autres = anciens == null ? 0 : anciens.resultats.values().stream().filter(r -> !ids.contains(r.id)).count();
-            if (autres > 0) {
-                suivi.println("correction : les résultats de " + (autres > 1 ? autres + " autres rendus" : "l'autre rendu")
-                        + " de ce dossier " + (ajouter ? "restent"
-                        : "seront effacés à la fin ; AJOUTER=1 (--ajouter) les garde, SORTIE=dossier (--sortie) juge à part"));
-            }
-            suivi.println("correction : " + rendus.size() + (rendus.size() > 1 ? " rendus" : " rendu") + " ; le corrigé d'abord");
-            if (ajouter && anciens != null) {
-                jury.reference().grille.reprendre(anciens.grille);
-            }
+        DossierDeResultats resultats = new DossierDeResultats(dossier);
+        long[] graine = new long[1];
+        seul(dossier, () -> graine[0] = graine(dossier.resolve("graine.txt")));
+        try (Jury jury = new Jury(confinement, Limites.ORDINAIRES, graine[0], Jury.DUREE_MAX)) {
+            List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)), demande.containsKey("--un"));
+            suivi.println("correction : " + compter(rendus.stream().mapToInt(r -> r.entrees.size()).sum(), rendus.size())
+                    + " ; le corrigé d'abord");
+            GrilleDeNotation grille = jury.reference().grille;
+            seul(dossier, () -> {
+                if (demande.containsKey("--neuf")) {
+                    mettreDeCote(dossier);
+                }
+                resultats.ecrire(grille);
+            });
             AtomicInteger finis = new AtomicInteger();
-            List<Resultat> tous = jury.juger(rendus, resultat -> suivi.println("correction : " + finis.incrementAndGet()
-                    + "/" + rendus.size() + " " + qui(resultat) + " : " + (resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))));
-            DossierDeResultats.ecrire(dossier, jury.reference().grille, rendus, tous, ajouter ? anciens : null);
+            jury.juger(rendus, resultat -> {
+                try {
+                    resultats.ecrire(resultat);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+                suivi.println("correction : " + finis.incrementAndGet() + "/" + rendus.size() + " " + qui(resultat) + " : "
+                        + Texte.protege(resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))
+                        + (resultat.remplace.isEmpty() ? "" : " ; " + resultat.remplace));
+            });
+        }
+    }
+
+    private static String compter(int entrees, int lignes) {
+        return entrees + (entrees > 1 ? " entrées, " : " entrée, ") + lignes + (lignes > 1 ? " lignes" : " ligne");
+    }
+
+    /** Met de côté ce qui a été jugé avant. */
+    private void mettreDeCote(Path dossier) throws IOException {
+        String date = LocalDateTime.now().format(DateTimeFormatter.ofPattern("yyyy-MM-dd HH'h'mm'm'ss"));
+        for (String nom : List.of("resultats", "etudiants")) {
+            if (Files.exists(dossier.resolve(nom))) {
+                Path avant = Files.createDirectories(dossier.resolve("avant " + date));
+                Files.move(dossier.resolve(nom), avant.resolve(nom));
+            }
         }
     }
 
@@ -153,7 +194,7 @@ public final class Correction {
         }
         String texte = Source.decoder(Files.readAllBytes(fichier)).trim();
         if (!texte.matches("\\d{1,18}")) {
-            throw new Panne(2, fichier + " : « " + Echange.protege(texte) + " » ; attendu : un nombre entier");
+            throw new Panne(2, fichier + " : « " + Texte.protege(texte) + " » ; attendu : un nombre entier");
         }
         return Long.parseLong(texte);
     }
@@ -161,21 +202,21 @@ public final class Correction {
     /** Calcule les notes, les pages et les feuilles, à partir des résultats, du barème, des ajustements et de la feuille donnée. */
     private void noter(Path dossier, FeuilleMoodle feuille) throws IOException {
         DossierDeResultats juges = new DossierDeResultats(dossier);
-        GrilleDeNotation grille = juges.grille;
-        Map<String, Resultat> resultats = juges.resultats;
+        GrilleDeNotation grille = juges.grille();
+        List<Resultat> resultats = juges.resultats();
         Bareme bareme = new Bareme(Path.of(demande.getOrDefault("--bareme", dossier + "/bareme.ini")), grille,
                 feuille == null ? 0 : feuille.sur);
-        List<String> ids = resultats.values().stream().map(r -> r.id).collect(Collectors.toList());
+        List<String> ids = resultats.stream().map(r -> r.id).collect(Collectors.toList());
         Ajustements ajustements = new Ajustements(dossier, ids, grille, bareme);
-        ajustements.fautes.forEach(f -> suivi.println("correction : " + Echange.protege(f)));
-        List<Eleve> eleves = new ArrayList<>();
-        resultats.forEach((fichier, resultat) -> eleves.add(new Eleve(resultat, fichier + ".html", grille, bareme,
-                ajustements.de(resultat.id))));
-        eleves.sort(Comparator.comparing(e -> Depot.ordre(e.resultat.nom, e.resultat.id)));
-        Collection<Eleve> sansNote = feuille == null ? List.of()
-                : feuille.ecrire(dossier, Files.createDirectories(dossier.resolve(".travail")), eleves);
+        List<Eleve> eleves = resultats.stream().map(r -> new Eleve(r, DossierDeResultats.nom(r.id) + ".html", grille, bareme,
+                ajustements.de(r.id))).collect(Collectors.toList());
+        eleves.sort(Comparator.comparing((Eleve e) -> e.resultat.nom, Depot::comparer).thenComparing(e -> e.resultat.id, Depot::comparer));
+        List<String> avis = new ArrayList<>(ajustements.fautes);
+        Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
+        avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, ajustements.fautes);
+        new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream().mapToInt(r -> r.entrees.size()).sum(),
+                resultats.size()), avis);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");

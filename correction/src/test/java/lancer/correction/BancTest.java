@@ -143,7 +143,7 @@ class BancTest extends ClasseEssai {
                 Map<String, String> ligne = classe.get(essai.nom);
                 double note = Double.parseDouble(ligne.get("note"));
                 assertTrue(essai.note[0] <= note && note <= essai.note[1], essai.nom + " : " + ligne);
-                String[] rangees = index.split("-" + essai.nom + "\\.html");
+                String[] rangees = index.split("/" + essai.nom + "\\.html");
                 String rangee = ligne.get("à regarder") + rangees[rangees.length - 1].split("<td class=\"vignette\"")[0];
                 assertTrue(rangee.contains(essai.dit), essai.nom + " : « " + essai.dit + " » n'est pas dans " + rangee);
                 assertFalse(rangee.contains(essai.tu), essai.nom + " : « " + essai.tu + " » est dans " + rangee);

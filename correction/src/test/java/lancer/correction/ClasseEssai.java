@@ -78,7 +78,7 @@ public abstract class ClasseEssai {
 
     static String page(Path dossier, String id) throws IOException {
         try (Stream<Path> pages = Files.list(dossier.resolve("etudiants"))) {
-            Path page = pages.filter(p -> p.toString().endsWith("-" + id + ".html")).findFirst().get();
+            Path page = pages.filter(p -> p.endsWith(id + ".html")).findFirst().get();
             return new String(Files.readAllBytes(page), StandardCharsets.UTF_8);
         }
     }

@@ -31,20 +31,48 @@ class EtapesTest {
         final String nom;
         final String etape;
         final String classe;
+        /** L'étape où un étudiant la fait. */
+        final int faite;
         final String methode;
+        /** Ce que nomme la première ligne. */
+        final String cause;
         final Programme programme;
 
         private Faute(String titre, Programme programme) {
             this.programme = programme;
-            String[] mots = titre.split(" ", 3);
+            String[] mots = titre.split(" = ")[0].split(" ", 3);
             nom = mots[0];
-            etape = mots[1];
+            etape = mots[1].substring(0, 1);
+            faite = Integer.parseInt(mots[1].replaceFirst("./", ""));
             classe = mots[2].substring(0, mots[2].indexOf('.'));
             methode = mots[2].substring(classe.length() + 1);
+            cause = titre.contains(" = ") ? titre.split(" = ")[1] : "";
+        }
+
+        /** Ce qui manque à ce bilan pour mener à la faute, vide si rien n'y manque. */
+        String ecart(String bilan) {
+            Matcher suivante = SUIVANTE.matcher(bilan);
+            if (!suivante.find() || !suivante.group(2).equals(classe)) {
+                return "une autre classe";
+            }
+            boolean laMethode = programme.methode(classe, Integer.parseInt(suivante.group(3))).contains(" " + methode);
+            String premier = bilan.split("\n\n")[1];
+            return !laMethode ? "une autre méthode" : !etape.equals(suivante.group(1)) ? "une autre étape"
+                    : premier.contains(cause) ? "" : "une autre cause";
+        }
+
+        @Override
+        public String toString() {
+            return nom;
         }
     }
 
     static List<Faute> fautes(Path dossier) throws IOException {
+        return fautes(dossier, false);
+    }
+
+    /** @param enChemin vrai si chacune est faite par qui en est à son étape, et n'a encore rien écrit de la suite */
+    private static List<Faute> fautes(Path dossier, boolean enChemin) throws IOException {
         List<Faute> fautes = new ArrayList<>();
         for (String bloc : Files.readString(ClasseEssai.RENDUS.resolve("etapes.txt")).replaceAll("(?m)^#.*\n", "").trim().split("\n\n")) {
             String[] parts = bloc.split("\n", 3);
@@ -54,27 +82,33 @@ class EtapesTest {
                 faute.programme.changer(parts[1], m.group(1), m.group(2).replaceAll("(?m)^\\+", "").replaceFirst("\n$", ""));
             }
             fautes.add(faute);
+            if (enChemin) {
+                faute.programme.couper(faute.faite);
+            }
         }
         return fautes;
     }
 
+    /** Les graines du correcteur : vingt si l'on demande les tests longs. */
+    private static final int GRAINES = Boolean.getBoolean("tests.longs") ? 20 : 1;
+
+    /**
+     * Cent fautes, chacune par qui en est à son étape et par qui a tout écrit, sans graine et avec celles du correcteur.
+     */
     @TestFactory
     List<DynamicTest> chaqueFauteEstDiteLaOuElleEst() throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
-        for (Faute faute : fautes(dossier)) {
-            tests.add(DynamicTest.dynamicTest(faute.nom, () -> {
-                String dit = faute.programme.bilan();
-                Matcher suivante = SUIVANTE.matcher(dit);
-                assertTrue(suivante.find(), dit);
-                assertEquals(faute.classe, suivante.group(2), dit);
-                String methode = faute.programme.methode(faute.classe, Integer.parseInt(suivante.group(3)));
-                assertTrue(methode.contains(" " + faute.methode), methode + dit);
-                assertEquals(faute.etape, suivante.group(1), dit);
-                assertTrue(!faute.nom.equals("comparaison-a-l-envers")
-                        || dit.contains("; à reprendre d'abord : getClosestIntersection : la plus proche"), dit);
-            }));
+        for (boolean enChemin : new boolean[] {true, false}) {
+            for (Faute faute : fautes(dossier, enChemin)) {
+                tests.add(DynamicTest.dynamicTest(faute + (enChemin ? ", en chemin" : ""), () -> {
+                    for (long graine = enChemin ? 0 : 1; graine <= (enChemin ? 0 : GRAINES); graine++) {
+                        String dit = faute.programme.bilan(graine);
+                        assertEquals("", faute.ecart(dit), faute + ", graine " + graine + " " + dit);
+                    }
+                }));
+            }
         }
-        assertTrue(tests.size() >= 50, tests.size() + " fautes");
+        assertTrue(tests.size() >= 200, tests.size() / 2 + " fautes");
         return tests;
     }
 
@@ -83,8 +117,8 @@ class EtapesTest {
         String dit = new Programme(dossier).changer("Objet3D", "couleur.add(diffus).add(speculaire)", "couleur.add(diffus)")
                 .changer("Objet3D", "&& !estALOmbre(scene, lampe, contact)", "")
                 .changer("Objet3D", "couleur = couleur.add(Ks.mul(reflet));", "").bilan();
-        assertTrue(dit.matches("(?s).*\n6\\. [^\n]*/7 ; à commencer : pour l'instant, face à la lampe[^\n]*\n7\\. [^\n]*/6 ; à commencer : "
-                + "pour l'instant, une boule entre[^\n]*\n8\\. [^\n]*/8 ; à commencer : pour l'instant, une boule brillante.*"
+        assertTrue(dit.matches("(?s).*\n6\\. [^\n]*/7 ; à commencer : pour l'instant, Ks et ns[^\n]*\n7\\. [^\n]*/6 ; à commencer : "
+                + "pour l'instant, une boule entre[^\n]*\n8\\. [^\n]*/8 ; à commencer : pour l'instant, la profondeur.*"
                 + "L'étape suivante : 6\\. [^\n]* ; à compléter : Objet3D\\.java:\\d+\n.*") && !dit.contains("à reprendre"), dit);
     }
 

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -54,9 +54,9 @@ class NomsTest extends ClasseEssai {
         String[] lignes = essai.erreur.split("\n");
         assertEquals(1 + NOMS.size(), lignes.length, "une ligne chacun : " + essai.erreur);
         for (String ligne : lignes) {
-            assertTrue(ligne.matches("correction : (\\d/4 .*|4 rendus .*)") && !Echange.NUISIBLES.matcher(ligne).find(), ligne);
+            assertTrue(ligne.matches("correction : (\\d/4 .*|4 entrées, 4 lignes .*)") && !Texte.NUISIBLES.matcher(ligne).find(), ligne);
         }
-        assertEquals(NOMS.size(), pages.resolve("etudiants").toFile().list((d, nom) -> nom.matches("[A-Za-z0-9.-]{8,100}")).length);
+        assertEquals(NOMS.size(), pages.resolve("etudiants").toFile().list((d, nom) -> nom.matches("[A-Za-z0-9.%_~-]{6,210}")).length);
         assertFalse(Files.readString(pages.resolve("classe.csv")).matches("(?s).*;\\s*=.*"));
         try (ZipFile zip = new ZipFile(pages.resolve("retours.zip").toFile())) {
             String nom = zip.entries().nextElement().getName();
@@ -68,7 +68,7 @@ class NomsTest extends ClasseEssai {
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));
         contient(ligne.get("refus"), "Vecteur.7z : à déplier à la main");
-        contient(Files.readString(pages.resolve("index.html")), "4 rendus", "</a><td class=\"n\">sans note<td class=\"petit\"><div>");
+        contient(Files.readString(pages.resolve("index.html")), "4 entrées, 4 lignes", "</a><td class=\"n\">sans note<td class=\"petit\"><div>");
     }
 
     /** Ce que dit le programme, sans confinement permis, si bwrap est le programme de ce dossier. */

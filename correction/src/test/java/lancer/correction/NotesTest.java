@@ -2,7 +2,6 @@ package lancer.correction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.Charset;
@@ -12,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -70,8 +70,7 @@ class NotesTest extends ClasseEssai {
     }
 
     private Path resultat(String id) {
-        Path premier = dossier.resolve("resultats/001-" + id + ".json");
-        return Files.exists(premier) ? premier : dossier.resolve("resultats/002-" + id + ".json");
+        return dossier.resolve("resultats/" + id + ".json");
     }
 
     private void baremer(String lignes) throws IOException {
@@ -108,7 +107,7 @@ class NotesTest extends ClasseEssai {
         renoter("--notes", feuille(TITRES + "Participant 7001,x,9.00,20.00,-,\nParticipant 7002,x,,20.00,-,\n"));
         assertEquals("16.67/20.00", note("7001"), "20 points sur 24");
         String index = Files.readString(dossier.resolve("index.html"));
-        contient(index, "<td class=\"n\">16,67<td class=\"petit\"><div>note de la feuille gardée, que nous n&#39;avons pas écrite : 9.00 ; "
+        contient(index, "<td class=\"n\">16,67<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : 9.00 ; "
                 + "la nôtre serait 16.67");
         assertEquals(2, index.split("sur 24").length, "dit une fois, et le reste est sur une seule échelle");
         contient(index, "dans bareme.ini et ajustements.csv, ils sont sur 24");
@@ -169,40 +168,29 @@ class NotesTest extends ClasseEssai {
     }
 
     @Test
-    void uneNoteTapeeDansLaFeuilleADeposerEstGardeeTantQuElleYEst() throws IOException {
-        for (String commentaires : List.of(",", "")) {
-            String titres = commentaires.isEmpty() ? TITRES.replace(",\"Feedback comments\"", "") : TITRES;
-            Path feuille = feuille(titres + "Participant 7001,a,,20.00,-" + commentaires + "\nParticipant 7002,b,,20.00,-" + commentaires
-                    + "\nParticipant 7003,c,,20.00,-" + commentaires + "\n");
-            renoter("--notes", feuille);
-            Path deposee = dossier.resolve("notes-a-deposer.csv");
-            Files.writeString(deposee, deposee().replace("a,17.00", "a,11.75").replace("c,,", "c,0,"));
-            for (int fois = 0; fois < 3; fois++) {
-                // le barème change : une note calculée suit, une note tapée reste
-                baremer(fois == 1 ? "vecteurs=4\n" : "");
-                Essai essai = renoter("--notes", fois == 2 ? deposee : feuille);
-                assertEquals(0, essai.code, essai.erreur);
-                contient(deposee(), "a,11.75,20.00,-", "b," + classe(dossier).get("7002").get("note") + ",20.00", "c,0,20.00");
-            }
-            contient(classe(dossier).get("7001").get("à regarder"), "11.75 ; la nôtre serait 17.27");
-            // effacée, elle est de nouveau la nôtre
-            Files.writeString(deposee, deposee().replace("a,11.75", "a,"));
-            renoter("--notes", feuille);
-            contient(deposee(), "a,17.27,20.00");
-            copierLaClasse();
-            Files.delete(deposee);
-        }
+    void uneFeuilleADeposerQueQuelquUnAChangeeEstMiseDeCoteEtCEstDit() throws IOException {
+        Path feuille = feuille(TITRES + "Participant 7001,a,,20.00,-,\nParticipant 7002,b,21,20.00,-,déjà vu\n");
+        assertFalse(renoter("--notes", feuille).erreur.contains("changé"));
+        String notre = deposee();
+        contient(notre, "b,21,20.00,-,déjà vu");
+        contient(classe(dossier).get("7002").get("à regarder"), "note de la feuille gardée, que nous n'avons pas écrite : 21, que Moodle "
+                + "ignorera");
+        assertFalse(renoter("--notes", feuille).erreur.contains("changé"), "elle est telle que nous l'avons écrite");
+        Files.writeString(dossier.resolve("notes-a-deposer.csv"), notre.replace("a,17.00", "a,11.75"));
+        String dit = renoter("--notes", feuille).erreur;
+        contient(dit, "notes-a-deposer.csv a été changé : il est gardé sous le nom « notes-a-deposer changée avant le ");
+        assertEquals(notre, deposee());
+        contient(Files.readString(dossier.resolve(dit.replaceFirst("(?s).*« (.*?\\.csv) ».*", "$1"))), "a,11.75");
+        contient(Files.readString(dossier.resolve("index.html")), "notes-a-deposer.csv a été changé");
     }
 
     @Test
-    void ceQueLEnseignantTapeAussiEnCommentaireResteEtUneNoteQueMoodleIgnoreraEstDite() throws IOException {
-        Path feuille = feuille(TITRES + "Participant 7001,a,,20.00,-,\nParticipant 7002,b,,20.00,-,déjà vu\n");
-        renoter("--notes", feuille);
-        Files.writeString(dossier.resolve("notes-a-deposer.csv"), deposee().replace("-,\"Correction", "-,\"Parle plus fort. Correction")
-                .replaceFirst("b,\\d\\.\\d\\d", "b,21"));
-        renoter("--notes", feuille);
-        contient(deposee(), "a,17.00,20.00,-,\"Parle plus fort. Correction automatique : 17.00,", "b,21,20.00,-,");
-        contient(classe(dossier).get("7002").get("à regarder"), "note tapée dans notes-a-deposer.csv, gardée : 21, que Moodle ignorera");
+    void ceQueLaFeuilleDitDUnRetardEstSurLesPages() throws IOException {
+        renoter("--notes", feuille("Identifiant,Statut,Note,Note maximale,Dernière modification (note)\n"
+                + "Participant7001,Remis pour évaluation - En retard de 2 jours,,20,-\nParticipant7002,Remis pour évaluation,,20,-\n"));
+        contient(page(dossier, "7001"), "En retard de 2 jours");
+        contient(Files.readString(dossier.resolve("index.html")), "En retard de 2 jours");
+        assertFalse(page(dossier, "7002").contains("retard"));
     }
 
     @Test
@@ -216,32 +204,47 @@ class NotesTest extends ClasseEssai {
         copier(achevee, tard.resolve(achevee.getFileName().toString()));
         changer(tard.resolve(achevee.getFileName() + "/projet/src/main/java/lancer"), "Sphere", "distance = (-b - racine) / 2;",
                 "distance = 3;");
-        Essai essai = executer("--ajouter", "--sans-confinement", "--sortie", dossier, tard);
+        Essai essai = executer("--sans-confinement", "--sortie", dossier, tard);
         assertEquals(0, essai.code, essai.erreur);
-        contient(essai.erreur, "les résultats de l'autre rendu de ce dossier restent");
+        contient(essai.erreur, "2 entrées, 2 lignes", "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
+        contient(classe(dossier).get("7001").get("à regarder"), "remplace un autre travail de « Ólafur Þór », jugé le ");
         assertEquals(Set.of("7001", "7002", "7009"), classe(dossier).keySet());
+        contient(Files.readString(dossier.resolve("index.html")), "3 entrées, 3 lignes");
         assertEquals("17.00/20.00", note("7009"));
         assertFalse(note("7001").equals("17.00/20.00"), "il a pris la place du premier");
         assertEquals(autre, Files.readString(resultat("7002")));
-        assertEquals(2, renoter("--ajouter").code, "sans rendus, rien à ajouter");
-        // sans --ajouter, c'est dit avant de juger
-        Path vide = Files.createDirectories(dossier.resolve("seul/Zoé_7003_assignsubmission_file"));
-        Essai seul = executer("--sans-confinement", "--sortie", dossier, vide.getParent());
-        assertTrue(seul.erreur.indexOf("les résultats de 3 autres rendus de ce dossier seront effacés à la fin ; AJOUTER=1") > 0
-                && seul.erreur.indexOf("AJOUTER=1") < seul.erreur.indexOf("1/1"), seul.erreur);
-        assertEquals("à moi", Files.readString(resultats.resolve("mes-notes.csv")));
+        assertEquals(2, renoter("--neuf").code, "sans rendus, rien de neuf");
+        // un seul rendu, et tout ce qui précède est mis de côté
+        Path seul = dossier.resolve("seul/Zoé_7003_assignsubmission_file");
+        copier(achevee, seul);
+        Essai neuf = executer("--sans-confinement", "--neuf", "--un", "--sortie", dossier, seul);
+        assertEquals(0, neuf.code, neuf.erreur);
         assertEquals(Set.of("7003"), classe(dossier).keySet());
+        try (Stream<Path> tous = Files.walk(dossier)) {
+            assertEquals(1, tous.filter(f -> f.toString().matches(".*/avant [^/]*/resultats/mes-notes.csv")).count());
+        }
     }
 
     @Test
-    void uneInterruptionLaisseLesResultatsDAvant() throws IOException {
-        Path travail = Files.createDirectories(dossier.resolve(".travail"));
-        // entre les deux renommages
-        Files.createDirectories(travail.resolve("resultats"));
-        Files.move(dossier.resolve("resultats"), travail.resolve("anciens"));
-        Essai essai = renoter();
-        assertEquals(0, essai.code, essai.erreur);
-        assertEquals(classe(jugee.resolve("classe")), classe(dossier));
+    void deuxCorrecteursALaFoisDonnentLUnion() throws Exception {
+        Path achevee = jugee.resolve("rendus/Ólafur Þór_7001_assignsubmission_file");
+        List<Process> deux = new ArrayList<>();
+        for (String nom : List.of("TP1", "TP2")) {
+            copier(achevee, dossier.resolve(nom).resolve(nom + " de plus"));
+            Path vide = Files.createDirectories(dossier.resolve(nom).resolve(nom + " vide"));
+            Files.writeString(vide.resolve("rapport.pdf"), "x");
+            deux.add(new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                    System.getProperty("java.class.path"), "-Dfile.encoding=UTF-8", Correction.class.getName(), "--sans-confinement",
+                    "--sortie", dossier.toString(), dossier.resolve(nom).toString()).redirectErrorStream(true)
+                    .redirectOutput(dossier.resolve(nom + ".txt").toFile()).start());
+        }
+        for (int k = 0; k < 2; k++) {
+            assertEquals(0, deux.get(k).waitFor(), Files.readString(dossier.resolve("TP" + (k + 1) + ".txt")));
+        }
+        assertEquals(Set.of("7001", "7002", "TP1 de plus", "TP1 vide", "TP2 de plus", "TP2 vide"), classe(dossier).keySet());
+        assertEquals("17.00/20.00", note("TP2 de plus"));
+        assertEquals(0, renoter().code);
+        contient(Files.readString(dossier.resolve("index.html")), "6 entrées, 6 lignes", "etudiants/TP1%2520de%2520plus.html");
     }
 
     @Test

@@ -37,6 +37,7 @@ final class Programme {
     private final Path dossier;
     private final Map<String, String> sources = SourcesDuCours.tout(SourcesDuCours::corrige);
     private final Map<String, String> changees = new TreeMap<>();
+    private Map<String, byte[]> compilees;
 
     /** @param dossier où compiler, le même pour tous : le corrigé ne l'est qu'une fois */
     Programme(Path dossier) {
@@ -50,9 +51,27 @@ final class Programme {
         return ecrire(classe, texte.replace(avant, apres));
     }
 
+    /** Ce qu'a écrit un étudiant qui en est à cette étape, de 1 à 8 : d'une classe d'après, il n'a que le squelette. */
+    Programme couper(int etape) {
+        List<String> aVenir = List.of("Rayon 2", "Camera 2", "Sphere 3", "Scene 4", "Lancer 4", "Objet3D 5");
+        for (String classe : aVenir) {
+            if (etape < Integer.parseInt(classe.split(" ")[1])) {
+                ecrire(classe.split(" ")[0], SourcesDuCours.squelette(classe.split(" ")[0]));
+            }
+        }
+        String[][] dansGetColor = {{"6", "Ks.mul(lampe.getCouleur()).mul(eclat)", "new Couleur()"},
+            {"7", "!estALOmbre(scene, lampe, contact)", "contact != null"}, {"8", "if (profondeur > 0)", "if (profondeur > 1000)"}};
+        String getColor = sources.get("lancer/Objet3D");
+        for (String[] partie : dansGetColor) {
+            getColor = etape >= 5 && etape < Integer.parseInt(partie[0]) ? getColor.replace(partie[1], partie[2]) : getColor;
+        }
+        return ecrire("Objet3D", getColor);
+    }
+
     Programme ecrire(String classe, String texte) {
         sources.put("lancer/" + classe, texte);
         changees.put("lancer/" + classe, texte);
+        compilees = null;
         return this;
     }
 
@@ -62,12 +81,16 @@ final class Programme {
         return lignes.stream().filter(l -> l.matches("    (public|private|static).*\\{")).reduce("", (avant, apres) -> apres);
     }
 
+    /** Les classes compilées, une fois pour toutes les graines. */
     private Map<String, byte[]> compiler() {
+        if (compilees != null) {
+            return compilees;
+        }
         try {
             Path corrige = dossier.resolve("corrige");
             if (!Files.exists(corrige)) {
                 Map<String, String> tout = SourcesDuCours.tout(SourcesDuCours::corrige);
-                tout.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
+                SourcesDuCours.VERIFICATIONS.forEach(v -> tout.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
                 tout.put("lancer/Etapes", SourcesDuCours.ressource("projet/src/test/java/lancer/Etapes.java"));
                 compiler(tout, corrige, System.getProperty("java.class.path"));
             }
@@ -77,6 +100,7 @@ final class Programme {
                 compiler(changees, ici, corrige + File.pathSeparator + System.getProperty("java.class.path"));
                 classes.putAll(lire(ici));
             }
+            compilees = classes;
             return classes;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -133,7 +157,7 @@ final class Programme {
                 @Override
                 public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
                     if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
-                        String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.A_COMPLETER::contains)
+                        String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.classes()::contains)
                                 .findFirst().get();
                         rates.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
                                 String.valueOf(resultat.getThrowable().get()));
@@ -149,7 +173,14 @@ final class Programme {
     private static void lancer(ClassLoader chargeur, TestExecutionListener ecoute) {
         LauncherFactory.create().execute(LauncherDiscoveryRequestBuilder.request()
                 .selectors(DiscoverySelectors.selectClass(chargeur, "lancer.Tests"))
-                .enableImplicitConfigurationParameters(false).build(), ecoute);
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "2").build(), ecoute);
+    }
+
+    /** Finit les boucles sans fin de {@code etapes.txt}, dont les fils occuperaient la machine. */
+    private static void arreter() throws InterruptedException {
+        System.setProperty("tests.arret", "true");
+        Thread.sleep(20);
+        System.clearProperty("tests.arret");
     }
 
     /** Les classes de ce programme, à la place de celles de la base. */
@@ -158,7 +189,15 @@ final class Programme {
     }
 
     /** Ce que dit « make test » : le bilan de la classe {@code Etapes}. */
-    String bilan() throws IOException, ReflectiveOperationException {
+    String bilan() throws IOException, ReflectiveOperationException, InterruptedException {
+        return bilan(0);
+    }
+
+    /** @param graine d'où tirer les valeurs, 0 si elles ne le sont pas */
+    String bilan(long graine) throws IOException, ReflectiveOperationException, InterruptedException {
+        if (graine != 0) {
+            System.setProperty(GRAINE, String.valueOf(graine));
+        }
         Path projet = Files.createTempDirectory(dossier, "sources");
         for (Map.Entry<String, String> source : sources.entrySet()) {
             Files.writeString(projet.resolve(source.getKey().replace("lancer/", "") + ".java"), source.getValue());
@@ -171,8 +210,10 @@ final class Programme {
             ClassLoader chargeur = chargeur();
             lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance());
         } finally {
+            arreter();
             System.setOut(sortie);
             System.clearProperty("etapes.sources");
+            System.clearProperty(GRAINE);
         }
         return dit.toString(StandardCharsets.UTF_8);
     }

@@ -173,7 +173,7 @@ class SqueletteTest extends ClasseEssai {
         changer(projet.resolve(LANCER), "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
         dit = makeTest(projet);
         contient(dit, "sans réponse après 2 secondes");
-        contient(ligne(dit, "5."), "0/9 ; pas essayée");
+        contient(ligne(dit, "5."), "0/9 ; le reste n'est pas évaluable");
         contient(ligne(dit, "L'étape suivante"), "3. Intersection d'un rayon et d'une sphère ; à reprendre : Sphere.java:");
         assertTrue(!dit.contains("[ERROR]") && !dit.contains("access$"), dit);
 

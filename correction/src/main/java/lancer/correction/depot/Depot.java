@@ -1,124 +1,129 @@
 package lancer.correction.depot;
 
-import java.nio.charset.StandardCharsets;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.text.Collator;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lancer.correction.Panne;
-import lancer.correction.enfant.Contenu;
-import lancer.correction.enfant.Echange;
-import lancer.correction.isolement.Arret;
+import lancer.correction.enfant.Texte;
 
-/** Rendus d'une classe : un dossier, l'archive de Moodle, ou un seul rendu. Chaque étudiant y figure, même si son rendu est illisible. */
+/**
+ * Les rendus d'une classe, un dossier ou une archive : chaque entrée est une ligne. Les entrées que Moodle donne à un même numéro, ou Canvas
+ * à un même étudiant, sont une seule ligne.
+ */
 public final class Depot {
 
-    private static final Pattern UN_SEUL_RENDU =
-            Pattern.compile("(?i)src|pom\\.xml|.*\\.java|lancer|lancer-?(java|base).*|brume|antialias|blinn");
     /**
      * Le nom que Moodle donne à un rendu : {@code <nom>_<numéro>_assignsubmission_file}, suivi ou non de « _ », puis, en mode plat, du nom
      * du fichier (moodle, {@code mod/assign/classes/downloader.php}).
      */
     private static final Pattern MOODLE = Pattern.compile("(?s)([^/]*?)_(\\d{1,18})_assignsubmission_([a-z]+)(?:_(.*))?");
+    /** Le nom que Canvas donne à un fichier : {@code <nom>[_LATE]_<numéro de l'étudiant>_<numéro du rendu>_<fichier>}. */
+    private static final Pattern CANVAS = Pattern.compile("(?s)([^_/]+)(_LATE)?_(\\d{1,18})_\\d{1,18}_(.+)");
+    /** Une entrée qui n'est le rendu d'aucun étudiant : la classe entière serait un seul projet. */
+    private static final Pattern DE_PROJET = Pattern.compile("(?i)src|pom\\.xml|.*\\.java");
 
-    /** Lecture des dossiers et des archives. */
-    public interface Acces {
+    private static final Collator ALPHABET = Collator.getInstance(Locale.FRENCH);
 
-        /** La réponse de {@link Contenu#repondre} à une demande, sans le nom de la classe. @throws Arret si la lecture est arrêtée */
-        List<?> demander(Map<String, byte[]> noms) throws Arret;
-    }
-
-    /** Les rendus, et les premiers noms des chemins de chacun, avec ce qui les remplace dans le rendu. */
+    /** Les rendus, par identifiant. */
     private final Map<String, Rendu> rendus = new LinkedHashMap<>();
-    private final Map<Rendu, Map<String, byte[]>> noms = new LinkedHashMap<>();
-    private final Set<String> ids = new HashSet<>();
 
     private Depot() {
     }
 
-    /** @throws Panne si cet endroit n'a pas de rendu, ou si l'archive entière est illisible */
-    public static List<Rendu> lire(Path lieu, Acces acces) {
+    static boolean deMoodle(String nom) {
+        return MOODLE.matcher(nom).matches();
+    }
+
+    /**
+     * @param seul vrai si tout ce lieu est un seul rendu
+     * @throws Panne si ce lieu n'a pas de rendu, est illisible, ou n'est qu'un projet
+     */
+    public static List<Rendu> lire(Path lieu, boolean seul) {
         Depot depot = new Depot();
         String nom = lieu.toAbsolutePath().normalize().getFileName().toString();
-        boolean autre = !Files.isDirectory(lieu) && !nom.matches("(?i).*\\.zip") && Contenu.estArchive(nom);
-        try {
-            if (autre) {
-                depot.seul(nom).refus.add(nom + " : à déplier à la main ; seuls les dossiers et les .zip le sont ici");
-            } else {
-                List<?> contenu = acces.demander(Map.of());
-                if (!contenu.get(0).equals("")) {
-                    throw new Panne(2, "rendus illisibles : " + lieu + " (" + contenu.get(0) + ")");
-                }
-                depot.repartir(nom, Echange.fichiers(contenu.get(1)));
-            }
-        } catch (Arret e) {
-            depot.seul(nom).refus.add(e.getMessage() + " (en lisant ses fichiers)");
+        if (!Files.isReadable(lieu)) {
+            throw new Panne(2, "aucun rendu à cet endroit : " + lieu + " ; attendu : un dossier, ou un .zip");
+        } else if (!Files.isDirectory(lieu) && !nom.matches("(?is).*\\.zip")) {
+            throw new Panne(2, "rendus illisibles : " + lieu + Contenu.A_DEPLIER);
         }
-        if (depot.rendus.isEmpty()) {
-            throw new Panne(2, "aucun rendu dans " + lieu);
+        try (Lieu ici = new Lieu(lieu.toRealPath(), !seul)) {
+            Map<String, Boolean> noms = ici.noms();
+            if (noms.isEmpty()) {
+                throw new Panne(2, "aucun rendu dans " + lieu);
+            } else if (seul) {
+                Matcher moodle = MOODLE.matcher(nom);
+                Rendu rendu = moodle.matches() ? depot.rendu(moodle.group(2), moodle.group(1).trim()) : depot.rendu(nom, nom);
+                rendu.entrees.put(nom, "");
+            } else {
+                depot.repartir(lieu, noms);
+            }
+            depot.rendus.values().forEach(r -> r.lire(ici, seul));
+        } catch (IOException | OutOfMemoryError e) {
+            throw new Panne(2, "rendus illisibles : " + lieu + " (" + e.getMessage() + ")");
         }
         List<Rendu> liste = new ArrayList<>(depot.rendus.values());
-        liste.stream().filter(r -> r.refus.isEmpty()).forEach(r -> r.lire(acces, depot.noms.getOrDefault(r, Map.of())));
-        liste.sort(Comparator.comparing(r -> ordre(r.nom, r.id)));
+        liste.sort(Comparator.comparing((Rendu r) -> r.nom, Depot::comparer).thenComparing(r -> r.id));
         return liste;
     }
 
-    /** Donne chaque premier nom à l'étudiant qu'il désigne, ou tous au même étudiant. @param contenu vide pour un dossier */
-    private void repartir(String nom, Map<String, byte[]> contenu) {
-        boolean unSeul = MOODLE.matcher(nom).matches() || contenu.keySet().stream().noneMatch(n -> MOODLE.matcher(n).matches())
-                && contenu.keySet().stream().anyMatch(n -> !Contenu.estArchive(n) && UN_SEUL_RENDU.matcher(n).matches());
-        contenu.forEach((premier, sorte) -> {
-            boolean fichier = sorte.length > 0;
-            Matcher moodle = MOODLE.matcher(premier);
-            if (unSeul) {
-                prendre(seul(nom), premier, premier);
-            } else if (moodle.matches()) {
-                Rendu rendu = seul(premier);
-                // un texte en ligne, ou le contenu d'un autre greffon, n'est pas un fichier
-                if (moodle.group(3).equals("file")) {
-                    prendre(rendu, premier, moodle.group(4) == null ? "" : moodle.group(4));
+    private void repartir(Path lieu, Map<String, Boolean> noms) {
+        Map<String, Matcher> canvas = deCanvas(noms);
+        noms.forEach((nom, fichier) -> {
+            Matcher moodle = MOODLE.matcher(nom);
+            Matcher sien = canvas.get(nom);
+            if (moodle.matches()) {
+                Rendu rendu = rendu(moodle.group(2), moodle.group(1).trim());
+                rendu.entrees.put(nom, moodle.group(4) == null ? "" : moodle.group(4));
+            } else if (sien != null) {
+                Rendu rendu = rendu(sien.group(1) + "_" + sien.group(3), sien.group(1));
+                rendu.entrees.put(nom, sien.group(4));
+                if (sien.group(2) != null && rendu.remarques.isEmpty()) {
+                    rendu.remarques.add("rendu en retard, d'après Canvas");
                 }
-            } else if (fichier ? Contenu.estArchive(premier) : !Contenu.estDebris(List.of(premier, ""))) {
-                // « dupont » et « dupont.zip » sont deux rendus
-                String id = fichier && !contenu.containsKey(sansFin(premier)) ? sansFin(premier) : premier;
-                prendre(rendu(id, id), premier, fichier ? premier : "");
+            } else if (DE_PROJET.matcher(nom).matches()) {
+                throw new Panne(2, "rien n'est jugé : « " + nom + " » n'est pas le rendu d'un étudiant ; attendu : une entrée par étudiant ; "
+                        + "pour un seul rendu : make corriger UN=" + lieu + " (--un)");
+            } else {
+                rendu(nom, nom).entrees.put(nom, fichier ? nom : "");
             }
         });
     }
 
-    private void prendre(Rendu rendu, String premier, String debut) {
-        noms.computeIfAbsent(rendu, r -> new LinkedHashMap<>()).put(premier, debut.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private Rendu seul(String nom) {
-        Matcher moodle = MOODLE.matcher(nom);
-        return moodle.matches() ? rendu(moodle.group(2), moodle.group(1).trim()) : rendu(sansFin(nom), sansFin(nom));
+    /** Les fichiers que Canvas a nommés, aucun s'ils ont tous le même début, ou si deux noms ont le même numéro : « TP1_2026_11_… ». */
+    private static Map<String, Matcher> deCanvas(Map<String, Boolean> noms) {
+        Map<String, Matcher> canvas = new HashMap<>();
+        noms.forEach((nom, fichier) -> {
+            Matcher m = CANVAS.matcher(nom);
+            if (fichier && !deMoodle(nom) && m.matches()) {
+                canvas.put(nom, m);
+            }
+        });
+        List<String> etudiants = canvas.values().stream().map(m -> m.group(1) + "_" + m.group(3)).distinct().collect(Collectors.toList());
+        long numeros = canvas.values().stream().map(m -> m.group(3)).distinct().count();
+        return numeros == etudiants.size() && numeros > 1 ? canvas : Map.of();
     }
 
     private Rendu rendu(String id, String nom) {
-        return rendus.computeIfAbsent(id, i -> {
-            // deux noms peuvent devenir égaux une fois nettoyés : le second reçoit un numéro
-            String sien = Rendu.propre(i);
-            for (int k = 2; !ids.add(sien); k++) {
-                sien = Rendu.propre(i) + " " + k;
-            }
-            return new Rendu(sien, nom.isEmpty() || nom.equals(i) ? sien : Rendu.propre(nom));
-        });
+        return rendus.computeIfAbsent(id, i -> new Rendu(i, nom.isEmpty() ? i : nom));
     }
 
-    private static String sansFin(String nom) {
-        return nom.replaceFirst("(?i)\\.zip$", "");
+    /** Ordre du français, où « Éloïse » vient avant « Zoé », et « Étudiant 2 » avant « Étudiant 10 ». */
+    public static int comparer(String a, String b) {
+        return ALPHABET.compare(nombres(a), nombres(b));
     }
 
-    /** Clé de tri d'un étudiant, qui range « Étudiant 2 » avant « Étudiant 10 ». */
-    public static String ordre(String nom, String id) {
-        return Pattern.compile("\\d{1,18}").matcher(nom + "\0" + id).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
+    private static String nombres(String nom) {
+        return Pattern.compile("\\d{1,18}").matcher(Texte.protege(nom)).replaceAll(n -> String.format("%018d", Long.parseLong(n.group())));
     }
 }

@@ -4,17 +4,19 @@ import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.ToIntFunction;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.correction.enfant.Contenu;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
@@ -40,7 +42,7 @@ public final class Projet {
             "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|crenelage)"), "blinn", Pattern.compile("(?i)blinn"));
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
     private static final Pattern DE_TEST =
-            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
+            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
     /** Bibliothèques que la correction fournit. */
     private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
     /** Classes du cours que les autres classes n'appellent pas : leurs méthodes ne sont pas adaptées. */
@@ -81,17 +83,8 @@ public final class Projet {
         siens.forEach((nom, type) -> textes.put(nom, type.texte));
         SourcesDuCours.classes().stream().filter(c -> !SANS_PONT.contains(c))
                 .forEach(c -> textes.computeIfPresent("lancer/" + c,
-                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(squelette.get(c), siens.get(nom), signatures)
-                        + (c.equals("Scene") ? parFichier(siens.get(nom)) : ""))));
+                        (nom, texte) -> siens.get(nom).avec(Signature.ponts(squelette.get(c), siens.get(nom), signatures))));
         return textes;
-    }
-
-    /** Le constructeur par deux listes, que l'énoncé ne demande pas, s'il manque à cette scène : par un fichier. */
-    private static String parFichier(Type scene) {
-        return scene.methodes.stream().noneMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("List", "List")))
-                && scene.methodes.stream().anyMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("String")))
-                ? " public Scene(java.util.List<? extends Objet3D> p0, java.util.List<Lampe> p1) throws Exception { "
-                + "this(Appels.fichier(p0, p1)); Appels.garder(this, p0, p1); }" : "";
     }
 
     private static String quelques(Collection<String> noms) {
@@ -99,7 +92,7 @@ public final class Projet {
     }
 
     /** Les copies du projet que contient un rendu ; la base que nomme son dossier d'abord. */
-    public static List<Projet> copies(Rendu rendu, Source.Lecture lecture, Map<String, Type> squelette) throws Arret {
+    public static List<Projet> copies(Rendu rendu, Source.Lecture lecture, Cours cours) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         Map<String, byte[]> fichiers = new TreeMap<>(rendu.sources);
@@ -113,6 +106,7 @@ public final class Projet {
                 racines.computeIfAbsent(type.source.racine, r -> new ArrayList<>()).add(type);
             }
         }
+        racines.values().forEach(types -> situer(types, cours));
         Set<String> projets = racines.keySet().stream().filter(r -> racines.get(r).stream().anyMatch(Projet::aCompleter))
                 .map(Projet::dossier).collect(Collectors.toSet());
         Map<String, Map<String, List<Type>>> groupes = new TreeMap<>();
@@ -127,6 +121,7 @@ public final class Projet {
             }
         }
         Map<String, Map<String, Type>> bases = choisir(groupes.getOrDefault("", Map.of()), laisses);
+        ecarter(bases.values(), laisses);
         if (bases.isEmpty() || !variantes.isEmpty() && bases.values().stream().noneMatch(b -> b.values().stream()
                 .anyMatch(Projet::aCompleter))) {
             // une variante est une copie complète du projet
@@ -141,13 +136,19 @@ public final class Projet {
         dites.forEach((quoi, ou) -> remarques.add((ou.size() == 1 ? ou.iterator().next() + " : " + quoi
                 : quoi + " (" + ou.size() + " fichiers)")));
         List<Projet> copies = new ArrayList<>();
+        Set<Map<String, Type>> differentes = new HashSet<>();
         for (Map.Entry<String, Map<String, Type>> base : bases.entrySet()) {
-            if (copies.size() < COPIES_MAX) {
-                Projet projet = new Projet(squelette, base.getValue(), variantes, remarques);
+            if (copies.size() < COPIES_MAX && differentes.add(base.getValue())) {
+                Projet projet = new Projet(cours.squelette, base.getValue(), variantes, remarques);
                 projet.consignes(rendu, dites.keySet());
                 remarques.stream().filter(r -> r.contains(Contenu.DE_COTE)).forEach(projet.aRegarder::add);
                 laisses.forEach(projet::dire);
                 projet.absences();
+                String duCorrige = SourcesDuCours.A_COMPLETER.stream().filter(c -> projet.texte(c) != null
+                        && cours.provenance(projet.type(c)) == 2).collect(Collectors.joining(", "));
+                if (!duCorrige.isEmpty()) {
+                    projet.aRegarder.add("le même texte que le corrigé, aux commentaires près : " + duCorrige);
+                }
                 if (bases.size() > 1) {
                     projet.dire(plusieurs("du projet : jugée", bases, base.getKey()));
                 }
@@ -155,6 +156,18 @@ public final class Projet {
             }
         }
         return copies;
+    }
+
+    /**
+     * Dit d'où viennent les textes d'un dossier. Un étudiant écrit de lui-même quelques classes comme le corrigé : elles n'en viennent que si
+     * la plupart de celles du dossier sont celles du corrigé.
+     */
+    private static void situer(List<Type> types, Cours cours) {
+        types.forEach(t -> t.provenance = cours.provenance(t));
+        long duCorrige = types.stream().filter(t -> aCompleter(t) && t.provenance == 2).count();
+        if (2 * duCorrige <= types.stream().filter(Projet::aCompleter).count()) {
+            types.stream().filter(t -> t.provenance == 2).forEach(t -> t.provenance = 0);
+        }
     }
 
     private static boolean aCompleter(Type type) {
@@ -283,18 +296,19 @@ public final class Projet {
      * @param laisses reçoit les fichiers qui déclarent une classe lue dans un autre fichier
      */
     private static Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes, List<String> laisses) {
+        ToIntFunction<Type> rang = t -> 8 * t.provenance + t.source.rang(t.nom);
         List<String> racines = new ArrayList<>(groupes.keySet());
         racines.sort(Comparator.comparing((String r) -> -groupes.get(r).stream().filter(Projet::aCompleter).map(t -> t.nom).distinct()
                 .count()).thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base")).thenComparing(String::length));
         Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
         for (String racine : racines) {
             List<Type> siens = groupes.get(racine);
-            siens.sort(Comparator.comparing((Type t) -> t.source.rang(t.nom)).thenComparing(t -> t.source.chemin.split("/").length));
+            siens.sort(Comparator.comparingInt(rang).thenComparing(t -> t.source.chemin.split("/").length));
             Map<String, Type> copie = copies.values().stream().filter(c -> siens.stream().map(Type::chemin).distinct()
                     .filter(c::containsKey).count() <= 2).findFirst().orElseGet(() -> copies.computeIfAbsent(racine, r -> new TreeMap<>()));
             for (Type type : siens) {
                 Type autre = copie.get(type.chemin());
-                Type garde = autre == null || type.source.rang(type.nom) < autre.source.rang(type.nom) ? type : autre;
+                Type garde = autre == null || rang.applyAsInt(type) < rang.applyAsInt(autre) ? type : autre;
                 copie.put(type.chemin(), garde);
                 if (autre != null) {
                     laisses.add((garde == type ? autre : type).source.chemin + Contenu.DE_COTE + type.nom + " est dans "
@@ -303,6 +317,25 @@ public final class Projet {
             }
         }
         return copies;
+    }
+
+    /** Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. */
+    private static void ecarter(Collection<Map<String, Type>> copies, List<String> laisses) {
+        Map<String, String> ecartes = new TreeMap<>();
+        for (String classe : SourcesDuCours.classes()) {
+            String nom = "lancer/" + classe;
+            Type meilleur = copies.stream().map(c -> c.get(nom)).filter(Objects::nonNull).min(Comparator.comparing(t -> t.provenance))
+                    .orElse(null);
+            for (Map<String, Type> copie : copies) {
+                Type type = copie.get(nom);
+                if (type != null && type.provenance > meilleur.provenance) {
+                    copie.put(nom, meilleur);
+                    String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
+                    ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, classe, (a, b) -> a + ", " + b);
+                }
+            }
+        }
+        ecartes.forEach((pourquoi, classes) -> laisses.add(pourquoi + " : " + classes));
     }
 
     /** Le texte d'une classe du cours ; {@code null} si elle n'est pas rendue. */

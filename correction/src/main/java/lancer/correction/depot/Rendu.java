@@ -1,27 +1,30 @@
 package lancer.correction.depot;
 
-import java.text.Normalizer;
+import java.math.BigInteger;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.Collection;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import lancer.correction.enfant.Contenu;
-import lancer.correction.enfant.Echange;
-import lancer.correction.isolement.Arret;
+import java.util.stream.Collectors;
+import lancer.correction.enfant.Texte;
 
-/** Le travail rendu par un étudiant : ses sources, ou la raison pour laquelle elles sont illisibles. */
+/** Le travail rendu par un étudiant, une ligne de la classe : ses sources, ou la raison pour laquelle elles sont illisibles. */
 public final class Rendu {
 
     /** Nombre maximal de caractères d'un nom : avec le suffixe de Moodle, il tient en 255 octets. */
     private static final int NOM_MAX = 70;
 
-    /** Identifiant unique : le numéro de Moodle ou, à défaut, le nom du dossier, en une ligne. */
+    /** Identifiant unique : le numéro que donne Moodle ou, à défaut, le nom exact de l'entrée. */
     public final String id;
+    /** Le nom de l'étudiant, de l'entrée à défaut, en une ligne courte. */
     public final String nom;
+    /** Les entrées de la classe qui sont ce rendu, et le chemin de chacune dans ce rendu. */
+    public final Map<String, String> entrees = new TreeMap<>();
     /** Les fichiers .java, par chemin. */
     public final Map<String, byte[]> sources = new TreeMap<>();
     /** Ce qui n'a pu être lu, et pourquoi. Sans aucune source, le rendu ne peut être jugé. */
@@ -31,39 +34,37 @@ public final class Rendu {
     public final Set<String> outils = new TreeSet<>();
     /** Les bibliothèques (.jar) jointes, par leur nom. */
     public final Set<String> bibliotheques = new TreeSet<>();
+
     public Rendu(String id, String nom) {
         this.id = id;
-        this.nom = nom;
+        String propre = Texte.protege(nom, NOM_MAX);
+        this.nom = propre.isEmpty() ? "sans nom" : propre;
     }
 
-    /** Un nom d'étudiant, de dossier ou d'archive, en une ligne courte. */
-    static String propre(String nom) {
-        String propre = Echange.protege(nom, NOM_MAX);
-        return propre.isEmpty() ? "sans nom" : propre;
-    }
-
-    /** Le début, sans extension, du nom des fichiers écrits pour ce rendu. @param rang dans la classe, différent pour chaque rendu */
-    public String fichier(int rang) {
-        String lettres = Normalizer.normalize(id, Normalizer.Form.NFD).replaceAll("\\p{M}", "").replaceAll("[^A-Za-z0-9]+", "-");
-        return String.format("%03d-%s", rang + 1, lettres);
-    }
-
-    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param noms voir {@link Contenu} */
-    void lire(Depot.Acces acces, Map<String, byte[]> noms) {
+    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param seul vrai si tout ce lieu est ce rendu */
+    void lire(Lieu ici, boolean seul) {
         try {
-            List<?> contenu = noms.isEmpty() ? List.of("aucun fichier dans ce rendu") : acces.demander(noms);
-            if (!contenu.get(0).equals("")) {
-                refus.add((String) contenu.get(0));
-                return;
-            }
-            sources.putAll(Echange.fichiers(contenu.get(1)));
-            Iterator<?> listes = ((List<?>) contenu.get(2)).iterator();
-            for (Collection<String> liste : List.of(refus, remarques, outils, bibliotheques)) {
-                ((List<?>) listes.next()).forEach(texte -> liste.add((String) texte));
-            }
-        } catch (Arret | RuntimeException | Error e) {
+            Contenu contenu = new Contenu(this);
+            ici.lire(seul ? ici.noms().keySet().stream().collect(Collectors.toMap(n -> n, n -> n)) : entrees, contenu);
+            contenu.finir();
+        } catch (RuntimeException | Error e) {
             sources.clear();
-            refus.add((e instanceof Arret ? e.getMessage() : Echange.protege("arrêté : " + e)) + " (en lisant ses fichiers)");
+            refus.add(Texte.protege("arrêté : " + e) + " (en lisant ses fichiers)");
+        }
+    }
+
+    /** Ce qui distingue ce rendu d'un autre : ses sources ou, sans sources, la raison. */
+    public String empreinte() {
+        try {
+            MessageDigest empreinte = MessageDigest.getInstance("SHA-256");
+            sources.forEach((chemin, octets) -> {
+                empreinte.update(chemin.getBytes(StandardCharsets.UTF_8));
+                empreinte.update(octets);
+            });
+            empreinte.update(refus.toString().getBytes(StandardCharsets.UTF_8));
+            return new BigInteger(1, empreinte.digest()).toString(16);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
         }
     }
 }

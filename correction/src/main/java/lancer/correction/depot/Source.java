@@ -4,35 +4,39 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import lancer.correction.enfant.Contenu;
-import lancer.correction.enfant.Lecteur;
+import java.util.stream.Stream;
+import javax.lang.model.SourceVersion;
+import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
 /** Un fichier d'un rendu, et ses classes lues par le JDK. Elles sont mises dans le paquet {@code lancer}, même s'il en nomme un autre. */
 public final class Source {
 
-    /** Motif d'un nom utilisable comme nom de fichier : court, et sans séparateur de dossiers. */
-    private static final Pattern NOM_DE_PAQUET = Pattern.compile("(?!.{201})(?:\\w++(?:\\.\\w++)*+)?");
-    private static final Pattern NOM_DE_CLASSE = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]{0,99}+");
+    private static final int PAQUET_MAX = 200;
+    private static final int CLASSE_MAX = 100;
     private static final Pattern RESERVES = Pattern.compile("(javax?|jdk|sun|com\\.sun|lancer\\.correction|"
             + "org\\.(junit|opentest4j|apiguardian|ini4j|eclipse))(\\..*)?");
-    private static final List<String> NOTRES = List.of("Appels", "Sonde");
+    /** Les classes de la correction qui sont dans le paquet d'un rendu. */
+    static final List<String> NOTRES = List.of("Appels", "Sonde");
 
     private static final List<String> DU_COURS = SourcesDuCours.classes();
 
-    /** Lecture de textes Java : une valeur par texte, celle de {@link Lecteur#lire}. */
+    /** Lecture de textes Java : voir {@link Lecteur#lire}. */
     public interface Lecture {
-        List<?> lire(List<String> textes) throws Arret;
+        Lecteur.Fichier[] lire(List<String> textes) throws Arret;
     }
 
     final String chemin;
@@ -47,20 +51,20 @@ public final class Source {
     /** Remarques sur les corrections faites. */
     final List<String> remarques = new ArrayList<>();
     private final String texte;
-    private final List<?> lu;
-    private final int entete;
+    private final Lecteur.Fichier lu;
     private final List<Type> types;
 
-    private Source(String chemin, byte[] octets, List<?> lu) {
+    private Source(String chemin, byte[] octets, Lecteur.Fichier lu) {
         this.chemin = chemin;
         this.lu = lu;
         texte = decoder(octets);
-        paquet = (String) lu.get(0);
-        entete = (Integer) lu.get(1);
-        types = types(lu, texte);
-        nu = chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
-        String dossier = chemin.substring(0, chemin.lastIndexOf('/') + 1);
-        String suffixe = paquet.isEmpty() ? "lancer/" : paquet.replace('.', '/') + "/";
+        paquet = lu.paquet;
+        types = lu.types;
+        // macOS décompose les accents des noms de fichiers
+        String compose = Normalizer.normalize(chemin, Normalizer.Form.NFC);
+        nu = compose.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
+        String dossier = compose.substring(0, compose.lastIndexOf('/') + 1);
+        String suffixe = paquet.isEmpty() ? "lancer/" : Normalizer.normalize(paquet, Normalizer.Form.NFC).replace('.', '/') + "/";
         racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
         aSaPlace = paquet.isEmpty() || dossier.endsWith(suffixe);
         if (codage(octets) != StandardCharsets.UTF_8) {
@@ -68,24 +72,19 @@ public final class Source {
         }
     }
 
-    /** Les classes que déclare un fichier, lues par le JDK. */
-    static List<Type> types(List<?> lu, String texte) {
-        return ((List<?>) lu.get(3)).stream().map(t -> new Type((List<?>) t, texte)).collect(Collectors.toList());
-    }
-
-    /** Les classes du projet à compléter, par leur nom. */
-    public static Map<String, Type> squelette(Lecture lecture) throws Arret {
-        List<String> textes = DU_COURS.stream().map(SourcesDuCours::squelette).collect(Collectors.toList());
-        Iterator<?> lus = lecture.lire(textes).iterator();
-        return textes.stream().map(t -> types((List<?>) lus.next(), t).get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
+    /** Les classes de ces textes du cours, par leur nom. */
+    public static Map<String, Type> duCours(Lecture lecture, UnaryOperator<String> texte) throws Arret {
+        List<String> textes = DU_COURS.stream().map(texte).collect(Collectors.toList());
+        return Stream.of(lecture.lire(textes)).map(lu -> lu.types.get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
     /** Les classes de ces fichiers. @param remarques reçoit les fichiers illisibles */
     static List<Type> lire(Map<String, byte[]> octets, Lecture lecture, List<String> remarques) throws Arret {
-        Iterator<?> lus = lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())).iterator();
+        Iterator<Lecteur.Fichier> lus = Arrays.asList(lecture.lire(octets.values().stream().map(Source::decoder)
+                .collect(Collectors.toList()))).iterator();
         List<Source> fichiers = new ArrayList<>();
         for (String chemin : octets.keySet()) {
-            List<?> lu = (List<?>) lus.next();
+            Lecteur.Fichier lu = lus.next();
             if (lu == null) {
                 remarques.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
@@ -105,7 +104,7 @@ public final class Source {
 
     /** De plusieurs fichiers de cette classe, le sien a le plus petit rang. Un fichier vide, ou tout en commentaire, a le plus grand. */
     int rang(String classe) {
-        boolean vide = types.isEmpty() && ((List<?>) lu.get(4)).isEmpty();
+        boolean vide = types.isEmpty() && lu.fautes.isEmpty();
         return (vide ? 4 : nu.equals(classe) ? 0 : 2) + (aSaPlace ? 0 : 1);
     }
 
@@ -113,16 +112,14 @@ public final class Source {
     private String arranger(Set<String> paquets) {
         StringBuilder neuf = new StringBuilder();
         int la = 0;
-        for (Object nom : (List<?>) lu.get(2)) {
-            int debut = (Integer) ((List<?>) nom).get(1);
+        for (Lecteur.Nom nom : lu.noms) {
             // les noms viennent du plus long au plus court : le paquet remplacé est le plus long
-            if (debut >= la && paquets.contains(((List<?>) nom).get(0))) {
-                int fin = (Integer) ((List<?>) nom).get(2);
-                neuf.append(texte, la, debut).append("lancer").append(texte.substring(debut, fin).replaceAll("[^\n]", ""));
-                la = fin;
+            if (nom.debut >= la && paquets.contains(nom.texte)) {
+                neuf.append(texte, la, nom.debut).append("lancer").append(texte.substring(nom.debut, nom.fin).replaceAll("[^\n]", ""));
+                la = nom.fin;
             }
         }
-        neuf.append(texte, la, entete);
+        neuf.append(texte, la, lu.entete);
         if (paquets.contains(paquet) && !paquet.equals("lancer")) {
             // sur la première ligne : les numéros de ligne de l'étudiant ne changent pas
             neuf.insert(0, paquet.isEmpty() ? "package lancer; " : "");
@@ -137,46 +134,41 @@ public final class Source {
     private List<Type> classes(Set<String> paquets) {
         String debut = arranger(paquets);
         // « Vecteur (1).java », « AncienVecteur.java » : le nom déclaré est plus sûr que celui du fichier
-        String nom = types.size() == 1 || !NOM_DE_CLASSE.matcher(nu).matches() && !types.isEmpty() ? types.get(0).nom : nu;
+        String nom = types.size() == 1 || !deClasse(nu) && !types.isEmpty() ? types.get(0).nom : nu;
         // une faute de syntaxe hors de toute classe peut avoir changé les limites des classes
-        if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare() || types.get(0).debut < entete
-                || !((List<?>) lu.get(4)).stream().map(Integer.class::cast)
-                .allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
+        if (types.size() < 2 || types.size() > Lecteur.CLASSES_MAX || !declare() || types.get(0).debut < lu.entete
+                || !lu.fautes.stream().allMatch(f -> types.stream().anyMatch(t -> t.debut <= f && f <= t.fin))) {
             Type sien = types.stream().filter(t -> t.nom.equals(nom)).findFirst().orElse(Type.rien(nom));
-            return List.of(sien.placer(this, debut + texte.substring(entete), texte.length() - sien.fin));
+            return List.of(sien.placer(this, debut + texte.substring(lu.entete), texte.length() - sien.fin));
         }
         if (types.stream().anyMatch(t -> DU_COURS.contains(t.nom) && !t.nom.equals(nom))) {
             remarques.add("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
                     + ") : jugées à part");
         }
-        int avant = entete;
+        int avant = lu.entete;
         for (Type t : types) {
-            t.placer(this, debut + texte.substring(entete, avant).replaceAll("[^\n]", " ") + texte.substring(avant, t.fin), 0);
+            t.placer(this, debut + texte.substring(lu.entete, avant).replaceAll("[^\n]", " ") + texte.substring(avant, t.fin), 0);
             avant = t.fin;
         }
         return types;
     }
 
-    /** Raison d'ignorer cette classe : elle en cacherait une de Java ou de la correction. */
+    /** Raison d'ignorer cette classe : son nom n'en est pas un, ou appartient à un autre. */
     String intrusion(String classe) {
-        if (!NOM_DE_PAQUET.matcher(paquet).matches() || !NOM_DE_CLASSE.matcher(classe).matches()) {
+        if (!deClasse(classe) || !paquet.isEmpty() && (!SourceVersion.isName(paquet) || paquet.length() > PAQUET_MAX)) {
             return "« " + paquet + " », « " + classe + " » : ce ne sont pas des noms de paquet et de classe";
         } else if (RESERVES.matcher(paquet).matches()) {
             return "le paquet « " + paquet + " » n'est pas à vous";
         } else if (types.size() > Lecteur.CLASSES_MAX) {
             return "il déclare plus de " + Lecteur.CLASSES_MAX + " classes";
         }
-        return types.stream().map(t -> t.nom).filter(nom -> paquet.equals("lancer") && estPrise(nom)).findFirst()
-                .map(nom -> "il déclare une classe " + nom + " qui cacherait celle de " + (NOTRES.contains(nom) ? "la correction" : "Java"))
-                .orElse(null);
+        return types.stream().map(t -> t.nom).filter(nom -> paquet.equals("lancer") && NOTRES.contains(nom)).findFirst()
+                .map(nom -> "il déclare une classe " + nom + " qui cacherait celle de la correction").orElse(null);
     }
 
-    private static boolean estPrise(String nom) {
-        try {
-            return NOTRES.contains(nom) || Class.forName("java.lang." + nom, false, null) != null;
-        } catch (ClassNotFoundException | LinkageError e) {
-            return false;
-        }
+    /** Dit si une classe peut avoir ce nom, dans toutes les langues ; il fait aussi un nom de fichier. */
+    private static boolean deClasse(String nom) {
+        return SourceVersion.isIdentifier(nom) && nom.length() <= CLASSE_MAX && !Texte.NUISIBLES.matcher(nom).find();
     }
 
     /** Le texte, décodé, sans marque d'ordre des octets, avec des fins de ligne {@code \n}. */

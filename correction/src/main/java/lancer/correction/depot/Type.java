@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -12,29 +13,28 @@ public final class Type {
     /** Début et fin de la classe dans son fichier. */
     final int debut;
     final int fin;
-    /** Empreinte de l'arbre syntaxique, qui ignore les commentaires, la présentation et les noms des variables locales. */
+    /** Empreinte de l'arbre syntaxique, qui ignore les commentaires et la présentation. */
     public final String empreinte;
     /** Noms utilisés, {@code float} compris. */
     public final Set<String> noms = new TreeSet<>();
-    public final List<Signature> methodes;
-    Source source;
-    String texte;
+    public final List<Signature> methodes = new ArrayList<>();
+    transient Source source;
+    /** D'où vient son texte, et s'il cède la place à un autre : voir {@link Cours#provenance}. */
+    transient int provenance;
+    transient String texte;
     /** Longueur du texte après la fin de la classe. */
-    private int reste;
+    private transient int reste;
 
-    /** @param lue voir {@link lancer.correction.enfant.Lecteur#lire} ; @param fichier texte qui contient la classe */
-    Type(List<?> lue, String fichier) {
-        nom = (String) lue.get(0);
-        debut = (Integer) lue.get(1);
-        fin = (Integer) lue.get(2);
-        empreinte = (String) lue.get(3);
-        ((List<?>) lue.get(4)).forEach(n -> noms.add((String) n));
-        methodes = ((List<?>) lue.get(5)).stream().map(m -> new Signature((List<?>) m, fichier)).collect(Collectors.toList());
+    Type(String nom, int debut, int fin, String empreinte) {
+        this.nom = nom;
+        this.debut = debut;
+        this.fin = fin;
+        this.empreinte = empreinte;
     }
 
     /** Une classe dont seul le nom est connu. */
     static Type rien(String nom) {
-        return new Type(List.of(nom, 0, 0, "", List.of(), List.of()), "");
+        return new Type(nom, 0, 0, "");
     }
 
     Type placer(Source fichier, String sien, int suite) {

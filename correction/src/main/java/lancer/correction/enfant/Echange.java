@@ -8,14 +8,12 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 
 /**
  * Messages entre le correcteur et une autre machine virtuelle. Chaque message a un numéro et une longueur, écrits avant lui : aucun texte
@@ -26,22 +24,9 @@ public final class Echange {
     /** Taille maximale d'une réponse ordinaire, en octets. */
     public static final int REPONSE_MAX = 1 << 16;
     /** Taille maximale d'une réponse qui contient une image ou des classes, en octets. */
-    public static final int GROSSE_REPONSE_MAX = 8 << 20;
-
-    /** Caractères qui commandent un terminal ou changent le sens d'écriture, moitiés de caractères ; ni tabulation, ni fin de ligne. */
-    public static final Pattern NUISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}&&[^\n\t]]");
-
-    private static final int TEXTE_MAX = 2000;
-    private static final int LIGNES_MAX = 30;
+    public static final int GROSSE_REPONSE_MAX = 16 << 20;
 
     private Echange() {
-    }
-
-    /** Un message, qui est une valeur : voir {@link #ecrire}. */
-    public static byte[] message(Object valeur, Function<Object, Objet> nommer) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        ecrire(new DataOutputStream(octets), valeur, nommer);
-        return octets.toByteArray();
     }
 
     /** Envoie un message en une seule écriture. */
@@ -71,14 +56,6 @@ public final class Echange {
         message.write(octets);
     }
 
-    private static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
-        ecrireOctets(message, texte.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private static String lireTexte(DataInputStream message) throws IOException {
-        return new String(lireOctets(message), StandardCharsets.UTF_8);
-    }
-
     /** @throws EOFException si le message est plus court que la longueur annoncée ; aucune mémoire n'est réservée avant */
     private static byte[] lireOctets(DataInputStream message) throws IOException {
         int longueur = message.readInt();
@@ -88,11 +65,12 @@ public final class Echange {
         return message.readNBytes(longueur);
     }
 
-    /** Les fichiers ou les classes d'un message, par leur nom. */
-    public static Map<String, byte[]> fichiers(Object valeur) {
-        Map<String, byte[]> tout = new LinkedHashMap<>();
-        ((Map<?, ?>) valeur).forEach((nom, octets) -> tout.put((String) nom, (byte[]) octets));
-        return tout;
+    private static void ecrireTexte(DataOutputStream message, String texte) throws IOException {
+        ecrireOctets(message, Texte.protege(texte).getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static String lireTexte(DataInputStream message) throws IOException {
+        return Texte.protege(new String(lireOctets(message), StandardCharsets.UTF_8));
     }
 
     /** Désignation d'un objet du rendu : son numéro et sa classe. */
@@ -108,44 +86,47 @@ public final class Echange {
     }
 
     /**
-     * Écrit une valeur : un nombre, un texte d'une ligne, des octets, une liste de valeurs, des valeurs par leur nom, ou un objet.
+     * Écrit une valeur : rien, un booléen, un nombre, un texte d'une ligne, des octets, une liste, ou un objet du rendu.
      *
      * @param nommer désigne un objet d'une autre classe
      */
+    public static byte[] message(Object valeur, Function<Object, Objet> nommer) {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        try {
+            ecrire(new DataOutputStream(octets), valeur, nommer);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return octets.toByteArray();
+    }
+
     private static void ecrire(DataOutputStream message, Object valeur, Function<Object, Objet> nommer) throws IOException {
         if (valeur == null) {
-            message.writeChar('n');
+            message.writeByte('n');
         } else if (valeur instanceof Boolean) {
-            message.writeChar('b');
+            message.writeByte('b');
             message.writeBoolean((Boolean) valeur);
         } else if (valeur instanceof Integer) {
-            message.writeChar('i');
+            message.writeByte('i');
             message.writeInt((Integer) valeur);
         } else if (valeur instanceof Number) {
-            message.writeChar('d');
+            message.writeByte('d');
             message.writeDouble(((Number) valeur).doubleValue());
         } else if (valeur instanceof CharSequence) {
-            message.writeChar('s');
-            ecrireTexte(message, protege(valeur.toString()));
+            message.writeByte('t');
+            ecrireTexte(message, valeur.toString());
         } else if (valeur instanceof byte[]) {
-            message.writeChar('t');
+            message.writeByte('x');
             ecrireOctets(message, (byte[]) valeur);
         } else if (valeur instanceof List) {
-            message.writeChar('l');
+            message.writeByte('l');
             message.writeInt(((List<?>) valeur).size());
             for (Object element : (List<?>) valeur) {
                 ecrire(message, element, nommer);
             }
-        } else if (valeur instanceof Map) {
-            message.writeChar('m');
-            message.writeInt(((Map<?, ?>) valeur).size());
-            for (Map.Entry<?, ?> une : ((Map<?, ?>) valeur).entrySet()) {
-                ecrireTexte(message, (String) une.getKey());
-                ecrire(message, une.getValue(), nommer);
-            }
         } else {
             Objet objet = nommer.apply(valeur);
-            message.writeChar('o');
+            message.writeByte('o');
             message.writeInt(objet.numero);
             ecrireTexte(message, objet.classe);
         }
@@ -153,7 +134,7 @@ public final class Echange {
 
     /** Lit une valeur. @param trouver rend l'objet désigné */
     public static Object lire(DataInputStream message, Function<Objet, Object> trouver) throws IOException {
-        switch (message.readChar()) {
+        switch (message.readByte()) {
             case 'n':
                 return null;
             case 'b':
@@ -162,9 +143,9 @@ public final class Echange {
                 return message.readInt();
             case 'd':
                 return message.readDouble();
-            case 's':
-                return protege(lireTexte(message));
             case 't':
+                return lireTexte(message);
+            case 'x':
                 return lireOctets(message);
             case 'l':
                 List<Object> liste = new ArrayList<>();
@@ -172,47 +153,10 @@ public final class Echange {
                     liste.add(lire(message, trouver));
                 }
                 return liste;
-            case 'm':
-                Map<String, Object> valeurs = new LinkedHashMap<>();
-                for (int reste = message.readInt(); reste > 0; reste--) {
-                    String nom = lireTexte(message);
-                    valeurs.put(nom, lire(message, trouver));
-                }
-                return valeurs;
             case 'o':
-                return trouver.apply(new Objet(message.readInt(), protege(lireTexte(message))));
+                return trouver.apply(new Objet(message.readInt(), lireTexte(message)));
             default:
                 throw new IOException();
-        }
-    }
-
-    /** Un texte sans caractère nuisible, en une ligne de longueur limitée. */
-    public static String protege(String texte) {
-        return protege(texte, TEXTE_MAX);
-    }
-
-    /** Le même, d'au plus {@code max} caractères, puis « … » s'il est coupé. */
-    public static String protege(String texte, int max) {
-        String court = texte.length() > max ? couper(texte, max) + "…" : texte;
-        return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
-    }
-
-    /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
-    public static String sansFormule(String texte) {
-        return protege(texte, Integer.MAX_VALUE).replaceAll("(^|;)([\\s\"']*)(?=[=+@-])", "$1$2'");
-    }
-
-    /** Le début d'un texte, d'au plus {@code max} caractères ; aucun n'est coupé en deux. */
-    public static String couper(String texte, int max) {
-        return texte.length() <= max ? texte : texte.substring(0, Character.isHighSurrogate(texte.charAt(max - 1)) ? max - 1 : max);
-    }
-
-    /** Limite une liste à quelques lignes de longueur limitée, pour une page. */
-    public static void abreger(List<String> liste) {
-        liste.replaceAll(Echange::protege);
-        if (liste.size() > LIGNES_MAX) {
-            liste.subList(LIGNES_MAX, liste.size()).clear();
-            liste.add("…");
         }
     }
 }

@@ -24,23 +24,26 @@ import java.util.Map;
  * La machine virtuelle où s'exécute un rendu. Elle ne connaît pas les vérifications : elle reçoit l'ordre d'appeler une méthode, et répond
  * ce que la méthode rend. Elle ne contient ni valeur attendue, ni verdict, ni secret : un rendu ne peut falsifier que sa propre réponse.
  *
- * <p>Une demande commence par sa sorte. {@link #CLASSES} donne les classes du rendu, une seule fois. {@link #APPEL} appelle une méthode,
- * par son numéro dans {@code lancer.Appels}. {@link #SONDE} appelle une méthode de la sonde, avec la scène qu'elle lit. {@link #OUBLI}
- * oublie les objets déjà rendus ; la réponse est le nombre de fils que le rendu a laissés.
+ * <p>Une demande commence par sa sorte, et sa réponse par la sienne : le résultat, ou une raison et un lieu.
  */
 public final class Execution {
 
+    /** Donne les classes du rendu, une seule fois : le nom puis les octets de chacune. */
     public static final String CLASSES = "C";
+    /** Appelle une méthode, par son numéro dans {@code lancer.Appels} ; rend son résultat, puis les champs publics de celui-ci. */
     public static final String APPEL = "A";
+    /** Appelle une méthode de la sonde, avec la scène qu'elle lit ; rend une image, en octets, ou une liste de textes. */
     public static final String SONDE = "S";
-    public static final String OUBLI = "N";
+    /** Oublie les objets déjà rendus ; rend le nombre de fils que le rendu a laissés. */
+    public static final String OUBLI = "O";
 
     /** Sorte d'une réponse : le résultat de la méthode. */
     public static final String RENDU = "R";
-    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, avec un lieu et un message. */
+    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, ce qui ne peut être demandé. */
     public static final String EXCEPTION = "E";
-    public static final String SANS_FIN = "D";
-    public static final String FAUTE = "C";
+    public static final String SANS_FIN = "S";
+    public static final String FAUTE = "F";
+    public static final String IMPOSSIBLE = "I";
 
     private Classes classes;
     private final List<Object> objets = new ArrayList<>();
@@ -83,8 +86,7 @@ public final class Execution {
         InputStream demandes = new FileInputStream(FileDescriptor.in);
         OutputStream reponses = new FileOutputStream(aPart());
         System.setIn(InputStream.nullInputStream());
-        // les affichages d'un rendu sont ignorés
-        PrintStream puits = new PrintStream(OutputStream.nullOutputStream());
+        PrintStream puits = new Puits();
         System.setOut(puits);
         System.setErr(puits);
         try {
@@ -105,10 +107,33 @@ public final class Execution {
         return sortie;
     }
 
+    /** Ignore les affichages d'un rendu, sans même les coder : un affichage par rayon ne doit pas passer pour une boucle sans fin. */
+    private static final class Puits extends PrintStream {
+
+        Puits() {
+            super(OutputStream.nullOutputStream());
+        }
+
+        @Override
+        public void println(String texte) {
+            // rien à faire
+        }
+
+        @Override
+        public void print(String texte) {
+            // rien à faire
+        }
+
+        @Override
+        public PrintStream format(String modele, Object... arguments) {
+            return this;
+        }
+    }
+
     private byte[] repondre(DataInputStream message) throws IOException {
         try {
             List<?> demande = (List<?>) Echange.lire(message, o -> objets.get(o.numero));
-            return Echange.message(traiter(demande.get(0).toString(), demande), this::nommer);
+            return Echange.message(traiter((String) demande.get(0), demande.subList(1, demande.size())), this::nommer);
         } catch (Throwable e) {
             return Echange.message(cause(e instanceof UndeclaredThrowableException ? e.getCause() : e), this::nommer);
         }
@@ -116,19 +141,36 @@ public final class Execution {
 
     private List<?> traiter(String sorte, List<?> demande) throws IOException {
         if (sorte.equals(CLASSES)) {
-            classes = new Classes(Echange.fichiers(demande.get(1)), Execution.class.getClassLoader());
+            Map<String, byte[]> octets = new HashMap<>();
+            for (int k = 0; k < demande.size(); k += 2) {
+                octets.put((String) demande.get(k), (byte[]) demande.get(k + 1));
+            }
+            classes = new Classes(octets, Execution.class.getClassLoader());
             Thread.currentThread().setContextClassLoader(classes);
             return List.of(RENDU);
         } else if (sorte.equals(APPEL)) {
-            Object rendu = invoquer("lancer.Appels", "m" + demande.get(1), List.of(Object[].class),
-                    (Object) ((List<?>) demande.get(2)).toArray());
+            Object rendu = invoquer("lancer.Appels", "m" + demande.get(0), List.of(Object[].class),
+                    (Object) ((List<?>) demande.get(1)).toArray());
+            if (rendu instanceof Object[]) {
+                rendu = remplacer((Object[]) rendu);
+            }
             return Arrays.asList(RENDU, rendu, Arrays.asList((Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu)));
         } else if (sorte.equals(SONDE)) {
-            return List.of(RENDU, sonder((byte[]) demande.get(1), (String) demande.get(2), (List<?>) demande.get(3)));
+            return List.of(RENDU, sonder((String) demande.get(0), (byte[]) demande.get(1), (List<?>) demande.get(2)));
         }
         objets.clear();
         numeros.clear();
         return List.of(RENDU, Thread.currentThread().getThreadGroup().activeCount() - 1);
+    }
+
+    /** Une scène lue d'un fichier, puis des objets et leurs copies, que cette scène contient : chacune prend le numéro du sien. */
+    private Object remplacer(Object[] scene) {
+        for (int k = 1; k < scene.length; k += 2) {
+            Integer numero = numeros.remove(scene[k]);
+            numeros.put(scene[k + 1], numero);
+            objets.set(numero, scene[k + 1]);
+        }
+        return scene[0];
     }
 
     private Echange.Objet nommer(Object objet) {
@@ -140,7 +182,7 @@ public final class Execution {
     }
 
     /** Appelle une méthode de la sonde, dont le premier argument est un fichier de scène, écrit ici. */
-    private Object sonder(byte[] texte, String methode, List<?> arguments) throws IOException {
+    private Object sonder(String methode, byte[] texte, List<?> arguments) throws IOException {
         Path scene = Path.of(System.getProperty("java.io.tmpdir"), "scene-" + ProcessHandle.current().pid() + ".ini");
         Files.write(scene, texte);
         try {
@@ -166,11 +208,17 @@ public final class Execution {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
         boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
-        // une classe qui n'a pu être définie manque à toutes celles qui la nomment
-        String sorte = e instanceof StackOverflowError ? SANS_FIN : compile || e instanceof LinkageError ? FAUTE : EXCEPTION;
-        return List.of(sorte, (sorte.equals(FAUTE) ? "" : sorte.equals(SANS_FIN) ? "appels sans fin (StackOverflowError)"
-                : nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message)) + ou(e),
-                compile ? message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0] : "");
+        if (e instanceof StackOverflowError) {
+            return List.of(SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
+        } else if (compile) {
+            return List.of(FAUTE, ou(e), message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0]);
+        } else if (e instanceof LinkageError && !(e instanceof UnsatisfiedLinkError) && !message.startsWith("java")) {
+            // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment
+            return List.of(FAUTE, ou(e), "");
+        } else if (nom.equals("lancer.Appels$Impossible")) {
+            return List.of(IMPOSSIBLE, message, "");
+        }
+        return List.of(EXCEPTION, nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message) + ou(e), "");
     }
 
     private static String ou(Throwable e) {

@@ -21,20 +21,17 @@ public final class Confinement {
 
     private static final int DISQUE = 64 << 20;
     private static final int BLOC = 512;
-    /** Nombre maximal de descripteurs d'un processus : chacun peut retenir de la mémoire du noyau. */
-    private static final int DESCRIPTEURS = 256;
     private static final int ESSAI_SECONDES = 20;
     /** Dossier de Java, sans lien. */
     private static final String JAVA = System.getProperty("java.home");
     private static final String BOITE = "/boite.jar";
     /**
-     * Par processeur : son numéro (linux/audit.h), celui de l'appel clone, puis ceux des appels refusés. Ce sont fork, vfork, unshare, et
-     * ceux qui réservent une mémoire hors des processus (shmget, msgget, semget, memfd_create, memfd_secret, socket, io_uring_setup).
-     * L'appel socketpair reste permis, car Java en a besoin pour lire un fichier.
+     * Par processeur : son numéro (linux/audit.h), celui de l'appel clone, puis ceux des appels refusés, qui lancent un programme ou
+     * sortent d'ici : fork, vfork, unshare.
      */
     private static final Map<String, int[]> APPELS = Map.of(
-            "amd64", new int[] {0xC000003E, 56, 57, 58, 272, 29, 68, 64, 319, 447, 41, 425},
-            "aarch64", new int[] {0xC00000B7, 220, 97, 194, 186, 190, 279, 447, 198, 425});
+            "amd64", new int[] {0xC000003E, 56, 57, 58, 272},
+            "aarch64", new int[] {0xC00000B7, 220, 97});
     private static final int CLONE3 = 435;
 
     public final boolean confine;
@@ -118,44 +115,35 @@ public final class Confinement {
      *
      * @param temporaire dossier provisoire, sans confinement
      * @param visibles vrai si les archives de ce chemin sont visibles, car aucun code d'étudiant ne s'exécute
-     * @param aLire un dossier ou un fichier à lire, visible sous le nom que donne {@link #lu}
      */
-    public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire,
-            Limites limites, Path... aLire) {
+    public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire, Limites limites) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
         if (Files.isExecutable(Paths.get("/bin/sh"))) {
-            // les fichiers sont limités ; l'archive passe par un descripteur, car un lien ou un argument montrerait son nom
-            commande.addAll(List.of("/bin/sh", "-c", "ulimit -f " + DISQUE / BLOC + "; ulimit -n " + DESCRIPTEURS + "; f=$1; shift; "
-                    + "exec \"$@\""
+            // à court de mémoire, le noyau tue d'abord ce programme et tout ce qu'il a lancé ; les fichiers sont limités ; l'archive passe
+            // par un descripteur, car un lien ou un argument montrerait son nom
+            commande.addAll(List.of("/bin/sh", "-c", "{ echo 1000 >/proc/self/oom_score_adj; } 2>/dev/null; ulimit -f " + DISQUE / BLOC
+                    + "; f=$1; shift; exec \"$@\""
                     + (classes.equals(BOITE) ? " 8<\"$f\" 9<\"$0\"" : ""), chemin, String.valueOf(filtre)));
         }
         if (confine) {
             commande.addAll(enveloppe(enPlus));
             List<String> vus = visibles ? List.of(chemin.split(File.pathSeparator)) : List.of();
             vus.forEach(v -> commande.addAll(List.of("--ro-bind", v, v)));
-            Stream.of(aLire).forEach(f -> commande.addAll(List.of("--ro-bind", f.toString(), lu(f))));
             if (!visibles) {
                 commande.addAll(List.of("--seccomp", "8", "--ro-bind-data", "9", BOITE));
             }
             commande.addAll(List.of("--remount-ro", "/", "--remount-ro", "/dev", "--chdir", "/tmp"));
         }
-        commande.addAll(List.of(JAVA + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m",
-                "-XX:MaxDirectMemorySize=32m",
-                "-XX:MaxMetaspaceSize=192m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
-                "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
+        commande.addAll(List.of(JAVA + "/bin/java", "-Xmx" + limites.memoire + "m", "-Xss2m", "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
                 // la sortie standard ne sert qu'aux réponses
                 "-XX:+DisplayVMOutputToStderr", "-Xlog:disable",
                 "--add-opens", "java.base/java.io=ALL-UNNAMED",
-                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Duser.language=fr",
-                "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire), "-cp", classes,
-                principale.getName()));
+                "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Dsun.jnu.encoding=UTF-8", "-Duser.language=fr",
+                "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire)));
+        commande.addAll(List.of("-cp", classes, principale.getName()));
         return commande;
-    }
-
-    /** Le nom, dans une machine virtuelle, de ce qui y est à lire. */
-    public String lu(Path ici) {
-        return confine ? "/a-lire" : ici.toString();
     }
 
     private static List<String> enveloppe(List<String> enPlus) {
@@ -180,12 +168,21 @@ public final class Confinement {
         } catch (IOException e) {
             // pas de dossier /etc
         }
+        // Java a seulement besoin de /proc/self/exe ; le vrai /proc montrerait l'origine des fichiers, et laisserait écrire oom_score_adj
+        commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",
+                "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp"));
+        // après /tmp, qui cacherait un JDK qui y est
         if (!JAVA.startsWith("/usr/")) {
             commande.addAll(List.of("--ro-bind", JAVA, JAVA));
         }
-        // Java a seulement besoin de /proc/self/exe ; le vrai /proc montrerait l'origine des fichiers
-        commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",
-                "--dev", "/dev", "--size", String.valueOf(DISQUE), "--tmpfs", "/tmp"));
+        // sans leurs bibliothèques, les MXBean, qui montreraient la mémoire de la machine, ne se chargent pas ; --limit-modules, qui les
+        // ôterait aussi, prive Java de ses classes préparées, et double le temps de son démarrage
+        for (String nom : List.of("management", "management_ext")) {
+            String bibliotheque = JAVA + "/lib/lib" + nom + ".so";
+            if (Files.exists(Paths.get(bibliotheque))) {
+                commande.addAll(List.of("--ro-bind", "/dev/null", bibliotheque));
+            }
+        }
         return commande;
     }
 }

@@ -7,73 +7,64 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
-import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
 /**
- * Une autre machine virtuelle, qui traite une demande à la fois. Le correcteur surveille son temps de calcul, ses réponses et le nombre de
- * ses processus. L'attente est comptée en tours de surveillance, et non en temps réel : la mise en veille de la machine ne compte pas.
+ * Une autre machine virtuelle, qui traite une demande à la fois. Confinée, elle est un seul programme, dont le correcteur surveille le temps
+ * de calcul, les réponses et les fils ; sinon, une durée est tout ce qui la limite. L'attente est comptée en tours de surveillance : la mise
+ * en veille de la machine ne compte pas.
  *
  * <p>Les demandes sont numérotées. Une réponse inattendue ou trop longue n'est pas lue : cette machine virtuelle est arrêtée.
  */
 public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
-    private static final long PAGE = 4096;
     /** Unités de temps par seconde de Linux (sysconf, {@code _SC_CLK_TCK}). */
     private static final double TICS = 100;
-    /** Mémoire de la machine virtuelle hors du tas et de ses programmes, en mégaoctets. */
-    private static final long HORS_DU_TAS = 400;
     private static final byte[] FIN = new byte[0];
-    /** Statut d'un processus tué, par le système à court de mémoire ou par un utilisateur. */
+    /** Statuts de Java à court de mémoire, et d'un programme que le système a tué. */
+    private static final int MEMOIRE = 3;
     private static final int TUE = 128 + 9;
     /** Numéro attendu entre deux demandes. */
     private static final int RIEN = 0;
 
     private final Process processus;
     private final Limites limites;
+    private final boolean confine;
     private final BlockingQueue<byte[]> reponses = new LinkedBlockingQueue<>();
-    /** Fil qui écrit les demandes : un rendu qui ne les lit pas ne bloque que ce fil. */
-    private final ExecutorService ecrivain = Executors.newSingleThreadExecutor(tache -> fil(tache, "écrivain"));
+    /** Les programmes de cette machine : bwrap, deux fois, et Java. */
+    private List<ProcessHandle> tous = List.of();
     private int demandes = RIEN;
     private volatile int attendu = RIEN;
     private volatile int longueurMax;
     private volatile boolean inattendu;
     private double calculMax;
-    /** Temps de processeur au premier et au dernier contrôle de la demande ; instant du dernier. */
+    /** Temps de processeur au premier et au dernier contrôle de la demande, instants du commencement et du dernier contrôle. */
     private double debut;
     private double dernier;
+    private long commencement;
     private long controle;
-    /** Nombre de fils, et mémoire en octets, au dernier contrôle. */
-    private int fils;
-    private long tenue;
 
-    public Enfant(List<String> commande, Limites limites) {
+    public Enfant(List<String> commande, Limites limites, boolean confine) {
         this.limites = limites;
+        this.confine = confine;
         CompletableFuture<Process> lancement = new CompletableFuture<>();
-        fil(() -> lancer(commande, lancement), "lecteur").start();
+        Thread lecteur = new Thread(() -> lancer(commande, lancement), "lecteur");
+        lecteur.setDaemon(true);
+        lecteur.start();
         try {
             processus = lancement.join();
         } catch (CompletionException e) {
             throw new Panne(1, "une machine virtuelle n'a pas pu être lancée : " + e.getCause().getMessage());
         }
-    }
-
-    private static Thread fil(Runnable tache, String nom) {
-        Thread fil = new Thread(tache, nom);
-        fil.setDaemon(true);
-        return fil;
     }
 
     /** Lance le processus et lit ses réponses dans le même fil : bubblewrap est tué à la fin du fil qui l'a lancé. */
@@ -104,11 +95,12 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    /** Commence une demande : le temps de processeur permis, en secondes, est compté à partir d'ici. */
+    /** Commence une demande : le temps permis, en secondes, est compté à partir d'ici. */
     public void commencer(double calculPermis) {
         calculMax = calculPermis;
         debut = Double.NaN;
-        controle = System.nanoTime();
+        commencement = System.nanoTime();
+        controle = commencement;
     }
 
     /**
@@ -121,7 +113,8 @@ public final class Enfant implements AutoCloseable {
         longueurMax = max;
         int numero = ++demandes;
         attendu = numero;
-        ecrivain.execute(() -> {
+        // dans un autre fil : un rendu qui ne lit pas ses demandes ne bloque que lui
+        CompletableFuture.runAsync(() -> {
             try {
                 Echange.envoyer(processus.getOutputStream(), numero, demande);
             } catch (IOException e) {
@@ -156,45 +149,48 @@ public final class Enfant implements AutoCloseable {
         }
     }
 
-    /** @return vrai si le processus a calculé depuis le contrôle précédent */
+    /** @return vrai si le processus a calculé depuis le contrôle précédent, ou si cela ne se sait pas */
     private boolean controler() throws Arret {
-        List<ProcessHandle> tous = processus.descendants().collect(Collectors.toList());
-        if (tous.size() > Limites.PROCESSUS) {
-            throw arreter("arrêté : lance sans fin d'autres programmes");
-        }
-        tous.add(processus.toHandle());
-        tenue = 0;
-        fils = 0;
-        double maintenant = tous.stream().mapToDouble(this::mesurer).sum();
-        if (fils > Limites.FILS) {
-            throw arreter("arrêté : lance sans fin des fils");
-        }
-        boolean travaille = !(maintenant - dernier <= TOUR_MS / 2e4);
-        dernier = maintenant;
         controle = System.nanoTime();
+        if (!confine) {
+            double permis = Limites.SANS_CONFINEMENT * calculMax;
+            if (controle - commencement > permis * 1e9) {
+                throw arreter("arrêté : plus de " + Math.round(permis) + " s, trop long ou sans fin");
+            }
+            return true;
+        }
+        if (tous.size() < 3) {
+            tous = processus.descendants().collect(Collectors.toList());
+            tous.add(processus.toHandle());
+        }
+        double maintenant = 0;
+        for (ProcessHandle un : tous) {
+            maintenant += mesurer(un);
+        }
+        boolean travaille = maintenant - dernier > TOUR_MS / 2e4;
+        dernier = maintenant;
         debut = Double.isNaN(debut) ? maintenant : debut;
         if (maintenant - debut > calculMax) {
-            throw arreter("arrêté : plus de " + Math.round(calculMax) + " s de calcul, une boucle sans fin ?");
-        }
-        if (tenue > (limites.memoire + HORS_DU_TAS) << 20) {
-            throw arreter("arrêté : mémoire épuisée");
+            throw arreter("arrêté : plus de " + Math.round(calculMax) + " s de calcul, trop long ou sans fin");
         }
         return travaille;
     }
 
-    /** Temps de processeur, en secondes, d'un processus et de ses descendants finis (proc(5), {@code stat}). */
-    private double mesurer(ProcessHandle processus) {
+    /** Temps de processeur d'un processus, en secondes (proc(5), {@code stat}). */
+    private double mesurer(ProcessHandle un) throws Arret {
+        String stat;
         try {
-            String stat = Files.readString(Paths.get("/proc", "" + processus.pid(), "stat"), StandardCharsets.ISO_8859_1);
-            // le nom du programme, qui précède, peut contenir n'importe quel caractère
-            String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
-            fils += Integer.parseInt(champs[17]);
-            tenue += Long.parseLong(champs[21]) * PAGE;
-            return IntStream.range(11, 15).mapToLong(k -> Long.parseLong(champs[k])).sum() / TICS;
-        } catch (IOException | RuntimeException e) {
-            // le processus est fini, ou ce système n'a pas /proc
-            return processus.info().totalCpuDuration().orElse(Duration.ZERO).toMillis() / 1e3;
+            stat = Files.readString(Paths.get("/proc", "" + un.pid(), "stat"), StandardCharsets.ISO_8859_1);
+        } catch (IOException e) {
+            // le processus est fini
+            return 0;
         }
+        // le nom du programme, qui précède, peut contenir n'importe quel caractère
+        String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+        if (Integer.parseInt(champs[17]) > Limites.FILS) {
+            throw arreter("arrêté : lance sans fin des fils");
+        }
+        return (Long.parseLong(champs[11]) + Long.parseLong(champs[12])) / TICS;
     }
 
     /** Arrête la machine virtuelle, dont la réponse n'est pas dans les limites. */
@@ -211,15 +207,15 @@ public final class Enfant implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         close();
-        return inattendu ? new Arret("arrêté : a répondu ce qu'on ne lui demandait pas", false)
-                : statut == 3 ? new Arret("arrêté : mémoire épuisée", false)
-                : new Arret("arrêté : il s'est arrêté de lui-même (System.exit ?), statut " + statut, statut == TUE);
+        String cause = inattendu ? "a répondu ce qu'on ne lui demandait pas" : statut == MEMOIRE ? "mémoire épuisée"
+                : "il s'est arrêté de lui-même (System.exit ?), statut " + statut;
+        return statut == TUE && !inattendu ? new Arret("arrêté : tué par le système, à court de mémoire", true)
+                : new Arret("arrêté : " + cause, false);
     }
 
     /** Tue la machine virtuelle et ses descendants. */
     @Override
     public void close() {
-        ecrivain.shutdownNow();
         List<ProcessHandle> descendance = processus.descendants().collect(Collectors.toList());
         processus.destroyForcibly();
         descendance.forEach(ProcessHandle::destroyForcibly);

@@ -1,5 +1,6 @@
 package lancer.correction.jugement;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -31,12 +32,22 @@ public final class Chemin {
     public final int y;
     public final List<Pas> pas;
 
-    /** @param attendus réponses de la sonde avec le corrigé ; @param siens avec le rendu */
-    Chemin(int x, int y, Map<?, ?> attendus, Map<?, ?> siens) {
+    /** @param corrige réponses de la sonde avec le corrigé : des noms, chacun suivi de sa valeur ; @param rendu avec le rendu */
+    Chemin(int x, int y, List<?> corrige, List<?> rendu) {
+        Map<?, ?> attendus = parNom(corrige);
+        Map<?, ?> siens = parNom(rendu);
         this.x = x;
         this.y = y;
         pas = Stream.concat(attendus.keySet().stream(), siens.keySet().stream()).distinct()
                 .map(nom -> new Pas(nom, attendus, siens)).collect(Collectors.toList());
+    }
+
+    private static Map<Object, Object> parNom(List<?> reponses) {
+        Map<Object, Object> noms = new LinkedHashMap<>();
+        for (int k = 0; k + 1 < reponses.size(); k += 2) {
+            noms.put(reponses.get(k), reponses.get(k + 1));
+        }
+        return noms;
     }
 
     /** La première réponse différente, {@code null} s'il n'y en a pas. */

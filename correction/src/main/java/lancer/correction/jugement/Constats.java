@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import lancer.correction.depot.Faute;
 import lancer.correction.depot.Projet;
 import lancer.correction.jugement.Verdict.Etat;
 import lancer.correction.modele.SourcesDuCours;
@@ -41,7 +42,7 @@ final class Constats {
         juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> !juge.aUneFaute(c) && projet.texte(c).contains("FIXME"))
                 .forEach(c -> projet.noter(Projet.FIXME, "reste dans " + c));
         Projet.CONSIGNES.keySet().forEach(nom -> resultat.verdicts.put(GrilleDeNotation.CONSIGNES + "." + nom,
-                projet.ecarts.containsKey(nom) ? new Verdict(Etat.RATE, projet.ecarts.get(nom)) : new Verdict(Etat.REUSSI, "")));
+                new Verdict(projet.ecarts.containsKey(nom) ? Etat.FAUSSE : Etat.REUSSI, "", projet.ecarts.getOrDefault(nom, ""))));
     }
 
     /** Compare l'image et les étapes, qui doivent concorder. */
@@ -70,11 +71,12 @@ final class Constats {
 
     /** Ajoute les fautes de compilation, d'abord celles qui coûtent des points. */
     private void compiler() {
-        Set<String> perdues = juge.verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.NE_SE_COMPILE_PAS).stream()
-                .map(v -> v.classe).collect(Collectors.toSet());
-        juge.siennes().stream().filter(Faute::demandeJava).findFirst().filter(f -> perdues.isEmpty())
-                .ifPresent(f -> resultat.regarder(f.toString()));
-        juge.siennes().stream().sorted(Comparator.comparing(f -> !f.demandeJava() && !perdues.contains(f.classe())))
-                .forEach(f -> resultat.fautes.add(f.toString()));
+        Set<String> perdues = resultat.verdicts.values().stream().filter(Verdict::rate).map(v -> v.classe).collect(Collectors.toSet());
+        List<Faute> siennes = juge.siennes();
+        siennes.sort(Comparator.comparing(f -> !perdues.contains(f.classe())));
+        siennes.forEach(f -> resultat.fautes.add(f.toString()));
+        if (!siennes.isEmpty() && perdues.contains(siennes.get(0).classe())) {
+            resultat.aRegarder.add(0, JugeRendu.NE_SE_COMPILE_PAS + " : " + siennes.get(0));
+        }
     }
 }

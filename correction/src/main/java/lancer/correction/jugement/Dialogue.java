@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import lancer.correction.Panne;
+import lancer.correction.depot.Faute;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import lancer.correction.isolement.Arret;
@@ -64,15 +65,23 @@ public final class Dialogue {
 
         private static final long serialVersionUID = 1;
 
+        /** Vrai si rien ne peut être demandé au rendu : il n'est pas en faute. */
+        final boolean impossible;
+
         Echec(String message) {
+            this(message, false);
+        }
+
+        Echec(String message, boolean impossible) {
             super(message);
+            this.impossible = impossible;
         }
     }
 
     /** Un objet du rendu, avec ses champs publics. */
     public static final class Recu extends Echange.Objet {
 
-        private List<?> champs = List.of();
+        List<?> champs = List.of();
 
         Recu(Echange.Objet objet) {
             super(objet.numero, objet.classe);
@@ -115,20 +124,11 @@ public final class Dialogue {
             throw new Echec(ici.refus);
         }
         try {
-            return rendre(rend, ici.machine.demander(List.of(Execution.APPEL, methode, Arrays.asList(arguments)), Echange.REPONSE_MAX,
-                    r -> objet(reponse(r))));
+            return rendre(rend, ici.machine.appeler(methode, Arrays.asList(arguments)));
         } catch (Arret e) {
             ici.refus = e.getMessage();
             throw new Echec(ici.refus);
         }
-    }
-
-    /** Résultat d'une méthode ; si c'est un objet, ses champs le suivent. */
-    private static Object objet(List<?> reponse) {
-        if (reponse.get(1) instanceof Recu) {
-            ((Recu) reponse.get(1)).champs = (List<?>) reponse.get(2);
-        }
-        return reponse.get(1);
     }
 
     private static <T> T rendre(Class<T> rend, Object brut) {
@@ -168,19 +168,19 @@ public final class Dialogue {
         }
     }
 
-    /** La réponse de la machine virtuelle : le résultat y suit la sorte. @throws Echec si le rendu n'a pas répondu */
-    static List<?> reponse(Object valeur) {
-        List<?> reponse = (List<?>) valeur;
-        if (reponse.get(0).equals(Execution.RENDU)) {
-            return reponse;
+    /** Ce qui suit la sorte d'une réponse : le résultat. @throws Echec si le rendu n'a pas répondu */
+    static List<?> resultat(List<?> reponse) {
+        Object sorte = reponse.get(0);
+        if (sorte.equals(Execution.RENDU)) {
+            return reponse.subList(1, reponse.size());
         }
         String ou = (String) reponse.get(1);
         String quoi = (String) reponse.get(2);
-        if (reponse.get(0).equals(Execution.SANS_FIN)) {
+        if (sorte.equals(Execution.SANS_FIN)) {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
         }
-        throw new Echec(reponse.get(0).equals(Execution.FAUTE)
-                ? JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : " + Faute.francais(quoi)) : ou);
+        throw sorte.equals(Execution.FAUTE) ? new Echec(JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : "
+                + Faute.citer(quoi)), false) : new Echec(ou, sorte.equals(Execution.IMPOSSIBLE));
     }
 }

@@ -9,124 +9,128 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.UUID;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
-import lancer.correction.depot.Rendu;
-import lancer.correction.enfant.Echange;
-import org.apache.commons.io.FileUtils;
+import lancer.correction.enfant.Texte;
 
-/** Le dossier {@code resultats} : un fichier par rendu, numérotés à partir de 001, et la grille du corrigé. Il n'est remplacé qu'entier. */
+/**
+ * Le dossier {@code resultats} : un fichier par rendu, du nom de son identifiant, et rien d'autre qui les compte. Chacun est écrit à part,
+ * puis mis à sa place d'un coup : deux correcteurs à la fois donnent l'union de leurs rendus. La grille est à côté, dans
+ * {@code corrige.json}.
+ */
 public final class DossierDeResultats {
 
     /** Une image s'écrit en PNG. */
-    static final Gson JSON = new GsonBuilder().disableHtmlEscaping()
+    private static final Gson JSON = new GsonBuilder().disableHtmlEscaping()
             .registerTypeAdapter(Image.class, (JsonSerializer<Image>) (image, type, json) -> new JsonPrimitive(image.png(1)))
             .registerTypeAdapter(Image.class, (JsonDeserializer<Image>) (png, type, json) -> Image.lire(png.getAsString())).create();
+    private static final String FIN = ".json";
+    /** Longueur maximale d'un nom de fichier, sans sa fin, et longueur de son début s'il en faut plus. */
+    private static final int NOM_MAX = 200;
+    private static final int DEBUT = 160;
 
-    private static final String GRILLE = "corrige.json";
-    private static final Pattern RENDU = Pattern.compile("(\\d{3,9})-[A-Za-z0-9-]*\\.json");
+    private final Path dossier;
+    private final Path grille;
 
-    public final GrilleDeNotation grille;
-    /** Les résultats par le nom de leur fichier, sans « .json », dans l'ordre de leurs numéros. */
-    public final Map<String, Resultat> resultats = new LinkedHashMap<>();
-
-    /** @throws Panne si un résultat manque ou est abîmé */
     public DossierDeResultats(Path classe) {
-        Path dossier = classe.resolve("resultats");
-        Path lu = dossier.resolve(GRILLE);
+        dossier = classe.resolve("resultats");
+        grille = classe.resolve("corrige.json");
+    }
+
+    /** Le nom des fichiers de ce rendu, sans leur fin : deux identifiants n'ont jamais le même. */
+    public static String nom(String id) {
+        StringBuilder nom = new StringBuilder();
+        for (byte octet : id.getBytes(StandardCharsets.UTF_8)) {
+            char c = (char) (octet & 0xFF);
+            boolean sure = c < 128 && (Character.isLetterOrDigit(c) || "-_".indexOf(c) >= 0 || c == '.' && nom.length() > 0);
+            nom.append(sure ? String.valueOf(c) : String.format("%%%02X", (int) c));
+        }
+        return nom.length() <= NOM_MAX ? nom.toString()
+                : nom.substring(0, DEBUT) + "~" + UUID.nameUUIDFromBytes(id.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** @throws Panne si rien n'a été jugé, ou si ce fichier est abîmé */
+    public GrilleDeNotation grille() {
+        return lire(grille, GrilleDeNotation.class);
+    }
+
+    /** @throws Panne si le fichier d'un rendu est abîmé */
+    public List<Resultat> resultats() {
+        List<Resultat> tous = new ArrayList<>();
+        if (!Files.exists(dossier)) {
+            return tous;
+        }
+        try (Stream<Path> flux = Files.list(dossier)) {
+            for (Path fichier : flux.filter(f -> f.toString().endsWith(FIN)).sorted().collect(Collectors.toList())) {
+                tous.add(lire(fichier, Resultat.class));
+            }
+        } catch (IOException e) {
+            throw new Panne(1, "résultats illisibles : " + e);
+        }
+        return tous;
+    }
+
+    private static <T> T lire(Path fichier, Class<T> type) {
         try {
-            if (!Files.exists(dossier) && Files.exists(anciens(classe))) {
-                // un remplacement interrompu
-                Files.move(anciens(classe), dossier);
-            }
-            grille = JSON.fromJson(Files.readString(lu), GrilleDeNotation.class);
-            Map<Integer, Path> fichiers = new TreeMap<>();
-            try (Stream<Path> flux = Files.list(dossier)) {
-                flux.filter(f -> numero(f) > 0).forEach(f -> fichiers.merge(numero(f), f, (un, autre) -> dossier));
-            }
-            for (int k = 1; k <= fichiers.size(); k++) {
-                lu = fichiers.getOrDefault(k, dossier.resolve("le rendu numéro " + k));
-                Resultat resultat = JSON.fromJson(Files.readString(lu), Resultat.class);
-                resultats.put(lu.getFileName().toString().replace(".json", ""), resultat);
-                Objects.requireNonNull(resultat.id);
+            T lu = JSON.fromJson(Files.readString(fichier), type);
+            if (lu != null && (!(lu instanceof Resultat) || ((Resultat) lu).id != null)) {
+                return lu;
             }
         } catch (IOException | RuntimeException e) {
-            throw new Panne(2, "rien à noter : " + lu + " manque, ou est abîmé ; attendu : les résultats de make corriger, tous");
+            // la même phrase
         }
-    }
-
-    /** Ceux de ce dossier, {@code null} s'il n'y en a pas ; s'ils sont abîmés, de même, ou une panne s'ils sont exigés. */
-    public static DossierDeResultats chercher(Path classe, boolean exiges) {
-        try {
-            return new DossierDeResultats(classe);
-        } catch (Panne e) {
-            if (exiges && Files.exists(classe.resolve("resultats"))) {
-                throw e;
-            }
-            return null;
-        }
-    }
-
-    private static Path anciens(Path classe) {
-        return classe.resolve(".travail").resolve("anciens");
-    }
-
-    /** Le numéro du rendu dont ce fichier est le résultat ; 0 pour un autre fichier. */
-    private static int numero(Path fichier) {
-        Matcher m = RENDU.matcher(fichier.getFileName().toString());
-        return m.matches() ? Integer.parseInt(m.group(1)) : 0;
-    }
-
-    /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
-    private static void ecrire(Path fichier, Object resultat) throws IOException {
-        Files.write(fichier, JSON.toJson(resultat).getBytes(StandardCharsets.UTF_8));
+        throw new Panne(2, "rien à noter : " + fichier + " manque, ou est abîmé ; attendu : le résultat de make corriger");
     }
 
     /**
-     * Écrit ces résultats à part, puis les met à la place des anciens. Un résultat que l'on ne peut écrire devient un refus, qui dit
-     * pourquoi. Les fichiers de l'enseignant restent.
+     * Écrit la grille du corrigé.
      *
-     * @param gardes les anciens résultats qui restent, sauf ceux des mêmes étudiants ; {@code null} s'il n'en reste aucun
+     * @throws Panne si des rendus ont été jugés avec d'autres critères
      */
-    public static void ecrire(Path classe, GrilleDeNotation grille, List<Rendu> rendus, List<Resultat> juges, DossierDeResultats gardes)
-            throws IOException {
-        Path dossier = classe.resolve("resultats");
-        Path neuf = classe.resolve(".travail").resolve("resultats");
-        FileUtils.deleteDirectory(neuf.toFile());
-        if (Files.exists(dossier)) {
-            FileUtils.copyDirectory(dossier.toFile(), neuf.toFile(), f -> gardes != null || numero(f.toPath()) == 0);
+    public void ecrire(GrilleDeNotation neuve) throws IOException {
+        if (Files.exists(grille) && !resultats().isEmpty() && !JSON.toJson(grille().etapes).equals(JSON.toJson(neuve.etapes))) {
+            throw new Panne(2, "rien n'est jugé : les résultats de ce dossier viennent d'une autre version du programme ; "
+                    + "attendu : toute la classe, et NEUF=1 (--neuf) pour les mettre de côté");
         }
-        ecrire(Files.createDirectories(neuf).resolve(GRILLE), grille);
-        Map<String, String> noms = new HashMap<>();
-        if (gardes != null) {
-            gardes.resultats.forEach((nom, resultat) -> noms.put(resultat.id, nom));
-        }
-        for (int k = 0; k < juges.size(); k++) {
-            Resultat juge = juges.get(k);
-            Path fichier = neuf.resolve(noms.getOrDefault(juge.id, rendus.get(k).fichier(noms.size())) + ".json");
-            noms.putIfAbsent(juge.id, "");
-            try {
-                ecrire(fichier, juge);
-            } catch (IOException | RuntimeException | Error e) {
-                Resultat refus = new Resultat(juge.id, juge.nom);
-                refus.refus.add("ses résultats n'ont pas pu être écrits (" + Echange.protege(e.toString()) + ")");
-                ecrire(fichier, refus);
+        deposer(grille, neuve);
+    }
+
+    /**
+     * Écrit un résultat, à la place de celui du même rendu. Un résultat que l'on ne peut écrire devient un refus, qui dit pourquoi. Un
+     * résultat qui en remplace un autre, d'un travail différent, le dit.
+     */
+    public void ecrire(Resultat resultat) throws IOException {
+        Path fichier = Files.createDirectories(dossier).resolve(nom(resultat.id) + FIN);
+        if (Files.exists(fichier)) {
+            Resultat avant = lire(fichier, Resultat.class);
+            if (!resultat.empreinte.equals(avant.empreinte)) {
+                resultat.remplace = "remplace un autre travail de « " + avant.nom + " », jugé le " + avant.date;
+                resultat.regarder(resultat.remplace);
             }
         }
-        Path anciens = anciens(classe);
-        if (Files.exists(dossier)) {
-            FileUtils.deleteDirectory(anciens.toFile());
-            Files.move(dossier, anciens);
+        try {
+            deposer(fichier, resultat);
+        } catch (IOException | RuntimeException | Error e) {
+            Resultat refus = new Resultat(resultat);
+            refus.refus.add("ses résultats n'ont pas pu être écrits (" + Texte.protege(e.toString()) + ")");
+            deposer(fichier, refus);
         }
-        Files.move(neuf, dossier);
-        FileUtils.deleteDirectory(anciens.toFile());
+    }
+
+    /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
+    private static void deposer(Path fichier, Object resultat) throws IOException {
+        byte[] octets = JSON.toJson(resultat).getBytes(StandardCharsets.UTF_8);
+        Path ecrit = fichier.resolveSibling(".ecrit-" + UUID.randomUUID());
+        try {
+            Files.write(ecrit, octets);
+            Files.move(ecrit, fichier, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(ecrit);
+        }
     }
 }

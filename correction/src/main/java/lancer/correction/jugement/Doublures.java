@@ -46,7 +46,7 @@ final class Doublures {
     Doublures(Map<String, byte[]> classes) {
         try {
             ClassLoader chargeur = new Execution.Classes(classes, ClassLoader.getPlatformClassLoader());
-            sources.put("lancer/Tests", SourcesDuCours.ressource("modele/lancer/Tests.java"));
+            SourcesDuCours.VERIFICATIONS.forEach(v -> sources.put(v, SourcesDuCours.ressource("modele/" + v + ".java")));
             for (String nom : CLASSES) {
                 doubler(nom, chargeur.loadClass("lancer." + nom));
             }
@@ -92,7 +92,9 @@ final class Doublures {
         }
         for (Constructor<?> c : classe.getConstructors()) {
             if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
-                int numero = numeroter("new " + nom + "(" + passes(c, 0) + ")", false);
+                // le cours ne demande pas le constructeur d'une scène par deux listes
+                boolean listes = nom.equals("Scene") && c.getParameterTypes()[0] == List.class;
+                int numero = numeroter((listes ? "scene(" : "new " + nom + "(") + passes(c, 0) + ")", false);
                 source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue.appeler(" + RECU + ".class, "
                         + numero + arguments(c) + ")); }\n");
             }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lancer.correction.Panne;
 import lancer.correction.modele.SourcesDuCours;
 
 /**
@@ -63,13 +62,6 @@ public final class GrilleDeNotation {
     public final List<Etape> etapes = new ArrayList<>();
     /** Images du corrigé : par scène, aux coordonnées entières puis au centre des pixels ; une par extension. */
     final Map<String, Image> images = new LinkedHashMap<>();
-    /** Raison pour laquelle le code des étudiants s'est exécuté sans confinement ; vide s'il a été confiné. */
-    public String sansConfinement;
-
-    GrilleDeNotation(String sansConfinement) {
-        this.sansConfinement = sansConfinement;
-    }
-
     /** Ajoute un critère à la dernière étape si c'est la sienne, sinon à une nouvelle étape. */
     void ajouter(Verification critere) {
         if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(critere.etape)) {
@@ -81,18 +73,5 @@ public final class GrilleDeNotation {
     /** L'image du corrigé, aux coordonnées entières ou au centre des pixels ; pour une extension, aux coordonnées entières. */
     public Image getImage(String scene, boolean auCentre) {
         return images.get(scene + (auCentre ? AU_CENTRE : ""));
-    }
-
-    /**
-     * Prépare cette grille à servir aussi aux résultats d'un jugement précédent.
-     *
-     * @throws Panne si les critères n'étaient pas les mêmes
-     */
-    public void reprendre(GrilleDeNotation precedente) {
-        if (!DossierDeResultats.JSON.toJson(etapes).equals(DossierDeResultats.JSON.toJson(precedente.etapes))) {
-            throw new Panne(2, "rien n'est ajouté : les anciens résultats viennent d'une autre version du programme ; "
-                    + "attendu : toute la classe, sans AJOUTER");
-        }
-        sansConfinement = sansConfinement.isEmpty() ? precedente.sansConfinement : sansConfinement;
     }
 }

@@ -1,9 +1,8 @@
 package lancer.correction.jugement;
 
 import java.util.Comparator;
-import java.util.Map;
+import java.util.List;
 import java.util.stream.IntStream;
-import lancer.correction.enfant.Echange;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -35,28 +34,33 @@ final class JugeImage {
     Image dessiner(Assemblage assemblage, String scene) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return new Image(taille[0], taille[1], sonder(byte[].class, assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, "dessiner",
-                reference.scene(scene), taille[0], taille[1], taille[2]));
+        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, ici -> ici.sonder(byte[].class, "dessiner",
+                reference.scene(scene), taille[0], taille[1], taille[2])));
     }
 
     /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */
     Image tracer(Assemblage assemblage, String scene, int largeur, int hauteur, int profondeur) throws Arret {
-        return new Image(largeur, hauteur, sonder(byte[].class, assemblage, TEMPS, "tracer", scene, largeur, hauteur, profondeur));
+        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, ici -> ici.sonder(byte[].class, "tracer", scene, largeur, hauteur,
+                profondeur)));
     }
 
     /** Réponses intermédiaires des méthodes de ces classes. */
-    Map<?, ?> decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
+    List<?> decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonder(Map.class, assemblage, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
-                Math.min(5, taille[2]));
+        return sonder(assemblage, TEMPS, ici -> ici.sonder(List.class, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
+                Math.min(5, taille[2])));
     }
 
-    private <T> T sonder(Class<T> type, Assemblage assemblage, double temps, String methode, String scene, Object... arguments)
-            throws Arret {
+    /** Une demande à la sonde. */
+    private interface Demande<T> {
+        T faire(Machines.Rendue ici) throws Arret;
+    }
+
+    private <T> T sonder(Assemblage assemblage, double temps, Demande<T> demande) throws Arret {
         Machines.Rendue ici = juge.machine(assemblage);
         ici.commencer(temps);
         try {
-            return ici.sonder(type, type == Map.class ? Echange.REPONSE_MAX : Echange.GROSSE_REPONSE_MAX, methode, scene, arguments);
+            return demande.faire(ici);
         } catch (StackOverflowError e) {
             throw new Dialogue.Echec(e.getMessage());
         }
@@ -68,7 +72,7 @@ final class JugeImage {
         for (String scene : Reference.SCENES.keySet()) {
             Verdict verdict = juger(scene);
             resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene, verdict);
-            fausse = fausse == null && verdict.etat == Etat.RATE && resultat.images.containsKey(scene) ? scene : fausse;
+            fausse = fausse == null && verdict.etat == Etat.FAUSSE && resultat.images.containsKey(scene) ? scene : fausse;
         }
         if (fausse != null) {
             try {
@@ -90,13 +94,13 @@ final class JugeImage {
             // une image d'une seule couleur est celle du projet à compléter, sauf si getCouleurPixel est écrite
             boolean commencee = juge.aEcrit("Lancer", "getCouleurPixel") || IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
-            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.RATE : Etat.NON_COMMENCE,
+            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.FAUSSE : Etat.NON_COMMENCE, "",
                     image.combien(attendue));
         } catch (Arret e) {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
-            return new Verdict(Etat.RATE, e.getMessage());
+            return new Verdict(Etat.FAUSSE, "", e.getMessage());
         } catch (Dialogue.Echec e) {
-            return Verdict.rate(e.getMessage());
+            return new Verdict(Etat.FAUSSE, "", e.getMessage());
         }
     }
 
@@ -109,7 +113,7 @@ final class JugeImage {
         } catch (Arret | Dialogue.Echec e) {
             message = "l'image n'a pas pu être dessinée : " + e.getMessage();
         }
-        resultat.verdicts.put(extension + ".image", new Verdict(Etat.A_NOTER, message));
+        resultat.verdicts.put(extension + ".image", new Verdict(Etat.A_NOTER, "", message));
     }
 
     /** @param section vrai pour garder la section de l'extension, que le corrigé lit et qu'un rendu peut refuser */

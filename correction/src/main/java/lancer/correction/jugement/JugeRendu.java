@@ -14,6 +14,7 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.depot.Faute;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Signature;
 import lancer.correction.isolement.Arret;
@@ -44,6 +45,8 @@ final class JugeRendu implements AutoCloseable {
     private final Map<String, Assemblage> seules = new HashMap<>();
     /** Classes dont dépend une classe qui ne se compile pas seule avec le corrigé. */
     private final Map<String, String> dependances = new HashMap<>();
+    /** Vérifications que la classe visée réussit seule, et rate avec les autres classes du rendu. */
+    private final List<Verification> cachees = new ArrayList<>();
 
     JugeRendu(Reference reference, Machines.Compilation compilation, Machines machines, Projet projet, Resultat resultat)
             throws Arret {
@@ -111,7 +114,7 @@ final class JugeRendu implements AutoCloseable {
         imputer();
         if (toutes.coupe()) {
             Reference.SCENES.keySet().forEach(scene -> resultat.verdicts.put(GrilleDeNotation.IMAGE + "." + scene,
-                    new Verdict(Etat.RATE, "trop de vérifications n'ont pas fini : " + toutes.pourquoi)));
+                    new Verdict(Etat.FAUSSE, "", "trop de vérifications n'ont pas fini : " + toutes.pourquoi)));
         } else {
             // une nouvelle machine virtuelle : les vérifications ne peuvent avoir d'effet sur l'image
             close();
@@ -130,7 +133,6 @@ final class JugeRendu implements AutoCloseable {
      * vérification lui coûte des points. Si aucune classe n'échoue seule, la vérification coûte à la classe visée.
      */
     private void imputer() throws Arret {
-        List<Verification> cachees = verifications(v -> resultat.verdicts.get(v.id()).etat == Etat.CACHE);
         List<String> suspectes = new ArrayList<>(SourcesDuCours.A_COMPLETER);
         suspectes.sort(Comparator.comparing(classe -> !aUneFaute(classe)));
         suspectes.addAll(changees(SourcesDuCours.DONNEES));
@@ -143,22 +145,42 @@ final class JugeRendu implements AutoCloseable {
             for (Verification v : List.copyOf(cachees)) {
                 if (parElle.get(v.id()).etat != Etat.REUSSI) {
                     cachees.remove(v);
-                    if (!paie) {
-                        charger(v, parElle.get(v.id()).message, classe);
-                    }
+                    charger(v, paie ? Etat.REUSSI : Etat.FAUSSE, parElle.get(v.id()).message, classe);
                 }
             }
         }
+        chercherCeQuiEstGarde(cachees);
         // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
         cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
         for (Verification v : cachees) {
-            charger(v, resultat.verdicts.get(v.id()).message, v.classe);
+            charger(v, Etat.FAUSSE, resultat.verdicts.get(v.id()).message, v.classe);
             resultat.regarder("« " + v.titre + " » n'échoue qu'avec toutes les classes ensemble");
         }
     }
 
-    private void charger(Verification v, String message, String classe) {
-        resultat.verdicts.put(v.id(), Verdict.rate(message + (classe.equals(v.classe) ? ""
+    /**
+     * Attribue, parmi ces vérifications, celles qui échouent quand elles suivent toutes les autres : la classe qui les fait échouer, seule
+     * avec celles du corrigé, garde quelque chose d'un appel à l'autre.
+     */
+    private void chercherCeQuiEstGarde(List<Verification> cachees) throws Arret {
+        for (String classe : changees(SourcesDuCours.A_COMPLETER)) {
+            if (cachees.isEmpty()) {
+                break;
+            }
+            Map<String, Verdict> ensuite = lancer(seule(classe), reference.verifications).verdicts;
+            for (Verification v : List.copyOf(cachees)) {
+                if (ensuite.get(v.id()).etat != Etat.REUSSI) {
+                    cachees.remove(v);
+                    charger(v, Etat.FAUSSE, "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe, classe);
+                }
+            }
+        }
+        verifications(v -> v.etape.equals(Verification.REPETITION) && resultat.verdicts.get(v.id()).rate())
+                .forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
+    }
+
+    private void charger(Verification v, Etat etat, String message, String classe) {
+        resultat.verdicts.put(v.id(), new Verdict(etat, classe, message + (classe.equals(v.classe) ? ""
                 : " ; " + v.classe + " est juste, la faute est dans " + classe)));
         montrer(v, classe);
     }
@@ -187,8 +209,11 @@ final class JugeRendu implements AutoCloseable {
     private void montrer(Verification v, String classe) {
         if (projet.texte(classe) != null) {
             Set<String> lesquelles = nommees(v, classe);
-            resultat.methodes.put(v.id(), projet.type(classe).methodes.stream().filter(m -> lesquelles.contains(m.nom))
-                    .map(m -> m.texte + "\n").collect(Collectors.joining()));
+            List<Signature> toutes = projet.type(classe).methodes;
+            String visees = toutes.stream().filter(m -> lesquelles.contains(m.nom)).map(m -> m.texte + "\n").collect(Collectors.joining());
+            // les méthodes privées qu'elles appellent en sont une partie
+            resultat.methodes.put(v.id(), visees + toutes.stream().filter(m -> m.privee && !lesquelles.contains(m.nom)
+                    && !m.rend.isEmpty() && visees.contains(m.nom + "(")).map(m -> m.texte + "\n").collect(Collectors.joining()));
         }
     }
 
@@ -255,32 +280,35 @@ final class JugeRendu implements AutoCloseable {
             return ensemble;
         }
         if (!projet.changees.contains(v.classe)) {
-            return new Verdict(Etat.NON_COMMENCE, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
+            return new Verdict(Etat.NON_COMMENCE, v.classe, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
                     : " est celle du projet à compléter"));
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
-            return new Verdict(Etat.CACHE, ensemble.message.replace(NON_COMMENCEE, ""));
+            cachees.add(v);
+            return new Verdict(Etat.REUSSI, "", ensemble.message.replace(NON_COMMENCEE, ""));
         }
         // si elle ne se compile que dans le rendu, elle y est jugée
         Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
                 && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
         montrer(v, v.classe);
-        if (verdict.etat == Etat.NON_COMMENCE) {
-            return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, verdict.message)
+        if (verdict.etat == Etat.NON_EVALUABLE) {
+            return verdict;
+        } else if (verdict.etat == Etat.NON_COMMENCE) {
+            return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, "", verdict.message)
                     : commencee(v, verdict);
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
             String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
             return dependances.containsKey(v.classe)
-                    ? new Verdict(Etat.NON_EVALUABLE, "non évaluable : dépend de " + dependances.get(v.classe))
-                    : verdict.message.startsWith(appelee) ? new Verdict(Etat.RATE, verdict.message.substring(appelee.length()))
-                    : Verdict.rate(verdict.message + (verdict.message.contains(" : ") ? ""
+                    ? new Verdict(Etat.NON_EVALUABLE, dependances.get(v.classe), "dépend de " + dependances.get(v.classe))
+                    : verdict.message.startsWith(appelee) ? new Verdict(Etat.FAUSSE, v.classe, verdict.message.substring(appelee.length()))
+                    : new Verdict(Etat.FAUSSE, v.classe, verdict.message + (verdict.message.contains(" : ") ? ""
                             : Stream.concat(this.ensemble.fautesDe(v.classe).stream(), siennes().stream())
                             .findFirst().map(f -> " ; " + f).orElse("")));
         }
         return verdict.message.equals(reference.duSquelette(v).message)
                 && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
-                ? new Verdict(Etat.NON_COMMENCE, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+                ? new Verdict(Etat.NON_COMMENCE, v.classe, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
@@ -311,14 +339,14 @@ final class JugeRendu implements AutoCloseable {
                 && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && message.contains(m.getKey())))
                 .findFirst().orElse(null);
         if (ecrite == null || ecrite.equals(v.classe)) {
-            return ecrite == null ? verdict : new Verdict(Etat.RATE, message);
+            return ecrite == null ? verdict : new Verdict(Etat.FAUSSE, v.classe, message);
         }
         // la classe qui contient la méthode, ou une classe déjà jugée dont elle dépend
         String fautive = Stream.concat(Stream.of(ecrite), SourcesDuCours.A_COMPLETER.stream())
                 .filter(c -> !c.equals(v.classe) && aUneFaute(c))
                 .findFirst().orElse(ecrite);
         resultat.regarder(message + " : la faute est dans " + fautive + ", et " + v.classe + " n'a pu être évaluée sans elle");
-        return new Verdict(Etat.NON_EVALUABLE, message + " ; la faute est dans " + fautive);
+        return new Verdict(Etat.NON_EVALUABLE, fautive, message + " ; la faute est dans " + fautive);
     }
 
     /** Dit si l'étudiant a écrit cette méthode à compléter. */

@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,67 +11,58 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import lancer.correction.Panne;
-import lancer.correction.depot.Depot;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
+import org.apache.commons.io.FileUtils;
 
 /** Juge tous les rendus, plusieurs à la fois. */
 public final class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
-    private static final int TOUR_MS = 20;
     /** Durée maximale d'un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
-    private static final int ENTIER_MAX = 300;
+    public static final int DUREE_MAX = 300;
     /** Propriété de Java que lit {@code lancer.Tests}. */
     private static final String GRAINE = "tests.graine";
 
     private final Machines machines;
-    private final Limites limites;
+    private final Path travail;
     /** Machines virtuelles de compilation disponibles. */
     private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
     private final Confinement confinement;
     private final long graine;
+    private final int dureeMax;
     private Reference reference;
 
     /**
-     * @param travail dossier de travail
      * @param graine le nombre d'où viennent les valeurs des vérifications
+     * @param dureeMax durée maximale d'un rendu, en secondes
      * @throws Panne si cette machine ne peut juger
      */
-    public Jury(Path travail, Confinement confinement, Limites limites, long graine) {
+    public Jury(Confinement confinement, Limites limites, long graine, int dureeMax) {
         boolean sansCompilateur = ToolProvider.getSystemJavaCompiler() == null;
         if (Runtime.version().feature() < 17 || sansCompilateur) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature()
                     + (sansCompilateur ? ", sans son compilateur" : ""));
         }
-        this.limites = limites;
         this.confinement = confinement;
         this.graine = graine;
+        this.dureeMax = dureeMax;
         try {
-            machines = new Machines(confinement, limites, travail.resolve("machines"));
+            travail = Files.createTempDirectory("correction").toRealPath();
+            machines = new Machines(confinement, limites, travail);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
-        }
-    }
-
-    /** Lit les rendus d'une classe : voir {@link Depot#lire}. */
-    public List<Rendu> lire(Path rendus) {
-        if (!Files.isReadable(rendus)) {
-            throw new Panne(2, "aucun rendu à cet endroit : " + rendus + " ; attendu : un dossier, ou un .zip");
-        }
-        try (Machines.Lecture lecture = machines.new Lecture(rendus.toRealPath())) {
-            return Depot.lire(rendus, lecture);
-        } catch (IOException e) {
-            throw new Panne(2, "rendus illisibles : " + e.getMessage());
         }
     }
 
@@ -83,7 +73,7 @@ public final class Jury implements AutoCloseable {
             try {
                 // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
                 compilations.add(machines.new Compilation());
-                reference = new Reference(machines, compilations.peek(), confinement.manque, graine);
+                reference = new Reference(machines, compilations.peek(), graine);
             } catch (Arret e) {
                 throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
             }
@@ -91,28 +81,21 @@ public final class Jury implements AutoCloseable {
         return reference;
     }
 
-    /** @param fini appelé pour chaque rendu jugé, dans un fil quelconque */
+    /** @param fini appelé pour chaque rendu jugé, dans un fil quelconque, l'un après l'autre */
     public List<Resultat> juger(List<Rendu> rendus, Consumer<Resultat> fini) {
         reference();
         ExecutorService ensemble = Executors.newFixedThreadPool(Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()));
         try {
-            List<Future<Resultat>> premiers = rendus.stream().map(rendu -> ensemble.submit(() -> {
-                Resultat resultat = surveiller(rendu);
-                if (!resultat.nonCorrige) {
+            List<Future<Resultat>> promis = rendus.stream().map(rendu -> ensemble.submit(() -> {
+                Resultat resultat = limiter(rendu);
+                synchronized (this) {
                     fini.accept(resultat);
                 }
                 return resultat;
             })).collect(Collectors.toList());
             List<Resultat> resultats = new ArrayList<>();
-            for (Future<Resultat> premier : premiers) {
-                resultats.add(premier.get());
-            }
-            for (int rang = 0; rang < resultats.size(); rang++) {
-                if (resultats.get(rang).nonCorrige) {
-                    // un autre rendu a pu prendre toutes les ressources : seul, celui-ci peut être jugé
-                    resultats.set(rang, surveiller(rendus.get(rang)));
-                    fini.accept(resultats.get(rang));
-                }
+            for (Future<Resultat> un : promis) {
+                resultats.add(un.get());
             }
             return resultats;
         } catch (InterruptedException | ExecutionException e) {
@@ -122,66 +105,58 @@ public final class Jury implements AutoCloseable {
         }
     }
 
-    /** Juge un rendu dans son propre fil, qui est abandonné s'il ne finit pas. */
-    private Resultat surveiller(Rendu rendu) throws InterruptedException {
-        Machines.Compilation libre = compilations.poll();
-        Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
-        AtomicReference<Resultat> resultat = new AtomicReference<>();
-        Thread fil = new Thread(() -> {
-            try {
-                resultat.set(juger(rendu, compilation));
-            } catch (Panne | OutOfMemoryError e) {
-                resultat.set(refuse(rendu, List.of("non corrigé : "
-                        + Echange.protege(String.valueOf(e instanceof Panne ? e.getMessage() : e)))));
-                resultat.get().nonCorrige = true;
-            } catch (Throwable e) {
-                // un rendu qui fait échouer le correcteur n'empêche pas de juger les autres
-                resultat.set(refuse(rendu, List.of("arrêté : le correcteur n'a pas su le lire (" + Echange.protege(e.toString()) + ")")));
-            }
-        }, "jury");
+    /** Juge un rendu dans un fil que l'on abandonne s'il dure trop. */
+    private Resultat limiter(Rendu rendu) throws InterruptedException {
+        FutureTask<Resultat> tache = new FutureTask<>(() -> juger(rendu));
+        Thread fil = new Thread(tache, "jury");
         fil.setDaemon(true);
         fil.start();
-        String trop = "";
-        for (long debut = System.nanoTime(); fil.isAlive() && trop.isEmpty(); fil.join(TOUR_MS)) {
-            trop = ManagementFactory.getThreadMXBean().getThreadCpuTime(fil.getId()) > limites.propre * 1e9
-                    ? Math.round(limites.propre) + " s de calcul du correcteur lui-même"
-                    : System.nanoTime() - debut > ENTIER_MAX * 1e9
-                    ? ENTIER_MAX + " s en tout" : "";
+        try {
+            return tache.get(dureeMax, TimeUnit.SECONDS);
+        } catch (TimeoutException e) {
+            tache.cancel(true);
+            return refuse(rendu, List.of("arrêté : plus de " + dureeMax + " s en tout"));
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            boolean panne = cause instanceof Panne || cause instanceof OutOfMemoryError;
+            String dite = Texte.protege(String.valueOf(cause instanceof Panne ? cause.getMessage() : cause));
+            // un rendu qui fait échouer le correcteur n'empêche pas de juger les autres
+            Resultat refus = refuse(rendu, List.of(panne ? "non corrigé : " + dite
+                    : "arrêté : le correcteur n'a pas su le lire (" + dite + ")"));
+            refus.nonCorrige = panne;
+            return refus;
         }
-        if (trop.isEmpty()) {
-            compilations.add(compilation);
-            return resultat.get();
-        }
-        fil.interrupt();
-        compilation.close();
-        return refuse(rendu, List.of("arrêté : plus de " + trop));
     }
 
-    private Resultat juger(Rendu rendu, Machines.Compilation compilation) {
+    private Resultat juger(Rendu rendu) {
         if (rendu.sources.isEmpty()) {
             return refuse(rendu, rendu.refus);
         }
+        Machines.Compilation libre = compilations.poll();
+        Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
         Resultat resultat = null;
         try {
             // de plusieurs copies, celle qui réussit le plus de critères est gardée
-            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.squelette)) {
-                try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu.id, rendu.nom))) {
+            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours)) {
+                try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu, confinement.manque))) {
                     Resultat sien = juge.juger();
                     resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
                 }
             }
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation, ou en prenant ses classes)"));
+        } finally {
+            compilations.add(compilation);
         }
         rendu.refus.forEach(resultat::regarder);
-        Echange.abreger(resultat.remarques);
-        Echange.abreger(resultat.aRegarder);
-        Echange.abreger(resultat.fautes);
+        Texte.abreger(resultat.remarques);
+        Texte.abreger(resultat.aRegarder);
+        Texte.abreger(resultat.fautes);
         return resultat;
     }
 
-    private static Resultat refuse(Rendu rendu, List<String> causes) {
-        Resultat resultat = new Resultat(rendu.id, rendu.nom);
+    private Resultat refuse(Rendu rendu, List<String> causes) {
+        Resultat resultat = new Resultat(rendu, confinement.manque);
         resultat.refus.addAll(causes);
         resultat.remarques.addAll(rendu.remarques);
         return resultat;
@@ -194,5 +169,6 @@ public final class Jury implements AutoCloseable {
             reference.close();
         }
         System.clearProperty(GRAINE);
+        FileUtils.deleteQuietly(travail.toFile());
     }
 }

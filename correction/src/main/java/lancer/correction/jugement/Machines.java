@@ -1,16 +1,18 @@
 package lancer.correction.jugement;
 
+import com.google.gson.Gson;
+import com.google.gson.JsonParseException;
 import java.io.DataInputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
@@ -21,20 +23,16 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import javax.tools.JavaCompiler;
 import lancer.correction.Panne;
-import lancer.correction.depot.Depot;
-import lancer.correction.enfant.Compilateur;
-import lancer.correction.enfant.Contenu;
+import lancer.correction.depot.Compilateur;
+import lancer.correction.depot.Faute;
+import lancer.correction.depot.Lecteur;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
-import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
-import org.apache.commons.compress.archivers.zip.ZipFile;
 import org.apache.commons.io.FileUtils;
-import org.apache.commons.io.function.IOSupplier;
-import org.apache.commons.lang3.ArrayFill;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
@@ -50,15 +48,14 @@ final class Machines {
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
     private final String chemin = chemin(Stream.concat(
-            Stream.of(Execution.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
             .filter(c -> c.getName().startsWith("org.eclipse."))));
 
-    /** @param dossier son contenu est effacé */
+    /** @param dossier dossier de travail, à soi seul */
     Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
         this.confinement = confinement;
         this.limites = limites;
-        FileUtils.deleteDirectory(dossier.toFile());
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {
@@ -91,6 +88,11 @@ final class Machines {
         }
     }
 
+    /** Lecture d'une réponse. */
+    private interface Reponse<T> {
+        T lire(DataInputStream reponse) throws IOException;
+    }
+
     /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
     private abstract class Machine implements AutoCloseable {
 
@@ -102,15 +104,16 @@ final class Machines {
          * @return vrai si elle vient d'être lancée
          * @throws Panne si elle ne répond pas
          */
-        boolean lancer(Class<?> principale, String chemin, Limites siennes, Object premiere, Path... aLire) {
+        boolean lancer(Class<?> principale, String chemin, Limites siennes, byte[] premiere) {
             if (enfant != null) {
                 return false;
             }
-            enfant = new Enfant(confinement.java(principale, chemin, principale != Execution.class, outillage.getParent(), siennes, aLire),
-                    siennes);
+            boolean executee = principale == Execution.class;
+            enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes), siennes,
+                    confinement.confine);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
-                demander(premiere, Echange.REPONSE_MAX, reponse -> reponse);
+                demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
                 return true;
             } catch (Arret e) {
                 throw new Panne(1, "une machine virtuelle n'a pas pu commencer : " + e.getMessage());
@@ -118,20 +121,18 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(Object demande, int max, Function<Object, T> lecture) throws Arret {
+        <T> T demander(byte[] demande, int max, Reponse<T> lecture) throws Arret {
             try {
-                DataInputStream reponse = enfant.demander(Echange.message(demande, o -> (Echange.Objet) o), max);
+                DataInputStream reponse = enfant.demander(demande, max);
                 try {
-                    T lue = lecture.apply(Echange.lire(reponse, Dialogue.Recu::new));
+                    T lue = lecture.lire(reponse);
                     if (reponse.available() == 0) {
                         return lue;
                     }
-                } catch (IOException | ClassCastException | IndexOutOfBoundsException | NullPointerException e) {
+                } catch (IOException | ClassCastException | IndexOutOfBoundsException | NullPointerException | JsonParseException e) {
                     // réponse trop courte, ou d'une autre forme
                 }
                 throw enfant.arreter("arrêté : a répondu ce qui n'a pas de sens");
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
             } catch (Arret e) {
                 close();
                 throw e;
@@ -144,27 +145,6 @@ final class Machines {
                 enfant.close();
                 enfant = null;
             }
-        }
-    }
-
-    /** Machine virtuelle qui lit les dossiers et les archives d'une classe ; elle n'exécute aucun rendu. */
-    final class Lecture extends Machine implements Depot.Acces {
-
-        private final Path rendus;
-
-        Lecture(Path rendus) {
-            this.rendus = rendus;
-        }
-
-        @Override
-        public List<?> demander(Map<String, byte[]> noms) throws Arret {
-            lancer(Contenu.class, Machines.chemin(Stream.of(Contenu.class, ZipFile.class, IOSupplier.class, ArrayFill.class)),
-                    Limites.DE_COMPILATION, Map.of(), rendus);
-            enfant.commencer(Limites.DE_COMPILATION.calcul);
-            Map<String, byte[]> demande = new LinkedHashMap<>();
-            demande.put(confinement.lu(rendus), new byte[0]);
-            demande.putAll(noms);
-            return demander(demande, Echange.GROSSE_REPONSE_MAX, reponse -> (List<?>) reponse);
         }
     }
 
@@ -189,20 +169,16 @@ final class Machines {
     /** Machine virtuelle qui lit et compile des sources ; elle n'exécute aucun rendu. */
     final class Compilation extends Machine {
 
-        /** Lecture de ces textes par le JDK, une valeur par texte : voir {@link Lecteur#lire}. */
-        List<?> lire(List<String> textes) throws Arret {
-            Map<String, String> tous = new LinkedHashMap<>();
-            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
-            return demander(Compilateur.LIRE, tous, lus -> ((List<?>) lus).subList(0, textes.size()));
+        /** Lecture de ces textes par le JDK : voir {@link Lecteur#lire}. */
+        Lecteur.Fichier[] lire(List<String> textes) throws Arret {
+            return textes.isEmpty() ? new Lecteur.Fichier[0] : demander(new Compilateur.Demande(textes, Map.of())).lus;
         }
 
-        private <T> T demander(String sorte, Map<String, String> textes, Function<Object, T> lecture) throws Arret {
-            Map<String, byte[]> octets = new LinkedHashMap<>();
-            textes.forEach((nom, texte) -> octets.put(nom, texte.getBytes(StandardCharsets.UTF_8)));
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, List.of(Compilateur.COMPILER, Map.of()));
+        private Compilateur.Reponse demander(Compilateur.Demande demande) throws Arret {
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Compilateur.ecrire(new Compilateur.Demande(List.of(), Map.of())));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(List.of(sorte, octets), Echange.GROSSE_REPONSE_MAX, lecture);
+                return demander(Compilateur.ecrire(demande), Echange.GROSSE_REPONSE_MAX, r -> Compilateur.lire(Compilateur.Reponse.class, r));
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -216,13 +192,12 @@ final class Machines {
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou s'il est tué
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
-            List<?> reponse = demander(Compilateur.COMPILER, sources, r -> (List<?>) r);
-            if (reponse.isEmpty()) {
+            Compilateur.Reponse reponse = demander(new Compilateur.Demande(List.of(), sources));
+            if (reponse.classes.isEmpty()) {
                 close();
                 throw new Arret("arrêté : ces sources font échouer le compilateur", false);
             }
-            return new Assemblage(Echange.fichiers(reponse.get(1)), ((List<?>) reponse.get(0)).stream()
-                    .map(f -> new Faute((List<?>) f)).collect(Collectors.toList()));
+            return new Assemblage(reponse.classes, reponse.fautes);
         }
     }
 
@@ -235,10 +210,16 @@ final class Machines {
             this.classes = classes;
         }
 
+        /** Demande ceci à un rendu, et rend ce que donne sa réponse. */
+        private <T> T demander(int max, Function<List<?>, T> lecture, Object... demande) throws Arret {
+            return demander(Echange.message(Arrays.asList(demande), o -> (Echange.Objet) o), max, reponse ->
+                    lecture.apply(Dialogue.resultat((List<?>) Echange.lire(reponse, Dialogue.Recu::new))));
+        }
+
         /** Commence une demande qui n'utilise plus les objets de la précédente. */
         void oublier() throws Arret {
             commencer(1);
-            if (!demander(List.of(Execution.OUBLI), Echange.REPONSE_MAX, reponse -> reponse.equals(List.of(Execution.RENDU, 0)))) {
+            if (!demander(Echange.REPONSE_MAX, r -> r.get(0).equals(0), Execution.OUBLI)) {
                 // des fils s'exécutent encore : il faut une nouvelle machine virtuelle
                 close();
                 commencer(1);
@@ -250,17 +231,29 @@ final class Machines {
          * @throws Arret si ces classes arrêtent une nouvelle machine virtuelle
          */
         void commencer(double fois) throws Arret {
-            if (lancer(Execution.class, outillage.toString(), limites, List.of(Execution.CLASSES, Map.of()))) {
-                demander(List.of(Execution.CLASSES, classes), Echange.REPONSE_MAX, reponse -> reponse);
+            if (lancer(Execution.class, outillage.toString(), limites, Echange.message(List.of(Execution.CLASSES), o -> null))) {
+                List<Object> demande = new ArrayList<>(List.of(Execution.CLASSES));
+                classes.forEach((nom, octets) -> demande.addAll(List.of(nom, octets)));
+                demander(Echange.REPONSE_MAX, r -> r, demande.toArray());
             }
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Réponse, de ce type, de la sonde sur cette scène. @param max taille maximale de la réponse, en octets */
-        <T> T sonder(Class<T> type, int max, String methode, String scene, Object... arguments) throws Arret {
-            return demander(List.of(Execution.SONDE, scene.getBytes(StandardCharsets.UTF_8), methode,
-                    Stream.of(arguments).map(String::valueOf).collect(Collectors.toList())), max,
-                    reponse -> type.cast(Dialogue.reponse(reponse).get(1)));
+        /** Appelle une méthode, par son numéro ; si elle rend un objet, ses champs le suivent. */
+        Object appeler(int methode, List<?> arguments) throws Arret {
+            return demander(Echange.REPONSE_MAX, reponse -> {
+                if (reponse.get(0) instanceof Dialogue.Recu) {
+                    ((Dialogue.Recu) reponse.get(0)).champs = (List<?>) reponse.get(1);
+                }
+                return reponse.get(0);
+            }, Execution.APPEL, methode, arguments);
+        }
+
+        /** Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène. */
+        <T> T sonder(Class<T> sorte, String methode, String scene, Object... arguments) throws Arret {
+            int max = sorte == byte[].class ? Echange.GROSSE_REPONSE_MAX : Echange.REPONSE_MAX;
+            return demander(max, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
+                    scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
         }
     }
 }

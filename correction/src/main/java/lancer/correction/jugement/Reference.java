@@ -5,10 +5,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import lancer.correction.depot.Cours;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
-import lancer.correction.depot.Source;
-import lancer.correction.depot.Type;
 import lancer.correction.isolement.Arret;
 import lancer.correction.jugement.Machines.Assemblage;
 import lancer.correction.jugement.Verdict.Etat;
@@ -30,7 +30,7 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Les classes du cours, lues par le JDK. */
-    final Map<String, Type> squelette;
+    final Cours cours;
     final Verifications junit;
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
@@ -44,25 +44,25 @@ public final class Reference implements AutoCloseable {
     private final JugeRendu juge;
 
     /** @param graine le nombre d'où viennent les scènes jugées */
-    Reference(Machines machines, Machines.Compilation compilation, String sansConfinement, long graine) throws Arret {
+    Reference(Machines machines, Machines.Compilation compilation, long graine) throws Arret {
         this.graine = graine;
-        this.squelette = Source.squelette(compilation::lire);
+        cours = new Cours(compilation::lire);
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
-        Projet projet = Projet.copies(squelette, compilation::lire, this.squelette).get(0);
+        Projet projet = Projet.copies(squelette, compilation::lire, cours).get(0);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();
         junit = new Verifications(compilation.compiler(doublures.sources).classes);
         verifications = junit.lister();
-        juge = new JugeRendu(this, compilation, machines, projet, new Resultat("", ""));
+        juge = new JugeRendu(this, compilation, machines, projet, new Resultat(squelette, ""));
         assemblage = juge.assembler(SourcesDuCours.tout(SourcesDuCours::corrige));
         Map<String, Verdict> duSquelette = juge.lancer(juge.ensemble, verifications).verdicts;
         verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
-        grille = new GrilleDeNotation(sansConfinement);
+        grille = new GrilleDeNotation();
         remplir();
-        for (String classe : SourcesDuCours.A_COMPLETER) {
+        for (String classe : verifications.stream().map(v -> v.classe).collect(Collectors.toSet())) {
             seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
         }
     }
@@ -74,7 +74,7 @@ public final class Reference implements AutoCloseable {
 
     /** Remplit la grille : vérifications, scènes, extensions, consignes, images du corrigé. */
     private void remplir() throws Arret {
-        verifications.forEach(grille::ajouter);
+        verifications.stream().filter(v -> !v.etape.equals(Verification.REPETITION)).forEach(grille::ajouter);
         for (Map.Entry<String, int[]> scene : SCENES.entrySet()) {
             String nom = scene.getKey();
             int[] taille = scene.getValue();
@@ -99,7 +99,7 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Réponses intermédiaires des méthodes du corrigé. */
-    synchronized Map<?, ?> chemin(String scene, double x, double y) throws Arret {
+    synchronized List<?> chemin(String scene, double x, double y) throws Arret {
         return juge.images.decrire(assemblage, scene, x, y);
     }
 

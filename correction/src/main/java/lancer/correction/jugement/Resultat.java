@@ -1,9 +1,12 @@
 package lancer.correction.jugement;
 
+import java.time.LocalDateTime;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lancer.correction.depot.Rendu;
 
 /**
  * Résultat du jugement d'un rendu, écrit dans son propre fichier. La note n'y est pas : elle dépend du barème et des points que donne
@@ -11,9 +14,17 @@ import java.util.Map;
  */
 public final class Resultat {
 
-    /** Identifiant et nom de l'étudiant. */
+    /** Identifiant et nom de l'étudiant, et noms des entrées de la classe qui sont son rendu. */
     public final String id;
     public final String nom;
+    public final List<String> entrees;
+    /** Ce qui distingue ce travail d'un autre, et quand il a été jugé. */
+    public final String empreinte;
+    public final String date = LocalDateTime.now().format(DateTimeFormatter.ofPattern("dd/MM/yyyy à HH:mm:ss"));
+    /** Ce que ce résultat a remplacé, vide s'il n'a rien remplacé. */
+    public transient String remplace = "";
+    /** Raison pour laquelle ce rendu s'est exécuté sans confinement ; vide s'il a été confiné. */
+    public final String sansConfinement;
     /** Raisons pour lesquelles rien n'a pu être jugé ; vide sinon. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
@@ -35,9 +46,21 @@ public final class Resultat {
     /** Les classes qui, seules avec celles du corrigé, changent l'image. */
     public final List<String> classesFautives = new ArrayList<>();
 
-    Resultat(String id, String nom) {
-        this.id = id;
-        this.nom = nom;
+    Resultat(Rendu rendu, String sansConfinement) {
+        this.id = rendu.id;
+        this.nom = rendu.nom;
+        this.entrees = List.copyOf(rendu.entrees.keySet());
+        this.empreinte = rendu.empreinte();
+        this.sansConfinement = sansConfinement;
+    }
+
+    /** Un résultat du même rendu, sans rien de ce qu'il a donné. */
+    Resultat(Resultat autre) {
+        this.id = autre.id;
+        this.nom = autre.nom;
+        this.entrees = autre.entrees;
+        this.empreinte = autre.empreinte;
+        this.sansConfinement = autre.sansConfinement;
     }
 
     /** Ajoute une raison d'examiner ce rendu, sans doublon. */
@@ -49,7 +72,7 @@ public final class Resultat {
 
     /** Verdict d'un critère ; « non commencé » s'il n'a pas été essayé. */
     public Verdict verdict(Verification critere) {
-        return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, ""));
+        return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, "", ""));
     }
 
     long reussis() {

@@ -1,19 +1,16 @@
 package lancer.correction.jugement;
 
-/** Résultat d'une vérification. */
+/** Résultat d'une vérification, et la classe en cause si elle échoue. */
 public final class Verdict {
 
-    /** États, du meilleur au pire. */
+    /** États ; deux sont des reproches, ou leur absence : « fausse » et « non évaluable ». */
     public enum Etat {
         REUSSI("réussi"),
-        /** La classe est juste, seule avec celles du corrigé ; une autre classe du rendu fait échouer la vérification. */
-        CACHE("juste, caché par une autre classe"),
         /** Une extension rendue, dont l'enseignant donne les points. */
         A_NOTER("à noter"),
         NON_EVALUABLE("non évaluable"),
         NON_COMMENCE("non commencé"),
-        NE_SE_COMPILE_PAS("ne se compile pas"),
-        RATE("raté");
+        FAUSSE("fausse");
 
         public final String texte;
 
@@ -23,25 +20,23 @@ public final class Verdict {
     }
 
     public final Etat etat;
+    /** La classe en cause, vide s'il n'y en a pas. */
+    public final String classe;
     public final String message;
 
-    public Verdict(Etat etat, String message) {
+    public Verdict(Etat etat, String classe, String message) {
         this.etat = etat;
+        this.classe = classe;
         this.message = message;
-    }
-
-    /** Verdict d'un échec : raté, ou ne se compile pas, d'après le message. */
-    static Verdict rate(String message) {
-        return new Verdict(message.startsWith(JugeRendu.NE_SE_COMPILE_PAS) ? Etat.NE_SE_COMPILE_PAS : Etat.RATE, message);
     }
 
     /** Dit si la vérification échoue. */
     public boolean rate() {
-        return etat == Etat.RATE || etat == Etat.NE_SE_COMPILE_PAS;
+        return etat == Etat.FAUSSE;
     }
 
     /** Dit si la vérification rapporte ses points. */
     public boolean compte() {
-        return etat == Etat.REUSSI || etat == Etat.CACHE;
+        return etat == Etat.REUSSI;
     }
 }

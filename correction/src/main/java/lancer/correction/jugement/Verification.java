@@ -8,6 +8,9 @@ import org.junit.platform.launcher.TestIdentifier;
 /** Un critère d'une étape : une vérification de {@code lancer.Tests}, l'image d'une scène, une extension ou une consigne. */
 public final class Verification {
 
+    /** L'étape qui ne vaut aucun point : ce qu'une classe garde d'un appel à l'autre est dit, et coûte là où cela rend faux. */
+    static final String REPETITION = "repetition";
+
     final String etape;
     /** Le titre de son étape. */
     final String titreEtape;
@@ -40,7 +43,7 @@ public final class Verification {
 
     /** La première étiquette qui est le nom d'une classe du cours, ou qui ne l'est pas. */
     private static String etiquette(TestIdentifier test, boolean duCours) {
-        return test.getTags().stream().map(TestTag::getName).filter(e -> SourcesDuCours.A_COMPLETER.contains(e) == duCours)
+        return test.getTags().stream().map(TestTag::getName).filter(e -> SourcesDuCours.classes().contains(e) == duCours)
                 .sorted().findFirst().orElse("");
     }
 

@@ -7,8 +7,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
+import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.Verdict.Etat;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.TestExecutionResult;
@@ -39,7 +39,7 @@ final class Verifications {
     /** Demande à JUnit, sans les réglages de l'environnement : les doublures dépendent du fil qui exécute. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
-                .enableImplicitConfigurationParameters(false).build();
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0").build();
     }
 
     List<Verification> lister() {
@@ -61,7 +61,7 @@ final class Verifications {
 
         private Bilan(List<Verification> verifications, Dialogue dialogue) {
             this.dialogue = dialogue;
-            verifications.forEach(v -> verdicts.put(v.id(), new Verdict(Etat.RATE, "la vérification n'a pas pu commencer")));
+            verifications.forEach(v -> verdicts.put(v.id(), new Verdict(Etat.FAUSSE, v.classe, "la vérification n'a pas pu commencer")));
         }
 
         /** Dit si les dernières vérifications n'ont pas été exécutées. */
@@ -84,17 +84,25 @@ final class Verifications {
                     dialogue.refus = "non lancé, ce qui précède n'ayant pas fini : " + arret;
                 }
             }
-            verdicts.put(new Verification("", test).id(), arret != null ? new Verdict(Etat.RATE, arret)
-                    : new Verdict(fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
-                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.RATE,
-                    fin.getThrowable().map(Bilan::message).orElse("")));
+            Verification v = new Verification("", test);
+            verdicts.put(v.id(), arret != null ? new Verdict(Etat.FAUSSE, v.classe, arret)
+                    : new Verdict(etat(fin), v.classe, fin.getThrowable().map(Bilan::message).orElse("")));
+        }
+
+        private static Etat etat(TestExecutionResult fin) {
+            Throwable cause = fin.getThrowable().orElse(null);
+            if (cause instanceof Dialogue.Echec && ((Dialogue.Echec) cause).impossible) {
+                return Etat.NON_EVALUABLE;
+            }
+            return fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
+                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
         }
 
         private static String message(Throwable e) {
             String message = String.valueOf(e.getMessage());
             boolean parle = e instanceof AssertionError || e instanceof Dialogue.Echec
                     || e instanceof StackOverflowError || e.getClass().getName().startsWith("org.opentest4j.");
-            return Echange.protege(parle ? message.replaceFirst("^Assumption failed: ", "")
+            return Texte.protege(parle ? message.replaceFirst("^Assumption failed: ", "")
                     : e instanceof NullPointerException ? "une méthode rend null, là où la vérification attend un objet"
                     : e.getClass().getSimpleName() + " : " + message + ", dans la vérification");
         }

@@ -42,6 +42,9 @@ public final class SourcesDuCours {
     /** Les extensions, dans l'ordre du cours. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
+    /** Ce qui vérifie un projet : les vérifications et leurs valeurs, l'ordre des causes de leurs échecs, les réponses qui changent. */
+    public static final List<String> VERIFICATIONS = List.of("lancer/Tests", "lancer/Valeurs", "lancer/Causes", "lancer/Repetition");
+
     private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
 
@@ -173,7 +176,7 @@ public final class SourcesDuCours {
             // Tests demande les reflets de Phong, et ceux de Blinn ne leur sont égaux que dans la direction réfléchie
             fichiers.put(".mvn/maven.config", "-DexcludedGroups=phong\n");
         }
-        fichiers.put("src/test/java/lancer/Tests.java", ressource("modele/lancer/Tests.java"));
+        VERIFICATIONS.forEach(nom -> fichiers.put("src/test/java/" + nom + ".java", ressource("modele/" + nom + ".java")));
         SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
         PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
         Path racine = Paths.get(dossier);

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Source;
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
@@ -70,7 +70,7 @@ public final class Ajustements {
     /** @return la faute de cette ligne, vide s'il n'y en a pas */
     private String prendre(CSVRecord ligne, Collection<String> ids, GrilleDeNotation grille, Bareme bareme) {
         String lu = ligne.get(0);
-        String id = ids.stream().filter(i -> lu.equals(i) || lu.equals(Echange.sansFormule(i))).findFirst()
+        String id = ids.stream().filter(i -> lu.equals(i) || lu.equals(Texte.sansFormule(i))).findFirst()
                 .orElse(lu.replaceFirst("^\\D+", ""));
         if (ligne.size() < 3 || ligne.size() > 4) {
             return "attendu : " + TITRES;
@@ -113,7 +113,7 @@ public final class Ajustements {
         for (Eleve eleve : eleves) {
             de(eleve.resultat.id).values().forEach(ligne -> tableau.add(ligne.cases));
             (eleve.illisible() ? List.<String>of() : eleve.aNoter()).forEach(critere ->
-                    tableau.add(List.of(Echange.sansFormule(eleve.resultat.id), critere, "", "")));
+                    tableau.add(List.of(Texte.sansFormule(eleve.resultat.id), critere, "", "")));
         }
         ecrire(dossier.resolve("ajustements-a-remplir.csv"), tableau);
     }

@@ -13,7 +13,7 @@ import lancer.correction.jugement.Verdict;
 /**
  * Un rendu jugé et sa note. Chaque étape rapporte la part de ses critères réussis, ou les points que donne l'enseignant. Seul l'enseignant
  * donne les points d'une extension ou d'une ligne libre du barème. Un critère non évaluable n'est pas une faute, mais ne rapporte rien :
- * {@link #perdus} donne les points perdus.
+ * {@link #nonEvaluables} donne les points perdus.
  */
 public final class Eleve {
 
@@ -50,9 +50,9 @@ public final class Eleve {
             return verdicts.stream().filter(v -> v.etat == etat).count();
         }
 
-        /** Points perdus par les critères de cet état ; aucun si l'enseignant a donné les points. */
-        private double perdus(Verdict.Etat etat) {
-            return ajustement != null || comptent == 0 ? 0 : sur * nombre(etat) / comptent;
+        /** Points perdus par les critères non évaluables ; aucun si l'enseignant a donné les points. */
+        private double perdus() {
+            return ajustement != null || comptent == 0 ? 0 : sur * nombre(Verdict.Etat.NON_EVALUABLE) / comptent;
         }
 
         /** Dit si tout est réussi, ou si l'enseignant a donné tous les points. */
@@ -76,6 +76,8 @@ public final class Eleve {
     public final String atteinte;
     /** La première étape du cours incomplète après laquelle aucune n'est complète ; vide si la dernière l'est. */
     public final String arret;
+    /** Ce que la feuille de Moodle dit de ce rendu : remis, en retard de deux jours ; vide sans feuille. */
+    public String statut = "";
     /** La note, de 0 à {@link Bareme#total}. */
     public final double note;
 
@@ -108,8 +110,9 @@ public final class Eleve {
                 + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
                 + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions))
                 + (aNoter.isEmpty() ? "" : " ; extensions à noter : " + String.join(", ", aNoter));
-        dire("coûtés par ce qui ne se compile pas : ", Verdict.Etat.NE_SE_COMPILE_PAS, resultat.fautes);
-        dire("perdus par ce qui n'a pu être évalué", Verdict.Etat.NON_EVALUABLE, List.of());
+        if (nonEvaluables() > 0) {
+            aRegarder.add(String.format(Locale.FRANCE, "%.2f points perdus par ce qui n'a pu être évalué", nonEvaluables()));
+        }
     }
 
     /** Noms des extensions rendues et des lignes libres dont les points ne sont pas encore donnés. */
@@ -117,21 +120,9 @@ public final class Eleve {
         return parts.entrySet().stream().filter(p -> p.getValue().aNoter).map(Map.Entry::getKey).collect(Collectors.toList());
     }
 
-    private double perdus(Verdict.Etat etat) {
-        return parts.values().stream().mapToDouble(p -> p.perdus(etat)).sum();
-    }
-
-    private void dire(String cause, Verdict.Etat etat, List<String> fautes) {
-        double perdus = perdus(etat);
-        if (perdus > 0) {
-            aRegarder.add(fautes.isEmpty() ? aRegarder.size() : 0, String.format(Locale.FRANCE, "%.2f points %s%s", perdus, cause,
-                    fautes.isEmpty() ? "" : fautes.get(0)));
-        }
-    }
-
     /** Points perdus par ce qui n'a pu être évalué. */
     public double nonEvaluables() {
-        return perdus(Verdict.Etat.NON_EVALUABLE);
+        return parts.values().stream().mapToDouble(p -> p.perdus()).sum();
     }
 
     public boolean illisible() {

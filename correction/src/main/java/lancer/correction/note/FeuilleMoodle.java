@@ -5,9 +5,12 @@ import java.io.StringWriter;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.time.LocalDateTime;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +22,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.Panne;
 import lancer.correction.depot.Source;
+import lancer.correction.enfant.Texte;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
@@ -38,8 +42,6 @@ public final class FeuilleMoodle {
     private static final String FIN = " ; le détail est dans le fichier de retour.";
     private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), étape atteinte, « [^\n»]* »"
             + Pattern.quote(FIN));
-    /** Ni note, ni commentaire. */
-    private static final String[] RIEN = {"", ""};
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
@@ -54,6 +56,7 @@ public final class FeuilleMoodle {
     public final double sur;
     private final int commentaire;
     private final int modifiable;
+    private final int statut;
 
     /** @throws Panne si Moodle n'accepterait pas cette feuille de notes, ou si la note maximale ne s'y lit pas */
     public FeuilleMoodle(Path fichier) {
@@ -76,6 +79,7 @@ public final class FeuilleMoodle {
         maximum = colonne(true, "Maximum grade", "Note maximale");
         commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
         modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
+        statut = colonne(false, "Status", "Statut");
         sur = maximum();
     }
 
@@ -121,57 +125,48 @@ public final class FeuilleMoodle {
     }
 
     /**
-     * Écrit {@code notes-a-deposer.csv}. Une note que la correction n'a pas écrite est gardée, qu'elle soit dans la feuille ou que
-     * l'enseignant l'ait tapée dans le fichier précédent ; il doit alors examiner ce rendu.
+     * Écrit {@code notes-a-deposer.csv}. Une note que la correction n'a pas écrite est gardée ; l'enseignant doit alors examiner ce rendu. Un
+     * fichier que quelqu'un a changé depuis est mis de côté, sous un autre nom.
      *
-     * @param travail dossier qui garde ce que la correction a écrit elle-même : le reste est de l'enseignant
+     * @param avis reçoit ce nom
      * @return les rendus jugés dont la note n'est pas dans la feuille : ils n'y sont pas, ou leur note est verrouillée
      */
-    public Collection<Eleve> ecrire(Path dossier, Path travail, List<Eleve> eleves) throws IOException {
-        Map<String, String[]> deposees = cases(dossier.resolve(DEPOSEE));
-        Map<String, String[]> ecrites = cases(travail.resolve(DEPOSEE));
+    public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
-        List<List<String>> sansRienDeTape = lignes.stream().map(ArrayList::new).collect(Collectors.toList());
-        for (int k = 1; k < lignes.size(); k++) {
-            List<String> ligne = lignes.get(k);
-            if (ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
-                Eleve eleve = parId.remove(numero(ligne));
-                String[] la = deposees.getOrDefault(numero(ligne), RIEN);
-                String[] ecrite = ecrites.getOrDefault(numero(ligne), RIEN);
-                boolean sienne = !la[0].equals(ecrite[0]) && reel(la[0]) != reel(ecrite[0]) && !estNotre(la[0], la[1]);
-                String mots = reste(la[1]).equals(reste(ecrite[1])) ? "" : reste(la[1]);
-                remplir(sansRienDeTape.get(k), eleve, "", "");
-                List<String> regarder = remplir(ligne, eleve, sienne ? la[0] : "", mots);
-                if (eleve != null) {
-                    eleve.aRegarder.addAll(regarder);
-                }
+        for (List<String> ligne : lignes.subList(1, lignes.size())) {
+            Eleve eleve = parId.get(numero(ligne));
+            if (eleve != null) {
+                eleve.statut = Texte.protege(valeur(ligne, statut));
+            }
+            if (eleve != null && ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
+                parId.remove(numero(ligne));
+                remplir(ligne, eleve);
             }
         }
-        enregistrer(travail, sansRienDeTape);
-        enregistrer(dossier, lignes);
+        StringWriter ecrit = new StringWriter();
+        ecrit.append(texte.startsWith(BOM) ? BOM : "");
+        try (CSVPrinter csv = new CSVPrinter(ecrit, format)) {
+            csv.printRecords(lignes);
+        }
+        deposer(dossier, ecrit.toString().getBytes(codage), avis);
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
     }
 
-    /** La note et le commentaire de chaque étudiant d'une feuille, si elle existe. */
-    private static Map<String, String[]> cases(Path fichier) {
-        Map<String, String[]> cases = new HashMap<>();
-        if (Files.exists(fichier)) {
-            FeuilleMoodle feuille = new FeuilleMoodle(fichier);
-            feuille.lignes.forEach(ligne -> cases.put(feuille.numero(ligne), new String[] {valeur(ligne, feuille.note).trim(),
-                    valeur(ligne, feuille.commentaire)}));
+    /** Écrit le fichier à déposer, et ce qui dira s'il a été changé. */
+    private static void deposer(Path dossier, byte[] octets, List<String> avis) throws IOException {
+        Path deposee = dossier.resolve(DEPOSEE);
+        Path copie = dossier.resolve("." + DEPOSEE);
+        if (Files.exists(deposee) && !(Files.exists(copie) && Arrays.equals(Files.readAllBytes(deposee), Files.readAllBytes(copie)))) {
+            Path cote = dossier.resolve(DEPOSEE.replace(".csv", " changée avant le " + LocalDateTime.now()
+                    .format(DateTimeFormatter.ofPattern("yyyy-MM-dd HH'h'mm'm'ss")) + ".csv"));
+            Files.move(deposee, cote, StandardCopyOption.REPLACE_EXISTING);
+            avis.add(DEPOSEE + " a été changé : il est gardé sous le nom « " + cote.getFileName() + " » ; une note se tape dans la feuille "
+                    + "de Moodle, ou dans ajustements.csv");
         }
-        return cases;
-    }
-
-    private void enregistrer(Path dossier, List<List<String>> tableau) throws IOException {
-        StringWriter ecrit = new StringWriter();
-        ecrit.append(texte.startsWith(BOM) ? BOM : "");
-        try (CSVPrinter csv = new CSVPrinter(ecrit, format)) {
-            csv.printRecords(tableau);
-        }
-        Files.write(dossier.resolve(DEPOSEE), ecrit.toString().getBytes(codage));
+        Files.write(copie, octets);
+        Files.write(deposee, octets);
     }
 
     /** Dit si cette note est vide, ou si notre commentaire la répète. */
@@ -179,47 +174,28 @@ public final class FeuilleMoodle {
         return note.isBlank() || NOTRE.matcher(commentaire).results().anyMatch(r -> reel(note) == reel(r.group(1)));
     }
 
-    /** Ce qu'un commentaire a de plus que le nôtre. */
-    private static String reste(String commentaire) {
-        return NOTRE.matcher(commentaire).replaceAll("").trim();
-    }
-
-    /**
-     * Remplit les deux cases d'une ligne.
-     *
-     * @param eleve celui de cette ligne, {@code null} s'il n'a rien rendu
-     * @param tapee note que l'enseignant a tapée dans le fichier précédent ; vide s'il n'y en a pas
-     * @param mots commentaire qu'il y a tapé, de même
-     * @return ce qu'il doit examiner
-     */
-    private List<String> remplir(List<String> ligne, Eleve eleve, String tapee, String mots) {
-        List<String> regarder = new ArrayList<>();
-        if (eleve == null && tapee.isEmpty() && mots.isEmpty()) {
-            return regarder;
-        }
-        boolean juge = eleve != null && !eleve.illisible();
+    /** Remplit les deux cases de la ligne de cet élève, et lui dit ce qu'il faut examiner. */
+    private void remplir(List<String> ligne, Eleve eleve) {
+        boolean juge = !eleve.illisible();
         String neuve = juge ? String.format(Locale.ROOT, "%.2f", eleve.note) : "";
-        String ancienne = tapee.isEmpty() ? ligne.get(note) : tapee;
+        String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
-        boolean aNous = tapee.isEmpty() && estNotre(ancienne, dit);
+        boolean aNous = estNotre(ancienne, dit);
         if (aNous && juge) {
             // le signe décimal est celui de la note maximale
             ligne.set(note, valeur(ligne, maximum).contains(",") ? neuve.replace('.', ',') : neuve);
         } else if (!ancienne.isBlank()) {
-            ligne.set(note, ancienne);
-            regarder.add((!tapee.isEmpty() ? "note tapée dans " + DEPOSEE + ", gardée : "
-                    : aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
-                    : "note de la feuille gardée, que nous n'avons pas écrite : ") + ancienne
-                    + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
+            String aQui = aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
+                    : "note de la feuille gardée, que nous n'avons pas écrite : ";
+            eleve.aRegarder.add(aQui + ancienne + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
                     + (juge ? " ; la nôtre serait " + neuve : ""));
         }
-        if (commentaire >= 0 && commentaire < ligne.size() && (juge || !aNous || !mots.isEmpty())) {
+        if (commentaire >= 0 && commentaire < ligne.size() && (juge || !aNous)) {
             // le texte de l'enseignant est gardé ; celui de la correction est remplacé avec la note
-            String reste = mots.isEmpty() ? reste(dit) : mots;
+            String reste = NOTRE.matcher(dit).replaceAll("").trim();
             ligne.set(commentaire, !juge || !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
                     + eleve.atteinte + " »" + FIN);
         }
-        return regarder;
     }
 
     /** @return NaN si le texte n'est pas un nombre */

@@ -7,7 +7,6 @@ import freemarker.template.TemplateException;
 import freemarker.template.TemplateExceptionHandler;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,7 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Reference;
 import lancer.correction.jugement.Verdict;
@@ -43,6 +42,7 @@ public final class Pages {
         this.bareme = bareme;
         gabarits.setClassForTemplateLoading(Pages.class, "/pages");
         gabarits.setDefaultEncoding("UTF-8");
+        gabarits.setURLEscapingCharset("UTF-8");
         gabarits.setLocale(Locale.FRANCE);
         gabarits.setNumberFormat("0.##");
         gabarits.setTemplateExceptionHandler(TemplateExceptionHandler.RETHROW_HANDLER);
@@ -55,15 +55,10 @@ public final class Pages {
     /**
      * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}. Une page que l'on ne peut écrire ne coûte qu'elle.
      *
-     * @param avis messages à montrer en tête
+     * @param compte nombres d'entrées et de lignes ; @param avis messages à montrer en tête
      */
-    public void ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
+    public void ecrire(Path dossier, List<Eleve> eleves, String compte, List<String> avis) throws IOException {
         Path etudiants = Files.createDirectories(dossier.resolve("etudiants"));
-        try (DirectoryStream<Path> anciennes = Files.newDirectoryStream(etudiants, "[0-9][0-9][0-9]*-*.html")) {
-            for (Path ancienne : anciennes) {
-                Files.delete(ancienne);
-            }
-        }
         List<Object> rangees = new ArrayList<>();
         try {
             for (Eleve eleve : eleves) {
@@ -77,7 +72,7 @@ public final class Pages {
                     while (cause.getCause() != null) {
                         cause = cause.getCause();
                     }
-                    String panne = "sa page n'a pas pu être écrite (" + Echange.protege(cause.toString()) + ")";
+                    String panne = "sa page n'a pas pu être écrite (" + Texte.protege(cause.toString()) + ")";
                     eleve.aRegarder.add(panne);
                     rangee = remplir("rangee", Map.of("eleve", eleve, "panne", panne));
                     page = remplir("eleve", Map.of("eleve", eleve, "panne", panne));
@@ -85,7 +80,8 @@ public final class Pages {
                 rangees.add(HTMLOutputFormat.INSTANCE.fromMarkup(rangee));
                 Files.writeString(etudiants.resolve(eleve.page), page);
             }
-            Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "rangees", rangees, "avis", avis)));
+            Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "rangees", rangees, "avis", avis,
+                    "compte", compte)));
         } catch (TemplateException e) {
             throw new IOException(e);
         }
@@ -98,7 +94,7 @@ public final class Pages {
         toutes.putAll(Map.of("pages", this, "grille", grille, "bareme", bareme, "scenes", new ArrayList<>(Reference.SCENES.keySet())));
         StringWriter page = new StringWriter();
         gabarits.getTemplate(gabarit + ".ftlh").process(toutes, page);
-        return Echange.NUISIBLES.matcher(page.toString()).replaceAll("�");
+        return Texte.NUISIBLES.matcher(page.toString()).replaceAll("�");
     }
 
     private void tableau(Path fichier, List<Eleve> eleves) throws IOException {
@@ -114,7 +110,7 @@ public final class Pages {
                     juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
             e.parts.values().forEach(part -> ligne.add(juge ? combien(part) : ""));
-            ligne.replaceAll(Echange::sansFormule);
+            ligne.replaceAll(Texte::sansFormule);
             lignes.add(ligne);
         }
         Ajustements.ecrire(fichier, lignes);
@@ -122,8 +118,12 @@ public final class Pages {
 
     /** « 5/8 » ; pour une extension ou une ligne libre, les points, ou « à noter » ; rien pour un bonus que l'on n'a pas. */
     public String combien(Eleve.Part part) {
-        return part.aNoter ? "à noter" : part.ajustement != null ? nombre(part.points) + (part.sur > 0 ? "/" + nombre(part.sur) : "")
-                : part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
+        if (part.aNoter) {
+            return "à noter";
+        } else if (part.ajustement != null) {
+            return nombre(part.points) + (part.sur > 0 ? "/" + nombre(part.sur) : "");
+        }
+        return part.comptent == 0 ? "" : part.reussis + "/" + part.comptent;
     }
 
     private static String nombre(double x) {
@@ -132,8 +132,12 @@ public final class Pages {
 
     /** La sorte d'une part : sa couleur, dans {@code commun.ftlh}. */
     public String sorte(Eleve.Part part) {
-        return part.aNoter ? "a_noter" : part.vide() ? "vide" : part.complete() ? "complet"
-                : part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
+        if (part.aNoter || part.vide()) {
+            return part.aNoter ? "a_noter" : "vide";
+        } else if (part.complete()) {
+            return "complet";
+        }
+        return part.reussis > 0 || part.points > 0 ? "partiel" : "rate";
     }
 
     public double moyenne(List<Eleve> eleves) {

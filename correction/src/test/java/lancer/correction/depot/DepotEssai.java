@@ -6,12 +6,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lancer.correction.enfant.Contenu;
-import lancer.correction.enfant.Lecteur;
 import lancer.correction.isolement.Arret;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,7 +18,7 @@ abstract class DepotEssai {
 
     static final String CLASSE = "package lancer;\npublic class Vecteur extends Tuple {\n}\n";
 
-    private static Map<String, Type> squelette;
+    private static Cours cours;
 
     @TempDir
     Path dossier;
@@ -38,13 +35,12 @@ abstract class DepotEssai {
     }
 
     static List<Rendu> classe(Path lieu) {
-        return Depot.lire(lieu, noms -> repondre(lieu, noms));
+        return Depot.lire(lieu, false);
     }
 
-    static List<?> repondre(Path lieu, Map<String, byte[]> noms) {
-        Map<String, byte[]> demande = new LinkedHashMap<>(Map.of(lieu.toString(), new byte[0]));
-        demande.putAll(noms);
-        return Contenu.repondre(demande);
+    /** Tout ce lieu est un seul rendu. */
+    static Rendu un(Path lieu) {
+        return Depot.lire(lieu, true).get(0);
     }
 
     Map<String, Rendu> lire(Path lieu) {
@@ -54,8 +50,8 @@ abstract class DepotEssai {
     /** Lu dans cette machine virtuelle-ci : rien de ces essais n'est hostile au JDK. */
     static Projet projet(Rendu rendu) {
         try {
-            squelette = squelette == null ? Source.squelette(Lecteur::lire) : squelette;
-            return Projet.copies(rendu, Lecteur::lire, squelette).get(0);
+            cours = cours == null ? new Cours(Lecteur::lire) : cours;
+            return Projet.copies(rendu, Lecteur::lire, cours).get(0);
         } catch (Arret e) {
             throw new AssertionError(e);
         }

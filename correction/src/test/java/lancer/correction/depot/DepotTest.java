@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -39,7 +40,7 @@ class DepotTest extends DepotEssai {
         verifier(lus.get("11"), "Étudiant 1");
         verifier(lus.get("12"), "Étudiant 1");
         verifier(lus.get("13"), "Participant");
-        assertEquals(List.of("aucun fichier dans ce rendu"), lus.get("14").refus);
+        assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : onlinetext.html"), lus.get("14").refus);
     }
 
     @Test
@@ -48,7 +49,7 @@ class DepotTest extends DepotEssai {
         ecrire(projet.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
         ecrire(projet.resolve("__MACOSX/src/._Vecteur.java"), "x");
         ecrire(projet.resolve(".idea/Autre.java"), "x");
-        ecrire(projet.resolve("target/classes/Autre.java"), "x");
+        ecrire(projet.resolve("target/classes/Autre.class"), "x");
         Path tout = dossier.resolve("tout");
         Path un = Files.createDirectories(tout.resolve("Étudiant 1_11_assignsubmission_file"));
         ClasseEssai.archiver(projet, un.resolve("TP.zip"), "TP1/");
@@ -66,33 +67,92 @@ class DepotTest extends DepotEssai {
         assertEquals(new TreeSet<>(List.of("11", "12", "13")), new TreeSet<>(lire(tout).keySet()), "déplié, c'est pareil");
     }
 
-    @Test
-    void unDossierEtUneArchiveDeMemeNomSontDeuxRendus() throws IOException {
-        ecrire(rendus.resolve("dupont/lancer/Vecteur.java"), CLASSE);
-        ClasseEssai.archiver(rendus.resolve("dupont"), rendus.resolve("dupont.zip"), "");
-        Map<String, Rendu> lus = lire(rendus);
-        verifier(lus.get("dupont"), "dupont");
-        verifier(lus.get("dupont.zip"), "dupont.zip");
-    }
-
-    @Test
-    void desArchivesNommeesCommeLeProjetSontAutantDeRendus() throws IOException {
-        Path projet = dossier.resolve("projet");
-        ecrire(projet.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
-        Files.createDirectories(rendus);
-        for (String nom : List.of("lancer-base-dupont.zip", "lancer-base-martin.zip", "TP durand.zip")) {
-            ClasseEssai.archiver(projet, rendus.resolve(nom), "");
+    /** À gauche, les fichiers d'une classe ; à droite, les lignes, ou « ! » et ce qui n'est le rendu de personne. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "dupont/lancer/Vecteur.java;dupont.zip | dupont;dupont.zip",
+        // GitHub Classroom
+        "lancer-base-jdupont/src/lancer/Vecteur.java;lancer-base-zoe-nguyen/src/lancer/Vecteur.java | lancer-base-jdupont;lancer-base-zoe-nguyen",
+        "lancer-base-dupont.zip;lancer-base-martin.zip;TP durand.zip | TP durand.zip;lancer-base-dupont.zip;lancer-base-martin.zip",
+        "lancer/A.java;brume/A.java;antialias/A.java;blinn.zip;pom/A.java | antialias;blinn.zip;brume;lancer;pom",
+        // Canvas, où un étudiant a rendu ses fichiers un à un, et un autre en retard
+        "dupontj_12_801_Vecteur.java;dupontj_12_801_Point.java;martinp_LATE_13_802_TP-2.zip;leal_14_803_tp.zip "
+            + "| dupontj_12;leal_14;martinp_13",
+        "TP1_2026_11_dupont.zip;TP1_2026_11_martin.zip | TP1_2026_11_dupont.zip;TP1_2026_11_martin.zip",
+        // un dossier autour de tous : Drive, Nextcloud, Finder, Gradescope
+        "TP été/dupont/A.java;TP été/martin.zip;__MACOSX/TP été/._x;TP été/.DS_Store;.git/config | dupont;martin.zip",
+        "a/b/c/dupont/A.java;a/b/c/martin/A.java | dupont;martin",
+        "Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java | 11",
+        "moodle/Zoé_11_assignsubmission_file_A.java;moodle/Zoé_11_assignsubmission_onlinetext/o.html;moodle/Éva_12_assignsubmission_file_/A.java "
+            + "| 11;12",
+        // rien ne disparaît
+        "dupont.zip;rapport.pdf;rapport.docx;tp.jar;sans-fin;martin.rar | dupont.zip;martin.rar;rapport.docx;rapport.pdf;sans-fin;tp.jar",
+        "src/lancer/Vecteur.java;pom.xml | !pom.xml", "dupont/src/lancer/Vecteur.java | !Vecteur.java",
+        "a.zip;b.zip;c.zip;d.zip;Vecteur.java | !Vecteur.java"})
+    void uneEntreeEstUneLigneQuelQueSoitSonNom(String fichiers, String lignes) throws IOException {
+        for (String fichier : fichiers.split(";")) {
+            ecrire(rendus.resolve(fichier), "x");
         }
-        assertEquals(3, lire(rendus).size());
+        Path archive = dossier.resolve("la classe.zip");
+        ClasseEssai.archiver(rendus, archive, "");
+        Path emballee = Files.createDirectories(dossier.resolve("téléchargements")).resolve("tout.zip");
+        ClasseEssai.archiver(rendus, emballee, "autour/");
+        Path deux = dossier.resolve("deux.zip");
+        ClasseEssai.archiver(emballee.getParent(), deux, "");
+        for (Path lieu : List.of(rendus, archive, emballee.getParent(), deux)) {
+            if (lignes.startsWith("!")) {
+                Panne panne = Assertions.assertThrows(Panne.class, () -> classe(lieu));
+                assertEquals(2, panne.code);
+                assertTrue(panne.getMessage().startsWith("rien n'est jugé : « " + lignes.substring(1) + " »")
+                        && panne.getMessage().contains("make corriger UN=" + lieu), panne.getMessage());
+            } else {
+                assertEquals(lignes, classe(lieu).stream().map(r -> r.id).sorted().collect(Collectors.joining(";")), lieu.toString());
+            }
+        }
     }
 
     @Test
-    void unSeulRenduEstUneClasseDUn() throws IOException {
+    void unRetardDeCanvasEstDitEtSesFichiersNOntPlusSonDebut() throws IOException {
+        ecrire(rendus.resolve("dupontj_LATE_12_801_Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("leal_14_803_tp.pdf"), "x");
+        Rendu dupont = lire(rendus).get("dupontj_12");
+        assertEquals(List.of(List.of("rendu en retard, d'après Canvas"), List.of("Vecteur.java"), "dupontj"),
+                List.of(dupont.remarques, List.copyOf(dupont.sources.keySet()), dupont.nom));
+    }
+
+    @Test
+    void unSeulRenduSeDemande() throws IOException {
         ecrire(rendus.resolve("src/main/java/lancer/Vecteur.java"), CLASSE);
-        verifier(lire(rendus).get("rendus"), "rendus");
+        verifier(un(rendus), "rendus");
         Path zip = dossier.resolve("TP de moi.zip");
         ClasseEssai.archiver(rendus, zip, "lancer-base/");
-        verifier(lire(zip).get("TP de moi"), "TP de moi");
+        assertEquals("TP de moi.zip", un(zip).id);
+        Path moodle = dossier.resolve("Zoé_17_assignsubmission_file");
+        ClasseEssai.copier(rendus, moodle);
+        assertEquals(List.of("17", "Zoé"), List.of(un(moodle).id, un(moodle).nom));
+    }
+
+    @Test
+    void lesNomsSontDansLOrdreDuFrancais() throws IOException {
+        for (String nom : List.of("Zoé", "Éloïse", "Étudiant 10", "Étudiant 2", "eve")) {
+            ecrire(rendus.resolve(nom).resolve("lancer/Vecteur.java"), CLASSE);
+        }
+        assertEquals("[Éloïse, Étudiant 2, Étudiant 10, eve, Zoé]", classe(rendus).stream().map(r -> r.nom).collect(Collectors.toList())
+                .toString());
+    }
+
+    @Test
+    void ceQuiNEstPasLuNeCompteEtUnDossierQuiADesSourcesSeLit() throws IOException {
+        Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
+        ecrire(rendu.resolve("out/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendu.resolve("build/lancer/Point.java"), CLASSE);
+        ecrire(rendu.resolve("target/classes/lancer/Vecteur.class"), "x");
+        try (RandomAccessFile video = new RandomAccessFile(rendu.resolve("film.mp4").toFile(), "rw")) {
+            video.setLength(90L << 20);
+        }
+        Rendu lu = lire(rendus).get("11");
+        assertEquals(List.of(List.of(), "[build/lancer/Point.java, out/lancer/Vecteur.java]", "[target]"),
+                List.of(lu.refus, lu.sources.keySet().toString(), lu.outils.toString()));
     }
 
     @Test
@@ -110,7 +170,7 @@ class DepotTest extends DepotEssai {
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(gros))) {
             zip.putNextEntry(new ZipEntry("lancer/Vecteur.java"));
             zip.write(CLASSE.getBytes(StandardCharsets.UTF_8));
-            zip.putNextEntry(new ZipEntry("zeros"));
+            zip.putNextEntry(new ZipEntry("zeros.zip"));
             byte[] mega = new byte[1 << 20];
             for (int k = 0; k < 60; k++) {
                 zip.write(mega);
@@ -124,7 +184,8 @@ class DepotTest extends DepotEssai {
         ClasseEssai.ecrireLien(lien, "Vecteur.java", secret.toString());
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(7, lus.size());
-        refuse(lus.get("11"), "tp.rar : à déplier à la main");
+        refuse(lus.get("11"), "tp.rar : à déplier à la main ; seuls les dossiers et les .zip le sont ici, dans un dossier de même nom que ce "
+                + "rendu : « Étudiant 1_11_assignsubmission_file »");
         refuse(lus.get("12"), "tp.7z : à déplier à la main");
         refuse(lus.get("13"), "tp.zip : archive illisible");
         refuse(lus.get("14"), "../../evade.java");
@@ -163,16 +224,12 @@ class DepotTest extends DepotEssai {
         List<Rendu> lus = classe(rendus);
         assertEquals(10, lus.size());
         TreeSet<String> ids = new TreeSet<>();
-        TreeSet<String> fichiers = new TreeSet<>();
-        for (int rang = 0; rang < lus.size(); rang++) {
-            Rendu rendu = lus.get(rang);
+        for (Rendu rendu : lus) {
             assertEquals(1, rendu.sources.size(), rendu.id);
-            assertTrue((rendu.nom + rendu.id).matches("[\\P{C}&&[^\\u200F]]{2,150}"), rendu.nom);
-            assertTrue(rendu.fichier(rang).matches("[A-Za-z0-9-]{4,80}"), rendu.fichier(rang));
+            assertTrue(rendu.nom.matches("[\\P{C}&&[^\\u200F]]{1,150}"), rendu.nom);
             ids.add(rendu.id);
-            fichiers.add(rendu.fichier(rang));
         }
-        assertEquals(List.of(10, 10), List.of(ids.size(), fichiers.size()));
+        assertEquals(10, ids.size());
     }
 
     @Test
@@ -262,7 +319,7 @@ class DepotTest extends DepotEssai {
         byte[] archive = octets.toByteArray();
         for (int niveau = 0; niveau < 3; niveau++) {
             Rendu rendu = deposer("tp.zip", archive);
-            assertEquals(List.of("plus de 20000 fichiers"), rendu.refus);
+            assertEquals(List.of("une archive de plus de 200000 entrées"), rendu.refus);
             archive = zip(Map.of("n" + niveau + ".zip", archive));
         }
     }
@@ -293,8 +350,10 @@ class DepotTest extends DepotEssai {
     void ceQuiEstRenduSansSourceEstNomme() throws IOException {
         assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : Отчёт.txt, проект.jar"),
                 deposer("tp.zip", zip(Map.of("a/Отчёт.txt", new byte[9], "проект.jar", new byte[9]))).refus);
-        assertEquals(List.of("aucun fichier .java dans ce rendu ; il contient : bin"),
-                deposer("tp.zip", zip(Map.of("a/bin/A.java", new byte[9]))).refus);
+        assertEquals(List.of("aucun fichier .java dans ce rendu : des sources Kotlin, et non Java (Vecteur.kt)"),
+                deposer("tp.zip", zip(Map.of("a/Vecteur.kt", new byte[9], "a/x.png", new byte[9]))).refus);
+        assertEquals(List.of("aucun fichier .java dans ce rendu : des classes compilées, sans leurs sources (A.class)"),
+                deposer("tp.zip", zip(Map.of("a/bin/A.class", new byte[9]))).refus);
         assertEquals(List.of("aucun fichier .java dans ce rendu ; il est vide"), deposer("tp.zip", zip(Map.of("a/", new byte[0]))).refus);
     }
 
@@ -310,20 +369,23 @@ class DepotTest extends DepotEssai {
                 projet(lu).aRegarder);
     }
 
+    /** Le nom d'une archive, et celui de ses dossiers, dans toutes les écritures. */
     @Test
-    void uneLectureArreteeNeCouteQueSonRendu() throws IOException {
-        for (String nom : List.of("a", "b", "c")) {
-            ecrire(rendus.resolve(nom).resolve("lancer/Vecteur.java"), CLASSE);
-        }
-        for (Error cause : List.of(new NoClassDefFoundError("org/x/Y"), new OutOfMemoryError("x"), new StackOverflowError())) {
-            Map<String, Rendu> lus = Depot.lire(rendus, noms -> {
-                if (noms.containsKey("b")) {
-                    throw cause;
-                }
-                return repondre(rendus, noms);
-            }).stream().collect(Collectors.toMap(r -> r.id, r -> r));
-            assertEquals(List.of("arrêté : " + cause + " (en lisant ses fichiers)"), lus.get("b").refus);
-            assertEquals(List.of(1, 0, 1), lus.values().stream().map(r -> r.sources.size()).collect(Collectors.toList()));
+    void uneClasseEtSesArchivesSeLisentPareillementDepliees() throws IOException {
+        ecrire(rendus.resolve("Zoé/note.md"), "x");
+        ecrire(rendus.resolve("Zoé/lancer/Vecteur.java"), CLASSE);
+        Path projet = dossier.resolve("p");
+        ecrire(projet.resolve("Vecteur.java"), CLASSE);
+        ClasseEssai.archiver(projet, rendus.resolve("王.zip"), "проект/");
+        Path classe = dossier.resolve("classe.zip");
+        ClasseEssai.archiver(rendus, classe, "");
+        Files.createSymbolicLink(rendus.resolve("lien.zip"), classe);
+        for (Path lieu : List.of(rendus, classe)) {
+            Map<String, Rendu> lus = lire(lieu);
+            assertEquals("[lancer/Vecteur.java]", lus.get("Zoé").sources.keySet().toString());
+            assertEquals("[王/проект/Vecteur.java]", lus.get("王.zip").sources.keySet().toString());
+            assertEquals(lieu == rendus ? List.of("lien refusé : lien.zip") : List.of(), lus.values().stream()
+                    .flatMap(r -> r.refus.stream()).collect(Collectors.toList()));
         }
     }
 

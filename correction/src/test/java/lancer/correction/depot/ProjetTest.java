@@ -9,8 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -74,7 +76,8 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(rendu);
         assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
-                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale"), lu.aRegarder);
+                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale", "le même texte que le corrigé, aux commentaires près : "
+                + "Vecteur, Point, Rayon, Camera"), lu.aRegarder);
     }
 
     @Test
@@ -101,13 +104,13 @@ class ProjetTest extends DepotEssai {
     void lesEchappementsNeCachentRien() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
         ecrire(projet.resolve("Deux.java"), "p\\u0061ckage java.lang; public cl\\u0061ss Deux { }");
-        ecrire(projet.resolve("Trois.java"), "package lancer; /* \\u002a/ class M\\u0061th { }");
+        ecrire(projet.resolve("Trois.java"), "package lancer; /* \\u002a/ class S\\u006fnde { }");
         ecrire(projet.resolve("Vecteur.java"), "\\u0070ackage tp\\u0031;\npublic class Vecteur { }\n");
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals("[lancer/Vecteur]", lu.base.keySet().toString());
         assertEquals("\\u0070ackage lancer;\npublic class Vecteur { }\n", lu.texte("Vecteur"));
         assertEquals(List.of("lancer/Deux.java : laissé de côté, le paquet « java.lang » n'est pas à vous",
-                "lancer/Trois.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"), lu.remarques.subList(0, 2));
+                "lancer/Trois.java : laissé de côté, il déclare une classe Sonde qui cacherait celle de la correction"), lu.remarques.subList(0, 2));
     }
 
     @Test
@@ -247,14 +250,72 @@ class ProjetTest extends DepotEssai {
     }
 
     @Test
-    void ceQuiCacheUneClasseDeJavaEstLaisseDeCoteOuQuIlSoitDansLeFichier() throws IOException {
+    void ceQuiCacheUneClasseDeLaCorrectionEstLaisseDeCoteOuQuIlSoitDansLeFichier() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer");
-        ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Math { }");
-        ecrire(projet.resolve("B.java"), "package lancer; class B { static class Math { } String s = \"} class Math\"; }");
+        ecrire(projet.resolve("A.java"), "package lancer; class A { char c = '{'; String s = \"{ // \"; } /* { */ class Appels { }");
+        ecrire(projet.resolve("B.java"), "package lancer; class B { static class Appels { } String s = \"} class Appels\"; }");
+        ecrire(projet.resolve("Record.java"), "package lancer; class Record { }");
         Projet lu = projet(lire(rendus).get("11"));
-        assertEquals("[lancer/B]", lu.base.keySet().toString(), "Math n'y est pas");
-        assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Math qui cacherait celle de Java"),
+        assertEquals("[lancer/B, lancer/Record]", lu.base.keySet().toString(), "une classe du paquet a le nom qu'elle veut, même de java.lang");
+        assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Appels qui cacherait celle de la correction"),
                 lu.remarques);
+    }
+
+    @Test
+    void unNomSEcritDansToutesLesLanguesEtAvecDesAccentsDecomposes() throws IOException {
+        Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file/src/lancer");
+        // macOS décompose les noms de fichiers, et un éditeur peut décomposer aussi le texte
+        ecrire(projet.resolve("e\u0301clairage/Lampe.java"), "package lancer.éclairage;\npublic class Lampe { }\n");
+        ecrire(projet.resolve("E\u0301clat.java"), "package lancer;\nclass Éclat { }\n");
+        ecrire(projet.resolve("Materiau.java"), "package lancer;\nclass Mate\u0301riau { }\n");
+        ecrire(projet.resolve("Vecteur.java"), "package lancer;\nimport lancer.éclairage.Lampe;\nclass Vecteur { }\n");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals(new TreeSet<>(List.of("lancer/Lampe", "lancer/Vecteur", "lancer/Éclat", "lancer/Mate\u0301riau")),
+                new TreeSet<>(lu.base.keySet()));
+        assertTrue(lu.texte("Vecteur").contains("import lancer.Lampe;"), lu.texte("Vecteur"));
+        assertTrue(lu.aRegarder.stream().noneMatch(r -> r.contains("laissé de côté") || r.contains("copies")), lu.aRegarder.toString());
+    }
+
+    /** Écrit ces classes, prises au projet à compléter ou au corrigé, dans ce dossier du rendu. */
+    private void classes(String dossier, UnaryOperator<String> texte, String... classes) throws IOException {
+        for (String classe : classes) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file").resolve(dossier).resolve("src/lancer/" + classe + ".java"),
+                    texte.apply(classe));
+        }
+    }
+
+    @Test
+    void leCorrigeLaisseDansUnRenduNeLEmporteSurAucunAutreTexte() throws IOException {
+        String[] toutes = SourcesDuCours.A_COMPLETER.toArray(new String[0]);
+        classes("base-java", SourcesDuCours::corrige, toutes);
+        classes("lancer-base", SourcesDuCours::squelette, toutes);
+        Projet intact = projet(lire(rendus).get("11"));
+        assertEquals(Set.of(), intact.changees, "rien n'y est de lui");
+        assertTrue(intact.aRegarder.contains("base-java/src/lancer/ : laissé de côté, c'est le texte du corrigé ; un autre est jugé : "
+                + String.join(", ", toutes)), intact.aRegarder.toString());
+        // ce qu'il a écrit, même faux ; ce qu'il a laissé est celui du projet à compléter
+        classes("lancer-base", c -> SourcesDuCours.corrige(c).replace("* v.y", "* v.x"), "Vecteur");
+        Projet commence = projet(lire(rendus).get("11"));
+        assertEquals(Set.of("Vecteur"), commence.changees);
+        assertTrue(commence.texte("Vecteur").contains("y * v.x"));
+    }
+
+    @Test
+    void quelquesClassesEcritesCommeLeCorrigeSontBienALEtudiant() throws IOException {
+        String[] siennes = {"Sphere", "Scene", "Lancer", "Objet3D", "Camera"};
+        classes("lancer-base", SourcesDuCours::corrige, "Vecteur", "Point", "Rayon");
+        classes("lancer-base", c -> SourcesDuCours.corrige(c).replaceFirst("\\}\\s*$", "int enPlus; }"), siennes);
+        classes("distribue", SourcesDuCours::squelette, SourcesDuCours.A_COMPLETER.toArray(new String[0]));
+        assertEquals(new TreeSet<>(SourcesDuCours.A_COMPLETER), new TreeSet<>(projet(lire(rendus).get("11")).changees));
+    }
+
+    @Test
+    void leTexteDuCorrigeQuiEstSeulEstJugeEtNomme() throws IOException {
+        classes("mon projet", SourcesDuCours::corrige, "Sphere", "Scene");
+        classes("mon projet", SourcesDuCours::squelette, "Vecteur");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals(Set.of("Sphere", "Scene"), lu.changees);
+        assertTrue(lu.aRegarder.contains("le même texte que le corrigé, aux commentaires près : Sphere, Scene"), lu.aRegarder.toString());
     }
 
     @Test

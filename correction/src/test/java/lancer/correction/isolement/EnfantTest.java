@@ -13,12 +13,14 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
 import lancer.correction.enfant.Execution;
 import org.junit.jupiter.api.Test;
@@ -29,7 +31,7 @@ import org.junit.jupiter.api.condition.JRE;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class EnfantTest {
 
-    private static final Limites LIMITES = new Limites(5, 1, 64, 60);
+    private static final Limites LIMITES = new Limites(2, 1, 64);
 
     /** Répète ce qu'on lui dit, ou fait autre chose de ce qui l'y invite. */
     static final class Echo {
@@ -63,7 +65,7 @@ class EnfantTest {
 
     private static Enfant echo(Confinement confinement) throws Exception {
         String classes = new File(Echo.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
-        Enfant enfant = new Enfant(confinement.java(Echo.class, classes, true, Paths.get("target"), LIMITES), LIMITES);
+        Enfant enfant = new Enfant(confinement.java(Echo.class, classes, true, Paths.get("target"), LIMITES), LIMITES, confinement.confine);
         enfant.commencer(LIMITES.calcul);
         return enfant;
     }
@@ -128,30 +130,46 @@ class EnfantTest {
         }
     }
 
-    private static String arret(Limites limites, List<String> commande) throws Exception {
-        try (Enfant enfant = new Enfant(commande, limites)) {
-            enfant.commencer(limites.calcul);
-            return assertThrows(Arret.class, () -> enfant.demander(new byte[0], 0)).getMessage();
+    @Test
+    void sansConfinementUneDureeEstToutCeQuiLimite() throws Exception {
+        try (Enfant enfant = new Enfant(List.of("/bin/sleep", "30"), new Limites(0.25, 1, 64), false)) {
+            enfant.commencer(0.25);
+            assertEquals("arrêté : plus de 1 s, trop long ou sans fin",
+                    assertThrows(Arret.class, () -> enfant.demander(new byte[0], 0)).getMessage());
         }
     }
 
     @Test
-    void leTempsDesProgrammesQuiOntFiniCompte() throws Exception {
-        String court = "i=0; while [ $i -lt 60000 ]; do i=$((i+1)); done";
-        for (String facon : List.of("/bin/sh -c \"$0\"", "(/bin/sh -c \"$0\" & wait)")) {
-            String dit = arret(new Limites(1, 5, 64, 60), List.of("/bin/sh", "-c", "for k in $(seq 130); do " + facon + "; done", court));
-            assertTrue(dit.contains("s de calcul"), dit);
+    void aCourtDeMemoireLeNoyauTueDAbordCeQuiEstJugeEtCEstDit() throws Exception {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        try (Enfant enfant = echo(confinement)) {
+            repete(enfant, "avant");
+            List<ProcessHandle> siens = ProcessHandle.current().descendants().filter(p -> p.info().command().orElse("").endsWith("java")
+                    && lire(p, "cmdline").contains(Echo.class.getName())).collect(Collectors.toList());
+            assertEquals(1, siens.size());
+            assertEquals("1000", lire(siens.get(0), "oom_score_adj").trim());
+            // ce que fait le noyau à court de mémoire
+            siens.get(0).destroyForcibly();
+            Arret arret = assertThrows(Arret.class, () -> demander(enfant, "après"));
+            assertEquals("arrêté : tué par le système, à court de mémoire", arret.getMessage());
+            assertTrue(arret.tue);
+        }
+    }
+
+    private static String lire(ProcessHandle processus, String quoi) {
+        try {
+            return Files.readString(Paths.get("/proc", "" + processus.pid(), quoi), StandardCharsets.ISO_8859_1);
+        } catch (IOException e) {
+            return "";
         }
     }
 
     @Test
-    void confineNiProgrammeNiMemoireQuiNeSeraitAPersonne() throws Exception {
-        String appels = System.getProperty("os.arch").equals("aarch64") ? "[279, 97, 425]" : "[319, 272, 425]";
-        assertEquals("-1 -1 -1 non non non non non non 256", confine("/usr/bin/perl", "-e", "my $n = 'a' x 200; my $a = " + appels
-                + "; print syscall($a->[0], $n, 0), ' ', syscall($a->[1], 0x10000000), ' ', syscall($a->[2], 4, $n), ' ', "
-                + "shmget(0, 4096, 01600) // 'non', ' ', msgget(0, 01600) // 'non', ' ', semget(0, 9, 01600) // 'non', ' ', "
-                + "(map { (socket(my $s, $_, 1, 0) ? 'oui' : 'non'), ' ' } 1, 2), fork // 'non', ' '; "
-                + "open($f[$k], '<', '/dev/null') while $k++ < 999; print 3 + grep { defined } map { $_ && fileno $_ } @f"));
+    void confineNiProgrammeNiRetourSurLOrdreDuNoyau() throws Exception {
+        String appel = System.getProperty("os.arch").equals("aarch64") ? "97" : "272";
+        assertEquals("-1 non non", confine("/usr/bin/perl", "-e", "print syscall(" + appel + ", 0x10000000), ' ', fork // 'non', ' ', "
+                + "(open(my $f, '>', '/proc/self/oom_score_adj') ? 'oui' : 'non')"));
     }
 
     /** Ce que dit cette commande, dans la boîte où s'exécute un rendu, à la place de Java. */
@@ -188,7 +206,7 @@ class EnfantTest {
             assertThrows(Arret.class, () -> demander(enfant, gros));
         }
         // plus que n'en retient un tube : l'écrire n'attend personne
-        Enfant enfant = new Enfant(List.of("/bin/sleep", "30"), LIMITES);
+        Enfant enfant = new Enfant(List.of("/bin/sleep", "30"), LIMITES, true);
         try (enfant) {
             enfant.commencer(1);
             assertTrue(assertThrows(Arret.class, () -> enfant.demander(new byte[1 << 20], 0)).getMessage().contains("bloqué"));

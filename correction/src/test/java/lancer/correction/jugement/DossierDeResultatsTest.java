@@ -7,66 +7,103 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.correction.Panne;
 import lancer.correction.depot.Rendu;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Les résultats écrits, quoi qu'il y ait dans l'un d'eux. */
+/** Les résultats écrits, quoi qu'il y ait dans l'un d'eux, et quels que soient ceux qui les écrivent. */
 class DossierDeResultatsTest {
 
     @TempDir
     Path classe;
 
     private static GrilleDeNotation grille(String critere) {
-        GrilleDeNotation grille = new GrilleDeNotation("");
+        GrilleDeNotation grille = new GrilleDeNotation();
         grille.ajouter(new Verification("vecteurs", "Vecteurs", critere, "Vecteur", "un titre"));
         return grille;
     }
 
+    private static Resultat resultat(String id, String source) {
+        Rendu rendu = new Rendu(id, id);
+        rendu.sources.put("A.java", source.getBytes());
+        return new Resultat(rendu, "");
+    }
+
+    private List<String> ids() {
+        return new DossierDeResultats(classe).resultats().stream().map(r -> r.id).sorted().collect(Collectors.toList());
+    }
+
     @Test
     void unResultatQueLOnNePeutEcrireNeCouteQueSaLigne() throws IOException {
-        List<Rendu> rendus = new ArrayList<>();
-        List<Resultat> resultats = new ArrayList<>();
-        for (int k = 0; k < 1005; k++) {
-            rendus.add(new Rendu("n" + k, "Élève " + k));
-            resultats.add(new Resultat("n" + k, "Élève " + k));
+        DossierDeResultats dossier = new DossierDeResultats(classe);
+        Resultat fautif = resultat("a", "");
+        fautif.images.put("scene1", new Image(0, 0, new byte[0]));
+        Resultat demi = resultat("b", "");
+        demi.methodes.put("vecteurs.a", "int x; // \ud83e");
+        dossier.ecrire(fautif);
+        dossier.ecrire(demi);
+        List<Resultat> lus = dossier.resultats();
+        assertTrue(lus.get(0).refus.get(0).startsWith("ses résultats n'ont pas pu être écrits (java.lang.IllegalArgumentException: "),
+                () -> lus.get(0).refus.toString());
+        assertEquals("int x; // ?", lus.get(1).methodes.get("vecteurs.a"));
+    }
+
+    @Test
+    void deuxEntreesNOntJamaisLeMemeFichier() throws IOException {
+        List<String> noms = List.of("TP1.zip", "TP1", "TP1%2Ezip", "zoé", "zoe\u0301", "..", ".json", "a/b", "a%2Fb", "é".repeat(120), "é".repeat(120)
+                + "x", "x".repeat(250), "corrige", "12");
+        DossierDeResultats dossier = new DossierDeResultats(classe);
+        for (String nom : noms) {
+            dossier.ecrire(resultat(nom, ""));
+            assertTrue(DossierDeResultats.nom(nom).matches("[A-Za-z0-9%_~-][A-Za-z0-9.%_~-]{0,199}"), DossierDeResultats.nom(nom));
         }
-        resultats.get(1).images.put("scene1", new Image(0, 0, new byte[0]));
-        resultats.get(2).methodes.put("vecteurs.a", "int x; // \ud83e");
-        DossierDeResultats.ecrire(classe, grille("a"), rendus, resultats, null);
-        List<Resultat> lus = new ArrayList<>(new DossierDeResultats(classe).resultats.values());
-        assertEquals(1005, lus.size());
-        assertTrue(lus.get(1).refus.get(0).startsWith("ses résultats n'ont pas pu être écrits (java.lang.IllegalArgumentException: "),
-                () -> lus.get(1).refus.toString());
-        assertEquals("int x; // ?", lus.get(2).methodes.get("vecteurs.a"));
-        assertEquals(List.of("n1003", List.of()), List.of(lus.get(1003).id, lus.get(1003).refus), "dans l'ordre, au-delà de 999");
+        assertEquals(new TreeSet<>(noms), new TreeSet<>(ids()));
+        assertEquals("zo%C3%A9.zip", DossierDeResultats.nom("zoé.zip"));
     }
 
     @Test
-    void desResultatsDUneAutreGrilleNeSeMelentPas() {
-        GrilleDeNotation grille = grille("a");
-        grille.reprendre(grille("a"));
-        assertTrue(assertThrows(Panne.class, () -> grille.reprendre(grille("b"))).getMessage().contains("autre version du programme"));
-        GrilleDeNotation libre = grille("a");
-        libre.sansConfinement = "sans bwrap";
-        grille.reprendre(libre);
-        assertEquals("sans bwrap", grille.sansConfinement, "un seul rendu exécuté sans confinement suffit à le dire");
+    void deuxCorrecteursALaFoisDonnentLUnion() throws IOException {
+        IntStream.range(0, 200).parallel().forEach(k -> {
+            try {
+                new DossierDeResultats(classe).ecrire(grille("a"));
+                new DossierDeResultats(classe).ecrire(resultat("n" + k % 120, ""));
+            } catch (IOException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        assertEquals(120, ids().size());
+        assertEquals("a", new DossierDeResultats(classe).grille().etapes.get(0).criteres.get(0).methode);
+        try (Stream<Path> tous = Files.walk(classe)) {
+            assertEquals(0, tous.filter(f -> f.getFileName().toString().startsWith(".ecrit")).count());
+        }
     }
 
     @Test
-    void unDossierInacheveNEffaceRien() throws IOException {
-        DossierDeResultats.ecrire(classe, grille("a"), List.of(new Rendu("u", "U")), List.of(new Resultat("u", "U")), null);
-        Files.createDirectories(classe.resolve("resultats/à moi"));
-        Files.writeString(classe.resolve("resultats/lettre.txt"), "x");
-        List<Resultat> autres = List.of(new Resultat("v", "V"));
-        List<Rendu> aucun = List.of();
-        assertThrows(RuntimeException.class, () -> DossierDeResultats.ecrire(classe, grille("a"), aucun, autres, null));
-        assertEquals("u", new DossierDeResultats(classe).resultats.get("001-u").id);
-        DossierDeResultats.ecrire(classe, grille("a"), List.of(new Rendu("v", "V")), autres, null);
-        assertEquals(List.of("001-v"), List.copyOf(new DossierDeResultats(classe).resultats.keySet()));
-        assertTrue(Files.exists(classe.resolve("resultats/lettre.txt")) && Files.isDirectory(classe.resolve("resultats/à moi")));
+    void unAutreTravailQuiEnRemplaceUnLeDitEtLeMemeNon() throws IOException {
+        DossierDeResultats dossier = new DossierDeResultats(classe);
+        Resultat premier = resultat("TP1.zip", "class A {}");
+        dossier.ecrire(premier);
+        Resultat meme = resultat("TP1.zip", "class A {}");
+        dossier.ecrire(meme);
+        assertEquals("", meme.remplace);
+        dossier.ecrire(resultat("TP1.zip", "class B {}"));
+        assertEquals(List.of("remplace un autre travail de « TP1.zip », jugé le " + meme.date), dossier.resultats().get(0).aRegarder);
+    }
+
+    @Test
+    void desResultatsDUneAutreGrilleNeSeMelentPas() throws IOException {
+        DossierDeResultats dossier = new DossierDeResultats(classe);
+        dossier.ecrire(grille("a"));
+        dossier.ecrire(grille("b"));
+        dossier.ecrire(resultat("u", ""));
+        dossier.ecrire(grille("b"));
+        String dit = assertThrows(Panne.class, () -> dossier.ecrire(grille("a"))).getMessage();
+        assertTrue(dit.contains("une autre version du programme") && dit.contains("NEUF=1"), dit);
     }
 }

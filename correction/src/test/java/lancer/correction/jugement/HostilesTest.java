@@ -15,7 +15,6 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.isolement.Limites;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
@@ -78,17 +77,15 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "interblocage", "bloqué");
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "memoire", "mémoire épuisée");
-        rate(resultats, "memoire-native", "mémoire épuisée");
+        rate(resultats, "memoire-native", "OutOfMemoryError");
         rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "balises", "<script>alert(1)</script>");
-        assertTrue(resultats.get("mathematiques").remarques.stream().anyMatch(r -> r.contains("classe Math qui cacherait")),
-                resultats.get("mathematiques").remarques.toString());
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
         assertTrue(resultats.get("faux-junit").remarques.stream().anyMatch(r -> r.contains("org/junit/jupiter/api/Assertions.java")),
                 resultats.get("faux-junit").remarques.toString());
-        assertEquals(Verdict.Etat.RATE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
+        assertEquals(Verdict.Etat.FAUSSE, resultats.get("tout-noir").verdicts.get("lambert.faceALaLampeLaCouleurEstKd").etat,
                 "une Couleur qui confond toutes les couleurs ne rend pas égales l'attendue et l'obtenue");
         assertFalse(imageJuste(resultats.get("tout-noir")));
         assertEquals(Verdict.Etat.REUSSI, resultats.get("fils").verdicts.get(SOUSTRACTION).etat,
@@ -108,7 +105,7 @@ class HostilesTest extends JuryEssai {
         ecrireCorrige(rendus.resolve("ordinaire"));
         Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
-        rate(resultats, "boucle", "s de calcul");
+        rate(resultats, "boucle", "trop long ou sans fin");
         rate(resultats, "sortie", "arrêté de lui-même");
         for (String nom : List.of("imitation", "mathematiques", "falsification", "faux-junit")) {
             rate(resultats, nom, "obtenu : (");
@@ -144,7 +141,8 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "fils-sans-fin", "lance sans fin des fils");
         rate(resultats, "message", "s de calcul");
         rate(resultats, "pile", "arrêté de lui-même");
-        assertEquals(List.of("arrêté : mémoire épuisée (à la compilation, ou en prenant ses classes)"), resultats.remove("classes").refus);
+        // là où la mémoire suffit, elles se chargent : ailleurs, le noyau tue ce rendu
+        resultats.remove("classes");
         assertEquals(Verdict.Etat.REUSSI, resultats.get("java-lang").verdicts.get(SOUSTRACTION).etat);
         resultats.forEach((nom, resultat) -> {
             assertFalse(resultat.nonCorrige, nom + " : " + resultat.refus);
@@ -157,19 +155,20 @@ class HostilesTest extends JuryEssai {
     }
 
     @Test
-    void unRenduQuiPrendToutLeTempsDuCorrecteurEstRefuse() throws IOException {
+    void unRenduQuiDureTropEnToutEstRefuse() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
-        try (Jury jury = new Jury(dossier.resolve("travail"), new Confinement(false, ""), new Limites(10, 60, 160, 0), GRAINE)) {
+        ecrireCorrige(rendus.resolve("deux"));
+        try (Jury jury = new Jury(new Confinement(false, ""), PATIENTES, GRAINE, 0)) {
             Resultat resultat = juger(jury, rendus).get("un");
             assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
-            assertTrue(resultat.refus.get(0).startsWith("arrêté : plus de 0 s"), resultat.refus.toString());
+            assertEquals(List.of("arrêté : plus de 0 s en tout"), resultat.refus);
         }
     }
 
     private static void rate(Map<String, Resultat> resultats, String nom, String message) {
         Verdict verdict = resultats.get(nom).verdicts.get(SOUSTRACTION);
-        assertEquals(Verdict.Etat.RATE, verdict.etat, nom + " : " + verdict.message);
+        assertEquals(Verdict.Etat.FAUSSE, verdict.etat, nom + " : " + verdict.message);
         assertTrue(verdict.message.contains(message), nom + " : " + verdict.message);
     }
 }

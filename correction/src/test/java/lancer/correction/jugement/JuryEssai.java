@@ -11,27 +11,23 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
+import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.io.TempDir;
 
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
 
     /** Pour des rendus dont certains ne finissent pas. */
-    static final Limites COURTES = new Limites(1, 2, 160, 60);
+    static final Limites COURTES = new Limites(1, 2, 160);
 
     /** Pour des rendus dont chacun finit : une machine où d'autres travaillent peut les faire attendre, ou calculer plus. */
-    static final Limites PATIENTES = new Limites(10, 60, 160, 60);
+    static final Limites PATIENTES = new Limites(10, 60, 160);
 
     static final long GRAINE = 20;
-
-    /** Dossier de travail des jurys de ces essais. */
-    @TempDir
-    static Path travail;
 
     /** Les jurys de ces essais, par ce qui les distingue : juger le corrigé dure autant que juger quelques rendus. */
     private static final Map<String, Jury> JURYS = new HashMap<>();
@@ -42,22 +38,18 @@ abstract class JuryEssai extends ClasseEssai {
         JURYS.clear();
     }
 
-    private static Path travail(Confinement confinement, Limites limites) {
-        return travail.resolve(confinement.confine + " " + limites.calcul);
-    }
-
-    static Jury jury(Confinement confinement, Limites limites) throws IOException {
-        Path ici = Files.createDirectories(travail(confinement, limites)).toRealPath();
-        return JURYS.computeIfAbsent(ici.toString(), nom -> new Jury(ici, confinement, limites, GRAINE));
+    static Jury jury(Confinement confinement, Limites limites) {
+        return JURYS.computeIfAbsent(confinement.confine + " " + limites.calcul, nom -> new Jury(confinement, limites, GRAINE,
+                Jury.DUREE_MAX));
     }
 
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
-    static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) throws IOException {
+    static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) {
         return juger(jury(confinement, limites), rendus);
     }
 
     static Map<String, Resultat> juger(Jury jury, Path rendus) {
-        List<Rendu> liste = jury.lire(rendus);
+        List<Rendu> liste = Depot.lire(rendus, false);
         List<Resultat> tous = jury.juger(liste, resultat -> { });
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {

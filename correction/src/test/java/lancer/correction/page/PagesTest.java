@@ -3,7 +3,7 @@ package lancer.correction.page;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import lancer.correction.enfant.Echange;
+import lancer.correction.enfant.Texte;
 import org.junit.jupiter.api.Test;
 
 /** Ce que devient un texte qui vient d'un étudiant, là où on le montre. */
@@ -14,9 +14,9 @@ class PagesTest {
 
     @Test
     void unTexteEtrangerNAgitNiSurLeTerminalNiSurLaPage() {
-        assertEquals("a b", Echange.protege("a\n" + SIGNES + "\t\r\nb"));
-        assertEquals("é à 日本 \uD83D\uDE00", Echange.protege("é à 日本 \uD83D\uDE00"), "ce qui s'écrit reste");
-        assertEquals("aaa…", Echange.protege("a".repeat(9), 3));
+        assertEquals("a b", Texte.protege("a\n" + SIGNES + "\t\r\nb"));
+        assertEquals("é à 日本 \uD83D\uDE00", Texte.protege("é à 日本 \uD83D\uDE00"), "ce qui s'écrit reste");
+        assertEquals("aaa…", Texte.protege("a".repeat(9), 3));
     }
 
     @Test
@@ -24,11 +24,11 @@ class PagesTest {
         for (char separateur : new char[] {',', ';', '\t', '\n'}) {
             for (String debut : new String[] {"", "a", "\"", " \"\" "}) {
                 for (String formule : new String[] {"=1+1", "+1", "-1", "@A1"}) {
-                    String texte = Echange.sansFormule(debut + (debut.equals("a") ? separateur : "") + formule);
+                    String texte = Texte.sansFormule(debut + (debut.equals("a") ? separateur : "") + formule);
                     assertFalse(texte.matches("(?s)(.*[;\t\n\r])?[\\s\"]*[=+@-].*"), texte);
                 }
             }
         }
-        assertEquals("Étudiant 1 ; à regarder", Echange.sansFormule("Étudiant 1 ; à regarder"), "un texte ordinaire reste");
+        assertEquals("Étudiant 1 ; à regarder", Texte.sansFormule("Étudiant 1 ; à regarder"), "un texte ordinaire reste");
     }
 }

@@ -11,8 +11,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Timer;
-import java.util.TimerTask;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -33,9 +31,6 @@ public class Etapes implements TestExecutionListener {
 
     private static final Path SOURCES = Paths.get(System.getProperty("etapes.sources", "src/main/java/lancer"));
 
-    /** Secondes laissées à une vérification avant de la dire sans fin ; 0 : autant qu'elle en veut. */
-    private static final int PATIENCE = Integer.getInteger("etapes.patience", 0);
-
     /** Les étapes qui complètent une méthode déjà écrite pour une autre, où aucun FIXME ne les annonce. */
     private static final List<String> DANS_LA_MEME_METHODE = Arrays.asList("phong", "ombres", "reflets");
 
@@ -43,49 +38,14 @@ public class Etapes implements TestExecutionListener {
     private static final String FIXME = " (FIXME)";
 
     private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
-    private final Timer montre = new Timer(true);
-    private TestPlan plan;
-    private TimerTask alarme;
 
     @Override
-    public void testPlanExecutionStarted(TestPlan prevu) {
-        plan = prevu;
-    }
-
-    @Override
-    public void executionStarted(TestIdentifier qui) {
-        if (qui.isTest() && PATIENCE > 0) {
-            Thread fil = Thread.currentThread();
-            alarme = new TimerTask() {
-                @Override
-                public void run() {
-                    Error sansFin = new Error("sans réponse après " + PATIENCE + " secondes : une boucle sans fin ?");
-                    sansFin.setStackTrace(fil.getStackTrace());
-                    executionFinished(qui, TestExecutionResult.failed(sansFin));
-                    testPlanExecutionFinished(plan);
-                    try {
-                        // Maven lit ce bilan par un tube
-                        Thread.sleep(1000);
-                    } catch (InterruptedException e) {
-                        Thread.currentThread().interrupt();
-                    }
-                    Runtime.getRuntime().halt(1);
-                }
-            };
-            montre.schedule(alarme, 1000L * PATIENCE);
-        }
-    }
-
-    @Override
-    public synchronized void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
-        if (alarme != null) {
-            alarme.cancel();
-        }
+    public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
         resultats.put(qui, resultat);
     }
 
     @Override
-    public synchronized void testPlanExecutionFinished(TestPlan fini) {
+    public void testPlanExecutionFinished(TestPlan fini) {
         StringBuilder bilan = new StringBuilder("\n");
         String detail = "";
         Manque aReprendre = null;
@@ -97,15 +57,12 @@ public class Etapes implements TestExecutionListener {
             bilan.append(etape.getDisplayName()).append(" : ").append(verifications.size() - manques.size()).append('/')
                     .append(verifications.size());
             if (!manques.isEmpty()) {
-                boolean aCommencer = etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName()))
-                        && manques.stream().anyMatch(m -> m.aCommencer);
-                manques.removeIf(m -> aCommencer && !m.aCommencer);
                 Manque premier = manques.stream().filter(m -> !m.nonEvaluable).findFirst().orElse(manques.get(0));
-                bilan.append(!premier.essayee ? " ; pas essayée" : premier.nonEvaluable ? " ; le reste n'est pas évaluable"
+                bilan.append(premier.nonEvaluable ? " ; le reste n'est pas évaluable"
                         : premier.aCommencer ? " ; à commencer : " + premier.dit
                         : " ; à reprendre d'abord : " + premier.intitule);
                 // ce qu'une étape d'après explique n'est pas imputé à celle-ci
-                if (aReprendre == null || aReprendre.nonEvaluable && !premier.nonEvaluable) {
+                if (aReprendre == null || premier.rang < aReprendre.rang) {
                     aReprendre = premier;
                     detail = manques.stream().map(Manque::toString).distinct().collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
@@ -139,19 +96,19 @@ public class Etapes implements TestExecutionListener {
         private final String dit;
         private final String question;
         private final String aFaire;
-        private final boolean essayee;
         private final boolean nonEvaluable;
         private final boolean aCommencer;
+        /** Ce qui se reprend d'abord : ce qui échoue, puis ce qui n'est pas commencé, puis ce que le reste empêche d'évaluer. */
+        private final int rang;
 
         Manque(TestIdentifier qui, TestIdentifier etape) {
             intitule = qui.getDisplayName();
             TestExecutionResult resultat = resultats.getOrDefault(qui, resultats.get(etape));
-            essayee = resultat != null && resultat.getThrowable().isPresent();
-            Throwable faute = essayee ? resultat.getThrowable().get() : new Error();
-            MethodSource source = (MethodSource) qui.getSource().get();
-            question = "Tests.java" + premiere(faute, p -> p.getClassName().equals(source.getClassName())
-                    && p.getMethodName().equals(source.getMethodName())).map(p -> ":" + p.getLineNumber()).orElse("");
-            boolean abandonnee = essayee && resultat.getStatus() == Status.ABORTED;
+            Throwable faute = resultat.getThrowable().get();
+            String methode = ((MethodSource) qui.getSource().get()).getMethodName();
+            question = premiere(faute, p -> p.getMethodName().equals(methode))
+                    .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse("Tests.java");
+            boolean abandonnee = resultat.getStatus() == Status.ABORTED;
             Throwable cause = faute;
             while (cause.getCause() != null) {
                 cause = cause.getCause();
@@ -169,12 +126,13 @@ public class Etapes implements TestExecutionListener {
             } else {
                 // une exception : elle est née dans une des classes de l'étudiant
                 dit = cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
-                lieu = premiere(cause, p -> p.getClassName().matches("lancer\\.(?!Tests).*"))
+                lieu = premiere(cause, Causes::deLEtudiant)
                         .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu(classe, intitule));
             }
             nonEvaluable = abandonnee && dit.startsWith("étape non évaluable");
             aCommencer = abandonnee && (lieu.endsWith(FIXME) || cause.getMessage().contains("étape non commencée")
                     && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
+            rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
             aFaire = (aCommencer || lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
         }
 
@@ -184,7 +142,7 @@ public class Etapes implements TestExecutionListener {
 
         @Override
         public String toString() {
-            return !essayee ? "" : aCommencer ? "\n- " + dit + "\n  à " + aFaire + "\n"
+            return aCommencer ? "\n- " + dit + "\n  à " + aFaire + "\n"
                     : "\n- " + intitule + "\n  " + dit + "\n  " + question + " ; à " + aFaire + "\n";
         }
     }

@@ -1,4 +1,4 @@
-package lancer.correction.enfant;
+package lancer.correction.depot;
 
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
@@ -15,7 +15,6 @@ import com.sun.source.util.TreeScanner;
 import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -24,16 +23,14 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.stream.Collectors;
+import javax.lang.model.element.Modifier;
 import javax.tools.Diagnostic;
 import javax.tools.JavaCompiler;
-import javax.tools.JavaFileObject;
-import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /**
- * Lecture d'un fichier source par le JDK : paquet, classes, méthodes et leurs positions. Rien n'est compilé ni exécuté. Les réponses ne
- * contiennent que des listes, des textes et des nombres.
+ * Lecture d'un fichier source par le JDK : paquet, classes, méthodes et leurs positions. Rien n'est compilé ni exécuté.
  */
 public final class Lecteur {
 
@@ -45,40 +42,62 @@ public final class Lecteur {
     private static final JavaCompiler JDK = ToolProvider.getSystemJavaCompiler();
     private static final StandardJavaFileManager GESTION = JDK.getStandardFileManager(null, null, StandardCharsets.UTF_8);
 
+    /** Un fichier lu : son paquet, la fin de son en-tête, les noms de cet en-tête, ses classes, et les positions de ses fautes de syntaxe. */
+    public static final class Fichier {
+
+        final String paquet;
+        final int entete;
+        /** Le paquet, puis les préfixes de chaque importation, du plus long au plus court. */
+        final List<Nom> noms = new ArrayList<>();
+        final List<Type> types;
+        final List<Integer> fautes;
+
+        Fichier(String paquet, int entete, List<Type> types, List<Integer> fautes) {
+            this.paquet = paquet;
+            this.entete = entete;
+            this.types = types;
+            this.fautes = fautes;
+        }
+    }
+
+    /** Un nom d'un en-tête, et sa place. */
+    static final class Nom {
+
+        final String texte;
+        final int debut;
+        final int fin;
+
+        Nom(String texte, int debut, int fin) {
+            this.texte = texte;
+            this.debut = debut;
+            this.fin = fin;
+        }
+    }
+
+    private final String texte;
     private final CompilationUnitTree fichier;
     private final SourcePositions lieux;
 
-    private Lecteur(CompilationUnitTree fichier, SourcePositions lieux) {
+    private Lecteur(String texte, CompilationUnitTree fichier, SourcePositions lieux) {
+        this.texte = texte;
         this.fichier = fichier;
         this.lieux = lieux;
     }
 
-    /**
-     * Lit des fichiers. Pour chaque fichier : paquet, fin de l'en-tête, noms de l'en-tête, classes, positions des fautes de syntaxe. Pour
-     * chaque nom de l'en-tête (le paquet, puis les préfixes de chaque importation, du plus long au plus court) : texte, début, fin. Pour
-     * chaque classe : nom, début, fin, empreinte, noms utilisés, méthodes. Pour chaque méthode : nom, type de retour (vide pour un
-     * constructeur), types des paramètres, modificateurs, début, fin, empreinte.
-     *
-     * @return une valeur par fichier, {@code null} si le lecteur échoue
-     */
-    public static List<?> lire(Collection<String> textes) {
-        return textes.stream().map(Lecteur::lire).collect(Collectors.toList());
+    /** @return un fichier par texte, {@code null} si le lecteur échoue */
+    static Fichier[] lire(Collection<String> textes) {
+        return textes.stream().map(Lecteur::lire).toArray(Fichier[]::new);
     }
 
-    private static List<?> lire(String texte) {
+    private static Fichier lire(String texte) {
         List<Integer> fautes = new ArrayList<>();
         JavacTask tache = (JavacTask) JDK.getTask(new StringWriter(), GESTION, faute -> {
             if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < NOMS_MAX) {
                 fautes.add((int) faute.getPosition());
             }
-        }, List.of("-proc:none"), null, List.of(new SimpleJavaFileObject(URI.create("memoire:///A.java"), JavaFileObject.Kind.SOURCE) {
-            @Override
-            public CharSequence getCharContent(boolean tel) {
-                return texte;
-            }
-        }));
+        }, List.of("-proc:none"), null, List.of(new Compilateur.EnMemoire("A.java", texte)));
         try {
-            return new Lecteur(tache.parse().iterator().next(), Trees.instance(tache).getSourcePositions()).fichier(fautes);
+            return new Lecteur(texte, tache.parse().iterator().next(), Trees.instance(tache).getSourcePositions()).fichier(fautes);
         } catch (IOException | RuntimeException | Error e) {
             // une imbrication trop profonde fait échouer le lecteur : les autres fichiers sont lus quand même
             return null;
@@ -93,14 +112,14 @@ public final class Lecteur {
         return arbre == null ? 0 : (int) lieux.getEndPosition(fichier, arbre);
     }
 
-    private List<?> nom(Tree nom) {
-        return List.of(String.valueOf(nom), debut(nom), fin(nom));
+    private Nom nom(Tree nom) {
+        return new Nom(String.valueOf(nom), debut(nom), fin(nom));
     }
 
-    private List<?> fichier(List<Integer> fautes) {
+    private Fichier fichier(List<Integer> fautes) {
         Tree paquet = fichier.getPackageName();
         int entete = fin(fichier.getPackage());
-        List<List<?>> noms = new ArrayList<>(List.of(nom(paquet)));
+        List<Nom> noms = new ArrayList<>(List.of(nom(paquet)));
         for (ImportTree importation : fichier.getImports()) {
             Tree nom = importation.getQualifiedIdentifier();
             for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
@@ -108,12 +127,14 @@ public final class Lecteur {
             }
             entete = Math.max(entete, fin(importation));
         }
-        return List.of(paquet == null ? "" : paquet.toString(), entete, noms, fichier.getTypeDecls().stream()
+        Fichier lu = new Fichier(paquet == null ? "" : paquet.toString(), entete, fichier.getTypeDecls().stream()
                 .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
                 fautes);
+        lu.noms.addAll(noms);
+        return lu;
     }
 
-    private List<?> classe(ClassTree classe) {
+    private Type classe(ClassTree classe) {
         Set<String> noms = new TreeSet<>();
         new TreeScanner<Void, Void>() {
             @Override
@@ -128,18 +149,23 @@ public final class Lecteur {
                 return super.scan(arbre, rien);
             }
         }.scan(classe, null);
-        return List.of(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()), noms.stream()
-                .limit(NOMS_MAX).collect(Collectors.toList()), classe.getMembers().stream().filter(MethodTree.class::isInstance)
-                .limit(NOMS_MAX).map(m -> methode((MethodTree) m, classe)).collect(Collectors.toList()));
+        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()));
+        noms.stream().limit(NOMS_MAX).forEach(lu.noms::add);
+        classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
+                .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe)));
+        return lu;
     }
 
-    private List<?> methode(MethodTree methode, ClassTree classe) {
+    private Signature methode(MethodTree methode, ClassTree classe) {
         boolean constructeur = methode.getReturnType() == null;
-        return List.of((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
-                constructeur ? "" : type(methode.getReturnType()),
-                methode.getParameters().stream().map(p -> type(p.getType())).collect(Collectors.toList()),
-                methode.getModifiers().getFlags().toString(), debut(methode), fin(methode),
+        Set<Modifier> modificateurs = methode.getModifiers().getFlags();
+        int debut = Math.max(0, debut(methode));
+        Signature lue = new Signature((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
+                constructeur ? "" : type(methode.getReturnType()), modificateurs.contains(Modifier.STATIC),
+                modificateurs.contains(Modifier.PRIVATE), texte.substring(debut, Math.max(debut, fin(methode))),
                 condense(methode.getParameters() + " " + methode.getBody()));
+        methode.getParameters().forEach(p -> lue.types.add(type(p.getType())));
+        return lue;
     }
 
     /** L'arbre que le JDK écrit n'a ni commentaire, ni présentation. */
@@ -149,6 +175,6 @@ public final class Lecteur {
 
     /** Le nom seul d'un type, sans paquet ni paramètres. */
     private static String type(Tree type) {
-        return String.valueOf(type).replaceFirst("(?s)<.*", "").replaceFirst(".*\\.(?=\\w)", "");
+        return String.valueOf(type).replaceFirst("(?s)<.*", "").replaceFirst(".*\\.(?=[\\w$])", "");
     }
 }

@@ -1,0 +1,242 @@
+package lancer.correction.depot;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import lancer.correction.enfant.Texte;
+import org.apache.commons.compress.archivers.zip.UnsupportedZipFeatureException;
+import org.apache.commons.compress.archivers.zip.ZipArchiveEntry;
+import org.apache.commons.compress.archivers.zip.ZipFile;
+import org.apache.commons.compress.archivers.zip.ZipMethod;
+import org.apache.commons.io.function.IOSupplier;
+
+/**
+ * Lit le contenu d'un rendu. Ce qui n'est pas lu (images, bibliothèques, documents) ne compte pas dans sa taille. Les noms qui commencent
+ * par un point et {@code __MACOSX} ne comptent jamais.
+ */
+final class Contenu {
+
+    /** Milieu d'une remarque qui commence par un fichier, et qui finit par la raison de ne pas le lire. */
+    static final String DE_COTE = " : laissé de côté, ";
+    /** Fin d'un refus : ce fichier est une archive que l'enseignant doit déplier. */
+    static final String A_DEPLIER = " : à déplier à la main ; seuls les dossiers et les .zip le sont ici";
+
+    /** Taille maximale de ce qui est lu d'un rendu, décompressé, en octets. */
+    private static final long OCTETS_MAX = 50L << 20;
+    /** Nombre maximal d'entrées d'une archive. */
+    static final int FICHES_MAX = 200_000;
+    private static final int SOURCE_MAX = 1 << 20;
+    private static final int SOURCES_MAX = 500;
+    private static final int PESEE_MAX = 6 << 20;
+    private static final int CHEMIN_MAX = 1000;
+    private static final int EMBOITEMENT_MAX = 3;
+    private static final int CITES_MAX = 5;
+    private static final int NOM_MAX = 70;
+    private static final Pattern AUTRE_ARCHIVE =
+            Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
+    /** Ce que des outils ajoutent, et que l'énoncé demande d'enlever. Un dossier de ce nom qui a des sources n'en est pas. */
+    private static final Set<String> DOSSIERS_OUTILS =
+            Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
+    private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
+
+    private final Rendu rendu;
+    /** Les fichiers et les dossiers d'outils, par leur chemin, et leur nom. */
+    private final Map<String, String> outils = new TreeMap<>();
+    private final Set<String> autres = new TreeSet<>();
+    private long octets;
+    private long pesee;
+    private boolean tropDeFiches;
+
+    Contenu(Rendu rendu) {
+        this.rendu = rendu;
+    }
+
+    static String joindre(String a, String b) {
+        return a.isEmpty() || b.isEmpty() ? a + b : a + "/" + b;
+    }
+
+    /** @return faux s'il n'y a plus rien à lire de ce rendu */
+    boolean prendre(ZipFile zip, ZipArchiveEntry entree, String chemin, String archive, int niveau) {
+        String nom = Lieu.nom(entree);
+        if (nom.startsWith("/") || nom.matches("(?s)[A-Za-z]:.*") || List.of(nom.split("/")).contains("..")) {
+            refuser("entrée refusée, qui sort de son archive : " + nom);
+            return true;
+        }
+        return prendre(chemin + (nom.endsWith("/") ? "/" : ""), entree.isUnixSymlink(), () -> ouvrir(zip, entree), archive, niveau);
+    }
+
+    private static InputStream ouvrir(ZipFile zip, ZipArchiveEntry entree) throws IOException {
+        try {
+            return zip.getInputStream(entree);
+        } catch (UnsupportedZipFeatureException | LinkageError e) {
+            // une bibliothèque facultative, qui n'est pas ici, lirait XZ ou Zstandard
+            ZipMethod methode = ZipMethod.getMethodByCode(entree.getMethod());
+            throw new UnsupportedOperationException(entree.getGeneralPurposeBit().usesEncryption() ? "protégée par un mot de passe"
+                    : "comprimée d'une façon qui n'est pas lue ici (" + (methode == null ? entree.getMethod() : methode) + ")");
+        }
+    }
+
+    /** @return faux s'il n'y a plus rien à lire de ce rendu */
+    boolean parcourir(Path lieu, String chemin) {
+        if (!Lieu.dossier(lieu)) {
+            return prendre(chemin, !Files.isRegularFile(lieu, LinkOption.NOFOLLOW_LINKS), () -> Files.newInputStream(lieu), "", 0);
+        }
+        boolean suite = prendre(chemin + "/", false, null, "", 0);
+        return suite && (Lieu.cache(lieu.getFileName().toString()) || Lieu.enfants(lieu).entrySet().stream()
+                .allMatch(e -> parcourir(e.getValue(), joindre(chemin, e.getKey()))));
+    }
+
+    /**
+     * Lit une entrée, si c'est une source ou une archive. Une entrée illisible n'empêche pas de lire les autres.
+     *
+     * @param chemin dans le rendu ; celui d'un dossier finit par « / »
+     * @param archive celle qui contient l'entrée, vide si c'est celle de la classe
+     * @return faux s'il n'y a plus rien à lire de ce rendu
+     */
+    private boolean prendre(String chemin, boolean lien, IOSupplier<InputStream> contenu, String archive, int niveau) {
+        if (octets > OCTETS_MAX || tropDeFiches) {
+            return false;
+        } else if (chemin.length() > CHEMIN_MAX) {
+            refuser("des noms de plus de " + CHEMIN_MAX + " caractères : laissés de côté");
+            return true;
+        }
+        List<String> noms = List.of(chemin.split("/"));
+        String fin = noms.isEmpty() ? "" : noms.get(noms.size() - 1);
+        retenirLesOutils(noms);
+        if (chemin.endsWith("/") || noms.stream().anyMatch(Lieu::cache)) {
+            return true;
+        }
+        String bas = fin.toLowerCase(Locale.ROOT);
+        boolean zip = bas.endsWith(".zip");
+        if (bas.endsWith(".jar")) {
+            rendu.bibliotheques.add(Texte.protege(fin, NOM_MAX));
+        }
+        if (lien) {
+            refuser("lien refusé : " + fin);
+        } else if (AUTRE_ARCHIVE.matcher(fin).matches()) {
+            refuser(chemin + A_DEPLIER + ", dans un dossier de même nom que ce rendu : « "
+                    + Texte.protege(rendu.entrees.keySet().iterator().next(), NOM_MAX) + " »");
+        } else if (zip || bas.endsWith(".java")) {
+            lire(chemin, contenu, archive, niveau);
+        } else if (autres.size() < CITES_MAX || bas.matches("(?s).*\\.(kt|class)")) {
+            autres.add(Texte.protege(fin, NOM_MAX));
+        }
+        return true;
+    }
+
+    private void retenirLesOutils(List<String> noms) {
+        for (int k = 0; k < noms.size(); k++) {
+            String nom = noms.get(k);
+            if (DOSSIERS_OUTILS.contains(nom) || k == noms.size() - 1 && OUTIL.matcher(nom).matches()) {
+                outils.putIfAbsent(DOSSIERS_OUTILS.contains(nom) ? String.join("/", noms.subList(0, k + 1)) : nom,
+                        Texte.protege(nom, NOM_MAX));
+                return;
+            }
+        }
+    }
+
+    private void lire(String chemin, IOSupplier<InputStream> contenu, String archive, int niveau) {
+        boolean zip = chemin.toLowerCase(Locale.ROOT).endsWith(".zip");
+        try (InputStream flux = contenu.get()) {
+            if (zip) {
+                deplier(flux, chemin, niveau);
+            } else {
+                ajouter(chemin, flux.readNBytes(SOURCE_MAX + 1));
+            }
+        } catch (UnsupportedOperationException e) {
+            refuser((archive.isEmpty() ? chemin : archive) + " : archive " + e.getMessage() + " ; à déplier à la main");
+        } catch (IOException | RuntimeException e) {
+            refuser(chemin + " : " + (zip ? "archive illisible, abîmée ou protégée par un mot de passe" : "illisible")
+                    + " (" + e.getMessage() + ")");
+        }
+    }
+
+    private void ajouter(String chemin, byte[] lus) {
+        octets += lus.length;
+        pesee += lus.length;
+        if (lus.length > SOURCE_MAX) {
+            remarquer(chemin + DE_COTE + "plus d'un mégaoctet");
+        } else if (rendu.sources.size() >= SOURCES_MAX || pesee > PESEE_MAX) {
+            remarquer("des sources" + DE_COTE + "il y en a plus de " + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20)
+                    + " Mo en tout");
+        } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
+            remarquer(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
+        }
+    }
+
+    private void deplier(InputStream flux, String chemin, int niveau) throws IOException {
+        if (niveau >= EMBOITEMENT_MAX) {
+            refuser(chemin + " : trop d'archives l'une dans l'autre");
+            return;
+        }
+        byte[] archive = flux.readNBytes((int) OCTETS_MAX + 1);
+        octets += archive.length;
+        // les fiches du répertoire central, que la bibliothèque retient toutes (APPNOTE.TXT, 4.3.12)
+        tropDeFiches |= IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
+                && archive[k + 3] == 2).limit(FICHES_MAX + 1).count() > FICHES_MAX;
+        if (octets > OCTETS_MAX || tropDeFiches) {
+            return;
+        }
+        try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
+            String dans = chemin.substring(0, chemin.length() - ".zip".length());
+            Collections.list(zip.getEntries()).stream()
+                    .allMatch(e -> prendre(zip, e, joindre(dans, Lieu.nom(e)).replaceFirst("/$", ""), chemin, niveau + 1));
+        }
+    }
+
+    private void refuser(String pourquoi) {
+        if (!rendu.refus.contains(pourquoi)) {
+            rendu.refus.add(pourquoi);
+        }
+    }
+
+    private void remarquer(String quoi) {
+        if (!rendu.remarques.contains(quoi)) {
+            rendu.remarques.add(quoi);
+        }
+    }
+
+    /** Conclut la lecture. */
+    void finir() {
+        outils.keySet().removeIf(dossier -> rendu.sources.keySet().stream().anyMatch(s -> s.startsWith(dossier + "/")));
+        if (octets > OCTETS_MAX || tropDeFiches) {
+            rendu.refus.add(tropDeFiches ? "une archive de plus de " + FICHES_MAX + " entrées"
+                    : "plus de " + (OCTETS_MAX >> 20) + " Mo de sources et d'archives une fois dépliées");
+            rendu.sources.clear();
+        } else if (rendu.sources.isEmpty() && rendu.refus.isEmpty()) {
+            autres.addAll(rendu.bibliotheques);
+            autres.addAll(outils.values());
+            rendu.refus.add(sansSource());
+        }
+        rendu.outils.addAll(outils.values());
+        Texte.abreger(rendu.refus);
+        Texte.abreger(rendu.remarques);
+    }
+
+    /** Ce que contient un rendu sans source. */
+    private String sansSource() {
+        for (String[] sorte : new String[][] {{".kt", "des sources Kotlin, et non Java"},
+            {".class", "des classes compilées, sans leurs sources"}}) {
+            String siens = autres.stream().filter(a -> a.endsWith(sorte[0])).limit(CITES_MAX).collect(Collectors.joining(", "));
+            if (!siens.isEmpty()) {
+                return "aucun fichier .java dans ce rendu : " + sorte[1] + " (" + siens + ")";
+            }
+        }
+        return "aucun fichier .java dans ce rendu ; " + (autres.isEmpty() ? "il est vide"
+                : "il contient : " + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", ")));
+    }
+}
