@@ -50,13 +50,15 @@ final class Lieu implements AutoCloseable {
     }
 
     private ZipFile emboitee(String nom) throws IOException {
-        try (ZipFile autour = zip; InputStream flux = zip.getInputStream(entrees.get(nom).get(0))) {
-            byte[] octets = flux.readNBytes(CLASSE_MAX + 1);
-            if (octets.length > CLASSE_MAX) {
-                throw new IOException(nom + Contenu.A_DEPLIER);
-            }
-            return ZipFile.builder().setByteArray(octets).get();
+        byte[] octets;
+        try (InputStream flux = zip.getInputStream(entrees.get(nom).get(0))) {
+            octets = flux.readNBytes(CLASSE_MAX + 1);
         }
+        zip.close();
+        if (octets.length > CLASSE_MAX) {
+            throw new IOException(nom + Contenu.A_DEPLIER);
+        }
+        return ZipFile.builder().setByteArray(octets).get();
     }
 
     /** Les noms qui comptent ; vrai pour un fichier. */

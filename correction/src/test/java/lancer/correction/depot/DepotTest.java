@@ -369,26 +369,6 @@ class DepotTest extends DepotEssai {
                 projet(lu).aRegarder);
     }
 
-    /** Le nom d'une archive, et celui de ses dossiers, dans toutes les écritures. */
-    @Test
-    void uneClasseEtSesArchivesSeLisentPareillementDepliees() throws IOException {
-        ecrire(rendus.resolve("Zoé/note.md"), "x");
-        ecrire(rendus.resolve("Zoé/lancer/Vecteur.java"), CLASSE);
-        Path projet = dossier.resolve("p");
-        ecrire(projet.resolve("Vecteur.java"), CLASSE);
-        ClasseEssai.archiver(projet, rendus.resolve("王.zip"), "проект/");
-        Path classe = dossier.resolve("classe.zip");
-        ClasseEssai.archiver(rendus, classe, "");
-        Files.createSymbolicLink(rendus.resolve("lien.zip"), classe);
-        for (Path lieu : List.of(rendus, classe)) {
-            Map<String, Rendu> lus = lire(lieu);
-            assertEquals("[lancer/Vecteur.java]", lus.get("Zoé").sources.keySet().toString());
-            assertEquals("[王/проект/Vecteur.java]", lus.get("王.zip").sources.keySet().toString());
-            assertEquals(lieu == rendus ? List.of("lien refusé : lien.zip") : List.of(), lus.values().stream()
-                    .flatMap(r -> r.refus.stream()).collect(Collectors.toList()));
-        }
-    }
-
     @Test
     void rienEstRefuseEnUnePhrase() {
         assertEquals(2, Assertions.assertThrows(Panne.class, () -> classe(dossier.resolve("absent"))).code);
