@@ -99,8 +99,9 @@ public final class Compilateur {
             for (int k = 1; k < demande.size(); k += 2) {
                 textes.put((String) demande.get(k), new String((byte[]) demande.get(k + 1), StandardCharsets.UTF_8));
             }
-            return Echange.message(demande.get(0).equals(LIRE)
-                    ? List.of(JSON.toJson(Lecteur.lire(textes.values())).getBytes(StandardCharsets.UTF_8)) : ici.compiler(textes), o -> null);
+            List<?> reponse = demande.get(0).equals(LIRE) ? List.of(JSON.toJson(Lecteur.lire(textes.values()))
+                    .getBytes(StandardCharsets.UTF_8)) : ici.compiler(textes);
+            return Echange.message(reponse, o -> null);
         });
     }
 

@@ -70,7 +70,7 @@ final class Lieu implements AutoCloseable {
             entrees = Collections.list(zip.getEntries()).stream().filter(e -> nom(e).startsWith(debut) && nom(e).length() > debut.length())
                     .collect(Collectors.groupingBy(e -> nom(e).substring(debut.length()).split("/", 2)[0], LinkedHashMap::new,
                             Collectors.toList()));
-            entrees.forEach((nom, siennes) -> noms.put(nom, siennes.stream().allMatch(e -> nom(e).length() == debut.length() + nom.length())));
+            entrees.forEach((nom, siennes) -> noms.put(nom, siennes.stream().allMatch(e -> nom(e).equals(debut + nom))));
         }
         noms.keySet().removeIf(Lieu::cache);
         return noms;

@@ -50,7 +50,8 @@ final class Machines {
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
     private final String chemin = chemin(Stream.concat(
-            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class,
+                    JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
             .filter(c -> c.getName().startsWith("org.eclipse."))));
 

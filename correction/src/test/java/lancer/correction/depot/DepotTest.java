@@ -72,7 +72,7 @@ class DepotTest extends DepotEssai {
     @CsvSource(delimiter = '|', value = {
         "dupont/lancer/Vecteur.java;dupont.zip | dupont;dupont.zip",
         // GitHub Classroom
-        "lancer-base-jdupont/src/lancer/Vecteur.java;lancer-base-zoe-nguyen/src/lancer/Vecteur.java | lancer-base-jdupont;lancer-base-zoe-nguyen",
+        "lancer-base-jdupont/src/lancer/A.java;lancer-base-zoe-nguyen/src/lancer/A.java | lancer-base-jdupont;lancer-base-zoe-nguyen",
         "lancer-base-dupont.zip;lancer-base-martin.zip;TP durand.zip | TP durand.zip;lancer-base-dupont.zip;lancer-base-martin.zip",
         "lancer/A.java;brume/A.java;antialias/A.java;blinn.zip;pom/A.java | antialias;blinn.zip;brume;lancer;pom",
         // Canvas, où un étudiant a rendu ses fichiers un à un, et un autre en retard
@@ -83,8 +83,8 @@ class DepotTest extends DepotEssai {
         "TP été/dupont/A.java;TP été/martin.zip;__MACOSX/TP été/._x;TP été/.DS_Store;.git/config | dupont;martin.zip",
         "a/b/c/dupont/A.java;a/b/c/martin/A.java | dupont;martin",
         "Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java | 11",
-        "moodle/Zoé_11_assignsubmission_file_A.java;moodle/Zoé_11_assignsubmission_onlinetext/o.html;moodle/Éva_12_assignsubmission_file_/A.java "
-            + "| 11;12",
+        "moodle/Zoé_11_assignsubmission_file_A.java;moodle/Zoé_11_assignsubmission_onlinetext/o.html;"
+            + "moodle/Éva_12_assignsubmission_file_/A.java | 11;12",
         // rien ne disparaît
         "dupont.zip;rapport.pdf;rapport.docx;tp.jar;sans-fin;martin.rar | dupont.zip;martin.rar;rapport.docx;rapport.pdf;sans-fin;tp.jar",
         "src/lancer/Vecteur.java;pom.xml | !pom.xml", "dupont/src/lancer/Vecteur.java | !Vecteur.java",
@@ -184,8 +184,8 @@ class DepotTest extends DepotEssai {
         ClasseEssai.ecrireLien(lien, "Vecteur.java", secret.toString());
         Map<String, Rendu> lus = lire(rendus);
         assertEquals(7, lus.size());
-        refuse(lus.get("11"), "tp.rar : à déplier à la main ; seuls les dossiers et les .zip le sont ici, dans un dossier de même nom que ce "
-                + "rendu : « Étudiant 1_11_assignsubmission_file »");
+        refuse(lus.get("11"), "tp.rar : à déplier à la main ; seuls les dossiers et les .zip le sont ici, dans un dossier de même nom "
+                + "que ce rendu : « Étudiant 1_11_assignsubmission_file »");
         refuse(lus.get("12"), "tp.7z : à déplier à la main");
         refuse(lus.get("13"), "tp.zip : archive illisible");
         refuse(lus.get("14"), "../../evade.java");
