@@ -72,7 +72,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
         etapes("103", "7/7", "9/9", "0/7", "1/9", "1/9");
-        contient(page(dossier, "103"), "Sphere.java:31 : le compilateur dit « Syntax error, insert &quot;;&quot; to complete", "n&#39;est pas en UTF-8");
+        contient(page(dossier, "103"), "Sphere.java:31 : le compilateur dit « Syntax error, insert &quot;;&quot; to complete",
+                "n&#39;est pas en UTF-8");
     }
 
     @Test
@@ -108,8 +109,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void unMessageQuiSeRepeteNEstDeplieQuUneFois() throws IOException {
         String page = page(dossier, "103");
-        assertEquals(1, Stream.of(page.split("<details open>")).skip(1).filter(d -> d.split("</details>")[0].contains("Syntax error")).count(),
-                "la même cause, à chaque vérification de la méthode");
+        assertEquals(1, Stream.of(page.split("<details open>")).skip(1).filter(d -> d.split("</details>")[0]
+                .contains("Syntax error")).count(), "la même cause, à chaque vérification de la méthode");
     }
 
     @Test

@@ -68,7 +68,8 @@ class NomsTest extends ClasseEssai {
         assertEquals(List.of("", "", "", ""), List.of(ligne.get("note"), ligne.get("étape atteinte"), ligne.get("sphere"),
                 ligne.get("image identique")));
         contient(ligne.get("refus"), "Vecteur.7z : à déplier à la main");
-        contient(Files.readString(pages.resolve("index.html")), "4 entrées, 4 lignes", "</a><td class=\"n\">sans note<td class=\"petit\"><div>");
+        contient(Files.readString(pages.resolve("index.html")), "4 entrées, 4 lignes",
+                "</a><td class=\"n\">sans note<td class=\"petit\"><div>");
     }
 
     /** Ce que dit le programme, sans confinement permis, si bwrap est le programme de ce dossier. */

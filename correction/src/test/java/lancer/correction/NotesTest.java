@@ -107,8 +107,8 @@ class NotesTest extends ClasseEssai {
         renoter("--notes", feuille(TITRES + "Participant 7001,x,9.00,20.00,-,\nParticipant 7002,x,,20.00,-,\n"));
         assertEquals("16.67/20.00", note("7001"), "20 points sur 24");
         String index = Files.readString(dossier.resolve("index.html"));
-        contient(index, "<td class=\"n\">16,67<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : 9.00 ; "
-                + "la nôtre serait 16.67");
+        contient(index, "<td class=\"n\">16,67<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : "
+                + "9.00 ; la nôtre serait 16.67");
         assertEquals(2, index.split("sur 24").length, "dit une fois, et le reste est sur une seule échelle");
         contient(index, "dans bareme.ini et ajustements.csv, ils sont sur 24");
         assertFalse(page(dossier, "7001").contains("sur 24"), "une seule échelle");

@@ -1,12 +1,7 @@
 package lancer.correction.depot;
 
 import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
-import com.google.gson.JsonDeserializer;
-import com.google.gson.JsonPrimitive;
-import com.google.gson.JsonSerializer;
 import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
@@ -16,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,38 +30,18 @@ import org.apache.commons.io.FileUtils;
 /** Lit ou compile des sources, dans une autre machine virtuelle, par le compilateur d'Eclipse : il écrit même les classes fautives. */
 public final class Compilateur {
 
-    /** Les demandes et les réponses : des objets, par les noms de leurs champs. */
-    private static final Gson JSON = new GsonBuilder().disableHtmlEscaping()
-            .registerTypeAdapter(byte[].class, (JsonSerializer<byte[]>) (octets, type, json) ->
-                    new JsonPrimitive(Base64.getEncoder().encodeToString(octets)))
-            .registerTypeAdapter(byte[].class, (JsonDeserializer<byte[]>) (texte, type, json) ->
-                    Base64.getDecoder().decode(texte.getAsString())).create();
+    /** Lit des textes : la réponse est ce qu'en dit {@link Lecteur}, en JSON. */
+    public static final String LIRE = "L";
+    /** Compile des sources : la réponse est la liste des fautes, puis celle des classes, vide si le compilateur échoue. */
+    public static final String COMPILER = "C";
+
+    private static final Gson JSON = new Gson();
 
     /** Dernière version de Java que ce compilateur connaît. */
     private static final int NIVEAU_MAX = 25;
 
     private static final int FAUTES_MAX = 500;
     private static final int CLASSES_MAX = 2000;
-
-    /** Des textes à lire, ou des sources à compiler par leur nom, {@code lancer/Vecteur}. */
-    public static final class Demande {
-
-        private final List<String> aLire;
-        private final Map<String, String> sources;
-
-        public Demande(List<String> aLire, Map<String, String> sources) {
-            this.aLire = aLire;
-            this.sources = sources;
-        }
-    }
-
-    /** Les fichiers lus, ou les fautes et les classes compilées ; sans aucune classe, le compilateur échoue. */
-    public static final class Reponse {
-
-        public Lecteur.Fichier[] lus;
-        public final List<Faute> fautes = new ArrayList<>();
-        public final Map<String, byte[]> classes = new LinkedHashMap<>();
-    }
 
     /** Une source à lire, ou une classe à écrire, que le compilateur tient en mémoire. */
     static final class EnMemoire extends SimpleJavaFileObject {
@@ -105,38 +79,48 @@ public final class Compilateur {
         gestion = compilateur.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8);
     }
 
-    public static byte[] ecrire(Object message) {
-        return JSON.toJson(message).getBytes(StandardCharsets.UTF_8);
+    /** Une demande : sa sorte, puis le nom et les octets de chaque texte. */
+    public static List<Object> demande(String sorte, Map<String, String> textes) {
+        List<Object> demande = new ArrayList<>(List.of(sorte));
+        textes.forEach((nom, texte) -> demande.addAll(List.of(nom, texte.getBytes(StandardCharsets.UTF_8))));
+        return demande;
     }
 
-    /** @throws RuntimeException si le message n'a pas cette forme */
-    public static <T> T lire(Class<T> type, DataInputStream message) throws IOException {
-        return JSON.fromJson(new String(message.readAllBytes(), StandardCharsets.UTF_8), type);
+    /** Ce que dit une réponse à {@link #LIRE}. @throws RuntimeException si elle n'a pas cette forme */
+    public static Lecteur.Fichier[] lus(List<?> reponse) {
+        return JSON.fromJson(new String((byte[]) reponse.get(0), StandardCharsets.UTF_8), Lecteur.Fichier[].class);
     }
 
     public static void main(String[] args) throws IOException {
         Compilateur ici = new Compilateur();
         Echange.servir(System.in, System.out, message -> {
-            Demande demande = lire(Demande.class, message);
-            Reponse reponse = new Reponse();
-            if (!demande.aLire.isEmpty()) {
-                reponse.lus = Lecteur.lire(demande.aLire);
-                return ecrire(reponse);
+            List<?> demande = (List<?>) Echange.lire(message, o -> null);
+            Map<String, String> textes = new LinkedHashMap<>();
+            for (int k = 1; k < demande.size(); k += 2) {
+                textes.put((String) demande.get(k), new String((byte[]) demande.get(k + 1), StandardCharsets.UTF_8));
             }
-            Path dossier = Files.createTempDirectory("compilation").toRealPath();
-            try {
-                ici.compiler(dossier, demande.sources, reponse);
-            } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
-                // une source fait échouer le compilateur
-                reponse.classes.clear();
-            } finally {
-                FileUtils.deleteQuietly(dossier.toFile());
-            }
-            return ecrire(reponse);
+            List<?> reponse = demande.get(0).equals(LIRE) ? List.of(JSON.toJson(Lecteur.lire(textes.values()))
+                    .getBytes(StandardCharsets.UTF_8)) : ici.compiler(textes);
+            return Echange.message(reponse, o -> null);
         });
     }
 
-    private void compiler(Path dossier, Map<String, String> sources, Reponse reponse) throws IOException {
+    private List<?> compiler(Map<String, String> sources) throws IOException {
+        List<List<?>> fautes = new ArrayList<>();
+        List<Object> classes = new ArrayList<>();
+        Path dossier = Files.createTempDirectory("compilation").toRealPath();
+        try {
+            compiler(dossier, sources, fautes, classes);
+        } catch (IOException | RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
+            // une source fait échouer le compilateur
+            classes.clear();
+        } finally {
+            FileUtils.deleteQuietly(dossier.toFile());
+        }
+        return List.of(fautes, classes);
+    }
+
+    private void compiler(Path dossier, Map<String, String> sources, List<List<?>> fautes, List<Object> classes) throws IOException {
         List<Path> fichiers = new ArrayList<>();
         for (Map.Entry<String, String> source : sources.entrySet()) {
             Path fichier = dossier.resolve(source.getKey() + ".java");
@@ -154,16 +138,16 @@ public final class Compilateur {
                 return ecrites.get(ecrites.size() - 1);
             }
         }, faute -> {
-            if (faute.getKind() == Diagnostic.Kind.ERROR && reponse.fautes.size() < FAUTES_MAX) {
-                reponse.fautes.add(new Faute(faute.getSource() == null ? "?" : dossier.relativize(Paths.get(faute.getSource().toUri()))
+            if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < FAUTES_MAX) {
+                fautes.add(List.of(faute.getSource() == null ? "?" : dossier.relativize(Paths.get(faute.getSource().toUri()))
                         .toString().replace('\\', '/'), (int) faute.getLineNumber(), faute.getMessage(Locale.ROOT)));
             }
         }, List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn", "-proc:none", "-proceedOnError",
                 "-classpath", System.getProperty("java.class.path")), null,
                 gestion.getJavaFileObjectsFromPaths(fichiers)).call();
-        ecrites.stream().limit(CLASSES_MAX + 1).forEach(c -> reponse.classes.put(c.nom.replace('/', '.'), c.ecrit.toByteArray()));
         if (ecrites.size() > CLASSES_MAX) {
             throw new IllegalStateException("trop de classes");
         }
+        ecrites.forEach(c -> classes.addAll(List.of(c.nom.replace('/', '.'), c.ecrit.toByteArray())));
     }
 }

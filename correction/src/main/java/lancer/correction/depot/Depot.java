@@ -18,8 +18,8 @@ import lancer.correction.Panne;
 import lancer.correction.enfant.Texte;
 
 /**
- * Les rendus d'une classe, un dossier ou une archive : chaque entrée est une ligne. Les entrées que Moodle donne à un même numéro, ou Canvas
- * à un même étudiant, sont une seule ligne.
+ * Les rendus d'une classe, un dossier ou une archive : chaque entrée est une ligne. Les entrées que Moodle donne à un même numéro, ou
+ * Canvas à un même étudiant, sont une seule ligne.
  */
 public final class Depot {
 
@@ -92,8 +92,8 @@ public final class Depot {
                     rendu.remarques.add("rendu en retard, d'après Canvas");
                 }
             } else if (DE_PROJET.matcher(nom).matches()) {
-                throw new Panne(2, "rien n'est jugé : « " + nom + " » n'est pas le rendu d'un étudiant ; attendu : une entrée par étudiant ; "
-                        + "pour un seul rendu : make corriger UN=" + lieu + " (--un)");
+                throw new Panne(2, "rien n'est jugé : « " + nom + " » n'est pas le rendu d'un étudiant ; attendu : une entrée par étudiant "
+                        + "; pour un seul rendu : make corriger UN=" + lieu + " (--un)");
             } else {
                 rendu(nom, nom).entrees.put(nom, fichier ? nom : "");
             }

@@ -42,7 +42,7 @@ public final class Lecteur {
     private static final JavaCompiler JDK = ToolProvider.getSystemJavaCompiler();
     private static final StandardJavaFileManager GESTION = JDK.getStandardFileManager(null, null, StandardCharsets.UTF_8);
 
-    /** Un fichier lu : son paquet, la fin de son en-tête, les noms de cet en-tête, ses classes, et les positions de ses fautes de syntaxe. */
+    /** Un fichier lu : son paquet, la fin de son en-tête, les noms de cet en-tête, ses classes, et les places de ses fautes de syntaxe. */
     public static final class Fichier {
 
         final String paquet;

@@ -50,13 +50,15 @@ final class Lieu implements AutoCloseable {
     }
 
     private ZipFile emboitee(String nom) throws IOException {
-        try (ZipFile autour = zip; InputStream flux = zip.getInputStream(entrees.get(nom).get(0))) {
-            byte[] octets = flux.readNBytes(CLASSE_MAX + 1);
-            if (octets.length > CLASSE_MAX) {
-                throw new IOException(nom + Contenu.A_DEPLIER);
-            }
-            return ZipFile.builder().setByteArray(octets).get();
+        byte[] octets;
+        try (InputStream flux = zip.getInputStream(entrees.get(nom).get(0))) {
+            octets = flux.readNBytes(CLASSE_MAX + 1);
         }
+        zip.close();
+        if (octets.length > CLASSE_MAX) {
+            throw new IOException(nom + Contenu.A_DEPLIER);
+        }
+        return ZipFile.builder().setByteArray(octets).get();
     }
 
     /** Les noms qui comptent ; vrai pour un fichier. */
@@ -68,7 +70,7 @@ final class Lieu implements AutoCloseable {
             entrees = Collections.list(zip.getEntries()).stream().filter(e -> nom(e).startsWith(debut) && nom(e).length() > debut.length())
                     .collect(Collectors.groupingBy(e -> nom(e).substring(debut.length()).split("/", 2)[0], LinkedHashMap::new,
                             Collectors.toList()));
-            entrees.forEach((nom, siennes) -> noms.put(nom, siennes.stream().allMatch(e -> nom(e).length() == debut.length() + nom.length())));
+            entrees.forEach((nom, siennes) -> noms.put(nom, siennes.stream().allMatch(e -> nom(e).equals(debut + nom))));
         }
         noms.keySet().removeIf(Lieu::cache);
         return noms;

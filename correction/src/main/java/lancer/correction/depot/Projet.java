@@ -159,8 +159,8 @@ public final class Projet {
     }
 
     /**
-     * Dit d'où viennent les textes d'un dossier. Un étudiant écrit de lui-même quelques classes comme le corrigé : elles n'en viennent que si
-     * la plupart de celles du dossier sont celles du corrigé.
+     * Dit d'où viennent les textes d'un dossier. Un étudiant écrit de lui-même quelques classes comme le corrigé : elles n'en viennent que
+     * si la plupart de celles du dossier sont celles du corrigé.
      */
     private static void situer(List<Type> types, Cours cours) {
         types.forEach(t -> t.provenance = cours.provenance(t));
@@ -331,7 +331,8 @@ public final class Projet {
                 if (type != null && type.provenance > meilleur.provenance) {
                     copie.put(nom, meilleur);
                     String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
-                    ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, classe, (a, b) -> a + ", " + b);
+                    ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, classe,
+                            (a, b) -> a + ", " + b);
                 }
             }
         }

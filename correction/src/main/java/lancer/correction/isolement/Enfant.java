@@ -18,9 +18,9 @@ import lancer.correction.Panne;
 import lancer.correction.enfant.Echange;
 
 /**
- * Une autre machine virtuelle, qui traite une demande à la fois. Confinée, elle est un seul programme, dont le correcteur surveille le temps
- * de calcul, les réponses et les fils ; sinon, une durée est tout ce qui la limite. L'attente est comptée en tours de surveillance : la mise
- * en veille de la machine ne compte pas.
+ * Une autre machine virtuelle, qui traite une demande à la fois. Confinée, elle est un seul programme, dont le correcteur surveille le
+ * temps de calcul, les réponses et les fils ; sinon, une durée est tout ce qui la limite. L'attente est comptée en tours de surveillance :
+ * la mise en veille de la machine ne compte pas.
  *
  * <p>Les demandes sont numérotées. Une réponse inattendue ou trop longue n'est pas lue : cette machine virtuelle est arrêtée.
  */

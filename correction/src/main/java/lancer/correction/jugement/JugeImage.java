@@ -34,8 +34,8 @@ final class JugeImage {
     Image dessiner(Assemblage assemblage, String scene) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, ici -> ici.sonder(byte[].class, "dessiner",
-                reference.scene(scene), taille[0], taille[1], taille[2])));
+        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, ici -> ici.sonder(byte[].class,
+                "dessiner", reference.scene(scene), taille[0], taille[1], taille[2])));
     }
 
     /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */

@@ -280,8 +280,8 @@ final class JugeRendu implements AutoCloseable {
             return ensemble;
         }
         if (!projet.changees.contains(v.classe)) {
-            return new Verdict(Etat.NON_COMMENCE, v.classe, "la classe " + v.classe + (projet.texte(v.classe) == null ? " n'est pas dans le rendu"
-                    : " est celle du projet à compléter"));
+            return new Verdict(Etat.NON_COMMENCE, v.classe, "la classe " + v.classe + (projet.texte(v.classe) == null
+                    ? " n'est pas dans le rendu" : " est celle du projet à compléter"));
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
             cachees.add(v);

@@ -13,6 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
@@ -48,7 +50,8 @@ final class Machines {
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
     private final String chemin = chemin(Stream.concat(
-            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class, JUnitException.class),
+            Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class,
+                    JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
             .filter(c -> c.getName().startsWith("org.eclipse."))));
 
@@ -151,14 +154,21 @@ final class Machines {
     /** Un assemblage de classes compilé : les octets de chacune, par nom, et les fautes. */
     static final class Assemblage {
 
-        final Map<String, byte[]> classes;
-        final List<Faute> fautes;
+        final Map<String, byte[]> classes = new HashMap<>();
+        final List<Faute> fautes = new ArrayList<>();
         /** Vrai si une vérification de cet assemblage n'a pas fini. */
         boolean arrete;
 
-        Assemblage(Map<String, byte[]> classes, List<Faute> fautes) {
-            this.classes = classes;
-            this.fautes = fautes;
+        /** @param reponse voir {@link Compilateur#COMPILER} */
+        private Assemblage(List<?> reponse) {
+            for (Object une : (List<?>) reponse.get(0)) {
+                List<?> faute = (List<?>) une;
+                fautes.add(new Faute((String) faute.get(0), (Integer) faute.get(1), (String) faute.get(2)));
+            }
+            List<?> compilees = (List<?>) reponse.get(1);
+            for (int k = 0; k < compilees.size(); k += 2) {
+                classes.put((String) compilees.get(k), (byte[]) compilees.get(k + 1));
+            }
         }
 
         List<Faute> fautesDe(String classe) {
@@ -171,14 +181,17 @@ final class Machines {
 
         /** Lecture de ces textes par le JDK : voir {@link Lecteur#lire}. */
         Lecteur.Fichier[] lire(List<String> textes) throws Arret {
-            return textes.isEmpty() ? new Lecteur.Fichier[0] : demander(new Compilateur.Demande(textes, Map.of())).lus;
+            Map<String, String> tous = new LinkedHashMap<>();
+            textes.forEach(t -> tous.put(String.valueOf(tous.size()), t));
+            return demander(Compilateur.LIRE, tous, Compilateur::lus);
         }
 
-        private Compilateur.Reponse demander(Compilateur.Demande demande) throws Arret {
-            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Compilateur.ecrire(new Compilateur.Demande(List.of(), Map.of())));
+        private <T> T demander(String sorte, Map<String, String> textes, Function<List<?>, T> lecture) throws Arret {
+            lancer(Compilateur.class, chemin, Limites.DE_COMPILATION, Echange.message(List.of(Compilateur.COMPILER), o -> null));
             enfant.commencer(Limites.DE_COMPILATION.calcul);
             try {
-                return demander(Compilateur.ecrire(demande), Echange.GROSSE_REPONSE_MAX, r -> Compilateur.lire(Compilateur.Reponse.class, r));
+                return demander(Echange.message(Compilateur.demande(sorte, textes), o -> null), Echange.GROSSE_REPONSE_MAX,
+                        reponse -> lecture.apply((List<?>) Echange.lire(reponse, o -> null)));
             } catch (Arret e) {
                 if (e.tue) {
                     throw new Panne(1, "le compilateur a été tué : " + e.getMessage());
@@ -192,12 +205,12 @@ final class Machines {
          * @throws Arret si ces sources font échouer le compilateur ; @throws Panne s'il échoue sans elles, ou s'il est tué
          */
         Assemblage compiler(Map<String, String> sources) throws Arret {
-            Compilateur.Reponse reponse = demander(new Compilateur.Demande(List.of(), sources));
-            if (reponse.classes.isEmpty()) {
+            Assemblage compile = demander(Compilateur.COMPILER, sources, Assemblage::new);
+            if (compile.classes.isEmpty()) {
                 close();
                 throw new Arret("arrêté : ces sources font échouer le compilateur", false);
             }
-            return new Assemblage(reponse.classes, reponse.fautes);
+            return compile;
         }
     }
 

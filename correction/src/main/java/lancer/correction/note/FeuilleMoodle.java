@@ -125,8 +125,8 @@ public final class FeuilleMoodle {
     }
 
     /**
-     * Écrit {@code notes-a-deposer.csv}. Une note que la correction n'a pas écrite est gardée ; l'enseignant doit alors examiner ce rendu. Un
-     * fichier que quelqu'un a changé depuis est mis de côté, sous un autre nom.
+     * Écrit {@code notes-a-deposer.csv}. Une note que la correction n'a pas écrite est gardée ; l'enseignant doit alors examiner ce rendu.
+     * Un fichier que quelqu'un a changé depuis est mis de côté, sous un autre nom.
      *
      * @param avis reçoit ce nom
      * @return les rendus jugés dont la note n'est pas dans la feuille : ils n'y sont pas, ou leur note est verrouillée

@@ -76,8 +76,8 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(rendu);
         assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
-                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale", "le même texte que le corrigé, aux commentaires près : "
-                + "Vecteur, Point, Rayon, Camera"), lu.aRegarder);
+                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale",
+                "le même texte que le corrigé, aux commentaires près : Vecteur, Point, Rayon, Camera"), lu.aRegarder);
     }
 
     @Test
@@ -110,7 +110,8 @@ class ProjetTest extends DepotEssai {
         assertEquals("[lancer/Vecteur]", lu.base.keySet().toString());
         assertEquals("\\u0070ackage lancer;\npublic class Vecteur { }\n", lu.texte("Vecteur"));
         assertEquals(List.of("lancer/Deux.java : laissé de côté, le paquet « java.lang » n'est pas à vous",
-                "lancer/Trois.java : laissé de côté, il déclare une classe Sonde qui cacherait celle de la correction"), lu.remarques.subList(0, 2));
+                "lancer/Trois.java : laissé de côté, il déclare une classe Sonde qui cacherait celle de la correction"),
+                lu.remarques.subList(0, 2));
     }
 
     @Test
@@ -256,7 +257,7 @@ class ProjetTest extends DepotEssai {
         ecrire(projet.resolve("B.java"), "package lancer; class B { static class Appels { } String s = \"} class Appels\"; }");
         ecrire(projet.resolve("Record.java"), "package lancer; class Record { }");
         Projet lu = projet(lire(rendus).get("11"));
-        assertEquals("[lancer/B, lancer/Record]", lu.base.keySet().toString(), "une classe du paquet a le nom qu'elle veut, même de java.lang");
+        assertEquals("[lancer/B, lancer/Record]", lu.base.keySet().toString(), "une classe du paquet a le nom qu'elle veut");
         assertEquals(List.of("lancer/A.java : laissé de côté, il déclare une classe Appels qui cacherait celle de la correction"),
                 lu.remarques);
     }

@@ -56,8 +56,8 @@ class DossierDeResultatsTest {
 
     @Test
     void deuxEntreesNOntJamaisLeMemeFichier() throws IOException {
-        List<String> noms = List.of("TP1.zip", "TP1", "TP1%2Ezip", "zoé", "zoe\u0301", "..", ".json", "a/b", "a%2Fb", "é".repeat(120), "é".repeat(120)
-                + "x", "x".repeat(250), "corrige", "12");
+        List<String> noms = List.of("TP1.zip", "TP1", "TP1%2Ezip", "zoé", "zoe\u0301", "..", ".json", "a/b", "a%2Fb", "é".repeat(120),
+                "é".repeat(120) + "x", "x".repeat(250), "corrige", "12");
         DossierDeResultats dossier = new DossierDeResultats(classe);
         for (String nom : noms) {
             dossier.ecrire(resultat(nom, ""));
