@@ -6,7 +6,7 @@ import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -140,7 +140,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
         }
         attendre("le seuil est celui de l'image", () -> banc.controleur.demande.reglages.getSeuil() == 0.001);
         assertEquals(5, banc.controleur.demande.reglages.getReflets());
-        assertNull(BancFenetre.chercher(null, Inspecteur.class), "Entrée n'a pas ouvert l'onglet Pixel");
+        assertFalse(surFilEvenements(BancFenetre.chercher("pixel", Inspecteur.class)::isShowing), "Entrée n'a pas ouvert l'onglet Pixel");
     }
 
     @Test
