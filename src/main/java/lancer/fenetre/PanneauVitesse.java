@@ -35,7 +35,7 @@ final class PanneauVitesse extends JPanel {
     /** Racine du nombre de rayons d'une référence. */
     private static final int COTE = 6;
     private static final int MARGE = 8;
-    private static final int LIGNES = 6;
+    private static final int LIGNES = 4;
 
     private final Controleur controleur;
     final GraphiqueVitesse graphique = new GraphiqueVitesse();
@@ -44,7 +44,8 @@ final class PanneauVitesse extends JPanel {
     private Demande premier;
     private List<Essai> essais = new ArrayList<>();
     private Mesureur mesureur;
-    private String etat = "";
+    /** Pourquoi la mesure a échoué ; vide si elle continue. */
+    private String panne = "";
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
@@ -119,9 +120,6 @@ final class PanneauVitesse extends JPanel {
         protected void process(List<List<Essai>> publies) {
             if (this == mesureur) {
                 essais = publies.get(publies.size() - 1);
-                long faits = essais.stream().filter(Essai::suffit).count();
-                etat = faits == essais.size() ? "La souris dit un point, et un clic montre son image."
-                        : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
                 graphique.montrer(essais, demande.reglages);
                 dire(null);
             }
@@ -132,7 +130,7 @@ final class PanneauVitesse extends JPanel {
             try {
                 get();
             } catch (ExecutionException e) {
-                etat = "Mesure impossible : " + Messages.message(e.getCause());
+                panne = "Mesure impossible : " + Messages.message(e.getCause());
                 dire(null);
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
@@ -160,7 +158,7 @@ final class PanneauVitesse extends JPanel {
             if (!echelle.contains(demande.reglages)) {
                 essais.add(nouveau(demande.reglages));
             }
-            etat = "préparation…";
+            panne = "";
             mesureur = new Mesureur(demande);
             mesureur.execute();
         }
@@ -173,7 +171,14 @@ final class PanneauVitesse extends JPanel {
 
     /** @param vise le réglage sous la souris, ou {@code null} */
     private void dire(Essai vise) {
-        texte.setText(vise != null ? Echelle.dire(vise.reglages) + " : " + vise.dire()
-                : controleur.enCours ? "Les mesures reprendront après ce dessin." : etat);
+        long faits = essais.stream().filter(Essai::suffit).count();
+        String etat = faits < essais.size() ? "mesure en cours : " + faits + " réglages sur " + essais.size() + "…"
+                : "La souris dit un point, et un clic montre son image.";
+        if (vise != null) {
+            etat = Echelle.dire(vise.reglages) + " : " + vise.dire();
+        } else if (controleur.enCours) {
+            etat = "Les mesures reprendront après ce dessin.";
+        }
+        texte.setText(panne.isEmpty() ? etat : panne);
     }
 }

@@ -176,7 +176,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F1);
         JLabel table = composant("table", JLabel.class);
         Dimension place = surFilEvenements(() -> SwingUtilities.getWindowAncestor(table).getSize());
-        assertTrue(place.width * place.height < 1280 * 800 / 3, place.toString());
+        assertTrue(place.width * place.height < 1280 * 800 * 2 / 5, place.toString());
         String page = new String(Files.readAllBytes(Paths.get("docs/fenetre.md")), StandardCharsets.UTF_8);
         for (String ligne : table.getText().replaceFirst(".*?<tr>", "").split("<tr>")) {
             String[] dit = ligne.substring("<td>".length()).split("<td>");
