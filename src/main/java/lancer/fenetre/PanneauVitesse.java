@@ -172,8 +172,8 @@ final class PanneauVitesse extends JPanel {
     /** @param vise le réglage sous la souris, ou {@code null} */
     private void dire(Essai vise) {
         long faits = essais.stream().filter(Essai::suffit).count();
-        String etat = faits < essais.size() ? "mesure en cours : " + faits + " réglages sur " + essais.size() + "…"
-                : "La souris dit un point, et un clic montre son image.";
+        String etat = faits > 0 && faits == essais.size() ? "La souris dit un point, et un clic montre son image."
+                : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
         if (vise != null) {
             etat = Echelle.dire(vise.reglages) + " : " + vise.dire();
         } else if (controleur.enCours) {
