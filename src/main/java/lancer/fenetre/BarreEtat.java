@@ -60,8 +60,7 @@ final class BarreEtat extends JPanel {
 
     /** La taille de l'image. @param reduction rapport de sa taille à l'écran à sa taille réelle */
     static String resume(ImageMemoire image, double reduction) {
-        String reduite = reduction < 0.01 ? " montrés réduits à moins de 1 %"
-                : reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
+        String reduite = reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
                 : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
         return (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
                 + " pixels" + reduite;

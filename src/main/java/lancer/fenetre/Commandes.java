@@ -151,8 +151,9 @@ final class Commandes {
                 .map(e -> "<tr><td>" + e.getValue() + "<td>" + e.getKey()).collect(Collectors.joining()));
     }
 
-    private static JMenu menu(String nom, Commande... siennes) {
+    private JMenu menu(String nom, Commande... siennes) {
         JMenu menu = new JMenu(nom);
+        menu.addChangeListener(e -> toutes.forEach(Commande::ajuster));
         menu.setMnemonic(nom.charAt(0));
         Arrays.stream(siennes).forEach(commande -> ajouter(menu, commande));
         return menu;

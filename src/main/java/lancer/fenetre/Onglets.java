@@ -18,6 +18,8 @@ final class Onglets extends JSplitPane {
 
     private static final int LARGEUR = 430;
     private static final int BARRE = 6;
+    /** La plus petite hauteur du cadre qui laisse lire un onglet. */
+    private static final int HAUTEUR = 300;
 
     private final JFrame cadre;
     private final Runnable siChange;
@@ -77,7 +79,7 @@ final class Onglets extends JSplitPane {
             Rectangle ecran = Dialogues.ecran();
             int libre = ecran.x + ecran.width - cadre.getX() - cadre.getWidth();
             gagne = cadre.getExtendedState() == Frame.NORMAL ? Math.max(0, Math.min(largeur + BARRE, libre)) : 0;
-            cadre.setSize(cadre.getWidth() + gagne, cadre.getHeight());
+            cadre.setSize(cadre.getWidth() + gagne, Math.max(HAUTEUR, cadre.getHeight()));
             cadre.validate();
             setDividerLocation(getWidth() - largeur - BARRE);
             validate();

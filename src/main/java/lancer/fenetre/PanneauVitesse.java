@@ -36,7 +36,7 @@ final class PanneauVitesse extends JPanel {
     /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
     private static final double VOULUE = 0.125;
     private static final int MARGE = 8;
-    private static final int LIGNES = 6;
+    private static final int LIGNES = 4;
 
     private final Controleur controleur;
     final GraphiqueVitesse graphique = new GraphiqueVitesse();
@@ -45,7 +45,8 @@ final class PanneauVitesse extends JPanel {
     private Demande premier;
     private List<Essai> essais = new ArrayList<>();
     private Mesureur mesureur;
-    private String etat = "";
+    /** Pourquoi la mesure a échoué ; vide si elle continue. */
+    private String panne = "";
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
@@ -97,7 +98,8 @@ final class PanneauVitesse extends JPanel {
                     (int) Math.ceil(part * demande.hauteur)));
             boolean enEntier = prepare.image.largeur == demande.largeur && montree != null;
             Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(),
-                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
+                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1),
+                    new BitSet());
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
@@ -124,9 +126,6 @@ final class PanneauVitesse extends JPanel {
         protected void process(List<List<Essai>> publies) {
             if (this == mesureur) {
                 essais = publies.get(publies.size() - 1);
-                long faits = essais.stream().filter(Essai::suffit).count();
-                etat = faits == essais.size() ? "La souris dit un point, et un clic montre son image."
-                        : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
                 graphique.montrer(essais, demande.reglages);
                 dire(null);
             }
@@ -137,7 +136,7 @@ final class PanneauVitesse extends JPanel {
             try {
                 get();
             } catch (ExecutionException e) {
-                etat = "Mesure impossible : " + Messages.message(e.getCause());
+                panne = "Mesure impossible : " + Messages.message(e.getCause());
                 dire(null);
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
@@ -165,8 +164,9 @@ final class PanneauVitesse extends JPanel {
             if (!echelle.contains(demande.reglages)) {
                 essais.add(nouveau(demande.reglages));
             }
-            etat = "préparation…";
-            mesureur = new Mesureur(demande, controleur.montre.demande.equals(demande) ? controleur.montre.image : null);
+            panne = "";
+            Dessin montre = controleur.montre;
+            mesureur = new Mesureur(demande, montre.demande.equals(demande) ? montre.image : null);
             mesureur.execute();
         }
         dire(null);
@@ -178,7 +178,14 @@ final class PanneauVitesse extends JPanel {
 
     /** @param vise le réglage sous la souris, ou {@code null} */
     private void dire(Essai vise) {
-        texte.setText(vise != null ? Echelle.dire(vise.reglages) + " : " + vise.dire()
-                : controleur.enCours ? "Les mesures reprendront après ce dessin." : etat);
+        long faits = essais.stream().filter(Essai::suffit).count();
+        String etat = faits > 0 && faits == essais.size() ? "La souris dit un point, et un clic montre son image."
+                : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
+        if (vise != null) {
+            etat = Echelle.dire(vise.reglages) + " : " + vise.dire();
+        } else if (controleur.enCours) {
+            etat = "Les mesures reprendront après ce dessin.";
+        }
+        texte.setText(panne.isEmpty() ? etat : panne);
     }
 }

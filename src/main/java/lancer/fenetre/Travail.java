@@ -157,8 +157,11 @@ final class Travail extends SwingWorker<Void, Runnable> {
     }
 
     private String direEtape() {
-        return (!lue ? "lecture" : dessin == null ? "préparation" : aSonBrouillon() ? "dessin" : "brouillon")
-                + " " + (int) (100 * getAvancement()) + " %";
+        String etape = aSonBrouillon() ? "dessin" : "brouillon";
+        if (dessin == null) {
+            etape = lue ? "préparation" : "lecture";
+        }
+        return etape + " " + (int) (100 * getAvancement()) + " %";
     }
 
     /** Le temps qui reste au dessin, d'après ce qui en est fait ; vide tant qu'il ne peut être estimé. */

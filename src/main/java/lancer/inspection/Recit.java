@@ -152,7 +152,10 @@ public final class Recit {
         boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
         boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
         String lampes = ajoutees.size() == 1 ? "une lampe" : ajoutees.size() + " lampes";
-        String apports = diffus && reflet ? "diffus + reflet" : diffus ? "diffus" : reflet ? "reflet" : lampes;
+        String apports = diffus ? "diffus" : "reflet";
+        if (diffus == reflet) {
+            apports = diffus ? "diffus + reflet" : lampes;
+        }
         List<String> termes = new ArrayList<>();
         if (!ajoutees.isEmpty()) {
             termes.add(ajoutees.size() > 1 && (diffus || reflet) ? apports + " de " + lampes : apports);

@@ -29,7 +29,7 @@ import lancer.Main;
 final class Captures {
 
     private static final int PERIODE_MS = 100;
-    private static final int PATIENCE = 600;
+    private static final int PATIENCE = 3000;
     private static final int PEINTURE_MS = 1000;
 
     private Captures() {

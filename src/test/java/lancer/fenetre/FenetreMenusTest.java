@@ -20,6 +20,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import javax.swing.plaf.basic.BasicHTML;
 import lancer.Main;
 import org.junit.jupiter.api.Test;
 
@@ -84,7 +85,6 @@ class FenetreMenusTest extends EssaiFenetre {
     void chaqueArticleDeMenuSeChoisitParLesFlechesEtEntreeSansRienOuvrirDerriere() throws Exception {
         ouvrir();
         JMenuBar menus = banc.cadre.getJMenuBar();
-        attendre("les scènes du dossier sont là", () -> menus.getMenu(3).getItemCount() > 3);
         int nombre = 0;
         for (int k = 0; k < menus.getMenuCount(); k++) {
             JMenu menu = menus.getMenu(k);
@@ -135,5 +135,21 @@ class FenetreMenusTest extends EssaiFenetre {
         assertEquals(0, BancFenetre.processus(dit, "-Duser.language=en", "-cp", System.getProperty("java.class.path"),
                 Ailleurs.class.getName(), scene.toString()).start().waitFor());
         assertEquals("Page suivante", new String(Files.readAllBytes(dit), StandardCharsets.UTF_8).trim());
+    }
+
+    @Test
+    void leMenuDesScenesListeSonDossierQuandIlSOuvre() throws Exception {
+        Files.write(dossier.resolve("chat.ini"), BLEUE.getBytes(StandardCharsets.UTF_8));
+        Files.write(dossier.resolve("<html>rien.INI"), BLEUE.getBytes(StandardCharsets.UTF_8));
+        ouvrir();
+        JMenu scenes = banc.cadre.getJMenuBar().getMenu(3);
+        ouvrirLeMenu(3);
+        attendre("les trois scènes", () -> scenes.getItemCount() == 3);
+        assertEquals("<html>rien.INI", scenes.getItem(0).getText());
+        assertNull(scenes.getItem(0).getClientProperty(BasicHTML.propertyKey), "ce qui le dessinerait en HTML");
+        assertTrue(scenes.getItem(1).isSelected(), "celle qui est ouverte");
+        faire(scenes.getItem(2)::doClick);
+        scene = dossier.resolve("chat.ini");
+        banc.attendreCodes("l'autre scène", attendue(L, H));
     }
 }

@@ -10,7 +10,7 @@ public final class Essai {
 
     /** Temps de dessin qui suffit, en nanosecondes ; nombres minimal et maximal de dessins. */
     private static final double ASSEZ_NS = 1.5e9;
-    private static final int MOINS = 4;
+    private static final int MOINS = 3;
     private static final int PLUS = 40;
 
     public final Reglages reglages;

@@ -32,9 +32,9 @@ class EssaiTest {
     }
 
     @Test
-    void unReglageEstAssezDessineApresQuatreFoisEtUneSecondeEtDemieOuQuaranteFois() {
-        assertFalse(essai(1, 2, 3, 3, 3).suffit());
-        assertTrue(essai(1, 2, 3, 3, 3, 3).suffit());
+    void unReglageEstAssezDessineApresTroisFoisEtUneSecondeEtDemieOuQuaranteFois() {
+        assertFalse(essai(1, 2, 3, 3).suffit());
+        assertTrue(essai(1, 2, 3, 3, 3).suffit());
         assertFalse(essai(1, 2, new double[39]).suffit());
         assertTrue(essai(1, 2, new double[40]).suffit());
     }
