@@ -32,7 +32,11 @@ public final class Dessin {
     private final Regard regard;
     private volatile boolean brouillonFait;
 
-    /** Prépare le dessin de cette demande. @throws CancellationException si ce fil est interrompu */
+    /**
+     * Prépare le dessin de cette demande.
+     *
+     * @throws CancellationException si ce fil est interrompu
+     */
     public Dessin(Demande demande) {
         this(demande, new ImageMemoire(demande.largeur, demande.hauteur,
                 (long) demande.largeur * demande.hauteur <= PIXELS_AVEC_LINEAIRE));

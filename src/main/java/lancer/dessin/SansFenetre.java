@@ -93,7 +93,11 @@ public final class SansFenetre {
         dessin.direEcart(erreur);
     }
 
-    /** Les fichiers demandés. @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre */
+    /**
+     * Les fichiers demandés.
+     *
+     * @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre
+     */
     private Map<Ecriture, Ecriture.Format> fichiers() {
         Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
         boolean deuxImages = options.comparer != null && Options.estImage(options.scene);

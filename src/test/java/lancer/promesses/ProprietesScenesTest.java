@@ -1,6 +1,5 @@
 package lancer.promesses;
 
-import static lancer.essai.Ressources.fois;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
 import static lancer.essai.Ressources.scene;
