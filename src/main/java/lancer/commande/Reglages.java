@@ -153,7 +153,7 @@ public final class Reglages {
         Section entiere = getSection(variante);
         for (Parametre parametre : variante.getParametres()) {
             String valeur = parametre.estUneCouleur() ? null : getValeur(variante, parametre);
-            entiere = valeur == null || valeur.equals(entiere.valeur(parametre.cle)) ? entiere
+            entiere = valeur == null || valeur.equals(entiere.mot(parametre.cle, null)) ? entiere
                     : entiere.avec(parametre.cle, valeur, null);
         }
         return entiere;
@@ -162,8 +162,8 @@ public final class Reglages {
     /** La valeur de ce paramètre, donnée ou par défaut ; {@code null} si une autre clé le remplace. */
     public String getValeur(Variante variante, Parametre parametre) {
         Section section = getSection(variante);
-        String donnee = section.valeur(parametre.cle);
-        boolean ailleurs = parametre.autre != null && section.valeur(parametre.autre) != null;
+        String donnee = section.mot(parametre.cle, null);
+        boolean ailleurs = parametre.autre != null && section.mot(parametre.autre, null) != null;
         return donnee != null || ailleurs ? donnee : parametre.defaut;
     }
 

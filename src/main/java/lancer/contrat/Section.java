@@ -92,9 +92,6 @@ public abstract class Section {
     /** Refus d'une clé, présente ou non. @param faute ce qui est faux @param attendu ce qui est attendu */
     public abstract SceneFautive fautive(String cle, String faute, String attendu);
 
-    /** La valeur de cette clé, comme dans le fichier, ou {@code null}. Cette lecture ne rend pas la clé connue. */
-    public abstract String valeur(String cle);
-
     /** Section identique, où {@code cle} vaut {@code valeur}. @param sans clé à ôter, ou {@code null} */
     public abstract Section avec(String cle, String valeur, String sans);
 

@@ -178,7 +178,7 @@ public final class SansFenetre {
 
     private void expliquerUnPixel() {
         lire();
-        Inspection pixel = new Inspection(demande.getScene(), demande.lecture.lue.origines,
+        Inspection pixel = new Inspection(demande.getScene(), demande.lecture.lue::getOrigine,
                 new Camera(options.largeur, options.hauteur), demande.reglages.getProfondeur(),
                 options.pixelX, options.pixelY);
         pixel.faire();

@@ -191,8 +191,8 @@ final class Inspecteur extends JPanel {
         camera = montre.lancer.getCamera();
         pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
                 Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
-        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue.origines, camera,
-                montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
+        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue::getOrigine,
+                camera, montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();
         enCours.execute();

@@ -143,10 +143,10 @@ final class Prise extends MouseAdapter {
         Scene montree = controleur.montre.lancer.getScene();
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        if (contact == null || deplacee.origines.de(contact.objet) == null) {
+        if (contact == null || deplacee.getOrigine(contact.objet) == null) {
             dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
         } else if (contact.objet.getClass() != Sphere.class || estTropGrande((Sphere) contact.objet)) {
-            dire(deplacee.origines.de(contact.objet) + " ne se tire pas : une sphère moins large que l'image se tire");
+            dire(deplacee.getOrigine(contact.objet) + " ne se tire pas : une sphère moins large que l'image se tire");
         } else {
             return contact.objet;
         }
@@ -192,7 +192,7 @@ final class Prise extends MouseAdapter {
         if (!ou.equals(place(prise))) {
             deplacee = prise instanceof Lampe ? deplacee.avec((Lampe) prise, ou) : deplacee.avec((Sphere) prise, ou);
             prise = (prise instanceof Lampe ? deplacee.lampes : deplacee.objets).get(rang);
-            dire(deplacee.origines.de(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+            dire(deplacee.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
                     + SceneLue.ecrire(ou) + " ; Ctrl+E l'écrit dans la scène");
             controleur.deplacer(deplacee);
         }

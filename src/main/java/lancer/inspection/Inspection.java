@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
@@ -23,7 +24,6 @@ import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
-import lancer.scene.Origines;
 
 /**
  * Explication d'un pixel. Le pixel est dessiné selon l'échantillonnage de la scène, avec les autres pixels de son pavé
@@ -35,7 +35,7 @@ public final class Inspection implements Vue, Toile {
     public static final int AU_CENTRE = -1;
 
     public final Scene scene;
-    private final Origines origines;
+    private final Function<Object, String> origines;
     public final Camera camera;
     public final int profondeur;
     public final int x;
@@ -56,7 +56,7 @@ public final class Inspection implements Vue, Toile {
     double diviseur;
 
     /** @param profondeur nombre de réflexions permises @param x colonne, depuis 0 @param y ligne, depuis 0 en haut */
-    public Inspection(Scene scene, Origines origines, Camera camera, int profondeur, int x, int y) {
+    public Inspection(Scene scene, Function<Object, String> origines, Camera camera, int profondeur, int x, int y) {
         this.scene = scene;
         this.origines = origines;
         this.camera = camera;
@@ -158,7 +158,7 @@ public final class Inspection implements Vue, Toile {
 
     /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */
     public String nom(Object chose) {
-        String origine = origines.de(chose);
+        String origine = origines.apply(chose);
         return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
     }

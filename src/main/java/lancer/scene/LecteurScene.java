@@ -8,8 +8,10 @@ import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.DoubleConsumer;
+import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
+import lancer.Lampe;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
 import lancer.texte.ErreurSysteme;
@@ -21,6 +23,8 @@ import org.ini4j.spi.IniParser;
 
 /** Lecture d'un fichier INI. ini4j ne fait que le découper en lignes, sans ses substitutions (CVE-2022-41404). */
 public final class LecteurScene {
+
+    private static final Pattern BLANCS = Pattern.compile("[ \t]+");
 
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
@@ -39,7 +43,7 @@ public final class LecteurScene {
     private LecteurScene(String nomFichier) {
         chemin = FichierScene.trouver(nomFichier);
         fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
-        lue = new SceneLue(chemin, new Origines());
+        lue = new SceneLue(chemin);
     }
 
     /**
@@ -94,8 +98,7 @@ public final class LecteurScene {
             if (nomEcrit.indexOf(']') >= 0) {
                 throw illisible("[" + nomEcrit + "]");
             }
-            boolean unSeulBlanc = nomEcrit.indexOf('\t') < 0 && !nomEcrit.contains("  ");
-            commencer(unSeulBlanc ? nomEcrit : nomEcrit.replaceAll("[ \t]+", " "));
+            commencer(BLANCS.matcher(nomEcrit).replaceAll(" "));
         }
 
         @Override
@@ -106,7 +109,9 @@ public final class LecteurScene {
         @Override
         public void endSection() {
             if (!variante) {
-                lue.ajouter(sections.lire(courante), courante);
+                Object chose = sections.lire(courante);
+                lue.ajouter(chose, courante.nom, courante.ligne,
+                        courante.getLigne(chose instanceof Lampe ? "position" : "centre"));
             }
         }
 

@@ -12,7 +12,6 @@ import java.util.ServiceLoader;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.SceneFautive;
@@ -31,9 +30,6 @@ public final class LecteurSections {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
-
-    /** Nombre maximal de couleurs dans la palette. */
-    private static final int PALETTE_MAX = 256;
 
     /** Types des sections des trois variantes du projet, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
@@ -67,8 +63,6 @@ public final class LecteurSections {
 
     /** Le nom de la classe qui lit chaque type. */
     private final Map<String, String> preneurs = new HashMap<>();
-    /** Couleurs déjà lues, à partager : une scène d'un million de sphères n'en a que quelques-unes. */
-    private final Map<Couleur, Couleur> palette = new HashMap<>();
 
     public static List<String> nomsDesVariantes() {
         return new LecteurSections().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
@@ -134,11 +128,6 @@ public final class LecteurSections {
         return nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
     }
 
-    /** Les clés permises dans une section de ce nom ; {@code null} pour une variante. */
-    List<String> cles(String nom) {
-        return cles.get(Texte.minuscules(mot(nom)));
-    }
-
     /** L'objet ou la lampe que décrit cette section. @throws SceneFautive si elle est refusée */
     Object lire(SectionLue section) {
         Forme forme = formes.get(Texte.minuscules(mot(section.nom)));
@@ -163,19 +152,11 @@ public final class LecteurSections {
 
     /** Lit la matière d'un objet. Une clé absente garde la valeur que l'objet a reçue à sa création. */
     private void lireMatiere(SectionLue section, Objet3D lu) {
-        lu.setKd(commune(section.couleur("Kd", lu.getKd(), 1)));
+        lu.setKd(section.couleur("Kd", lu.getKd(), 1));
         if (section.contient("Ks") && section.contient("Kr")) {
             throw section.fautive("Kr", "donnée en même temps que Ks, son synonyme", "Ks ou Kr, pas les deux");
         }
-        lu.setKs(commune(section.couleur(section.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1)));
+        lu.setKs(section.couleur(section.contient("Kr") ? "Kr" : "Ks", lu.getKs(), 1));
         lu.setNs(section.reel("ns", lu.getNs(), 0, NS_MAX));
-    }
-
-    private Couleur commune(Couleur couleur) {
-        if (palette.size() == PALETTE_MAX) {
-            palette.clear();
-        }
-        Couleur deja = palette.putIfAbsent(couleur, couleur);
-        return deja != null ? deja : couleur;
     }
 }

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,7 +14,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -36,14 +34,12 @@ public final class SceneLue {
             .<Sphere>comparingDouble(s -> s.getCentre().x + 0.0).thenComparingDouble(s -> s.getCentre().y + 0.0)
             .thenComparingDouble(s -> s.getCentre().z + 0.0).thenComparingDouble(Sphere::getRayon);
 
-    /** Une ligne avec sa fin, puis la ligne d'une place : ce qui précède la valeur, et ce qui la suit. */
-    private static final String LIGNE = "[^\r\n]*(\r\n|\r|\n)|[^\r\n]+";
-    private static final String PLACE =
-            "(?i)([ \t]*(?:centre|position)[ \t]*[=:][ \t]*)[^\r\n]*[^ \t\r\n]([ \t\r\n]*)";
+    /** Une ligne : ce qui précède sa valeur, sa valeur, puis les blancs et la fin de la ligne. */
+    private static final Pattern LIGNE = Pattern.compile(
+            "([^\r\n=:]*[=:][ \t]*)?[^\r\n]*?([ \t]*(?:\r\n|\r|\n|\\z))");
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
-    public final Origines origines;
 
     /** Les variantes présentes, chacune avec sa section ; la ligne est 0 si le fichier n'a pas cette section. */
     public final Map<Variante, Section> variantes = new LinkedHashMap<>();
@@ -54,10 +50,41 @@ public final class SceneLue {
     final Path chemin;
     /** Le contrôle CRC-32 des octets lus. */
     long somme;
+    /** Les objets et les lampes, dans l'ordre du fichier. */
+    private final List<Origine> origines = new ArrayList<>();
 
-    SceneLue(Path chemin, Origines origines) {
+    /** Un objet ou une lampe, le nom de sa section, sa ligne, et celle de sa place. */
+    private static final class Origine {
+        final Object chose;
+        final String nom;
+        final int ligne;
+        final int lignePlace;
+
+        Origine(Object chose, String nom, int ligne, int lignePlace) {
+            this.chose = chose;
+            this.nom = nom;
+            this.ligne = ligne;
+            this.lignePlace = lignePlace;
+        }
+    }
+
+    SceneLue(Path chemin) {
         this.chemin = chemin;
-        this.origines = origines;
+    }
+
+    void ajouter(Object chose, String nom, int ligne, int lignePlace) {
+        if (chose instanceof Lampe) {
+            lampes.add((Lampe) chose);
+        } else {
+            objets.add((Objet3D) chose);
+        }
+        origines.add(new Origine(chose, nom, ligne, lignePlace));
+    }
+
+    /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cette chose ne vient pas du fichier. */
+    public String getOrigine(Object chose) {
+        return origines.stream().filter(lue -> lue.chose == chose).findFirst()
+                .map(lue -> "[" + lue.nom + "] ligne " + lue.ligne).orElse(null);
     }
 
     /** La même scène, où cette lampe a cette place. */
@@ -75,37 +102,18 @@ public final class SceneLue {
     }
 
     private SceneLue remplacer(Object ancienne, Object nouvelle) {
-        SceneLue faite = new SceneLue(chemin, origines.remplacer(ancienne, nouvelle));
+        SceneLue faite = new SceneLue(chemin);
         faite.somme = somme;
-        objets.forEach(objet -> faite.objets.add(objet == ancienne ? (Objet3D) nouvelle : objet));
-        lampes.forEach(lampe -> faite.lampes.add(lampe == ancienne ? (Lampe) nouvelle : lampe));
+        origines.forEach(lue -> faite.ajouter(lue.chose == ancienne ? nouvelle : lue.chose, lue.nom, lue.ligne,
+                lue.lignePlace));
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
         return faite;
     }
 
-    /** Les octets du fichier de cette scène, où les places sont celles de la scène {@code deplacee} qui en vient. */
-    public byte[] deplacer(SceneLue deplacee) {
-        Map<Object, String> places = new IdentityHashMap<>();
-        IntStream.range(0, objets.size()).filter(k -> objets.get(k) != deplacee.objets.get(k))
-                .forEach(k -> places.put(objets.get(k), ecrire(((Sphere) deplacee.objets.get(k)).getCentre())));
-        IntStream.range(0, lampes.size()).filter(k -> lampes.get(k) != deplacee.lampes.get(k))
-                .forEach(k -> places.put(lampes.get(k), ecrire(deplacee.lampes.get(k).getPosition())));
-        return deplacer(places);
-    }
-
     /** Cette place, comme dans un fichier. */
     public static String ecrire(Point p) {
         return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
-    }
-
-    void ajouter(Object chose, SectionLue section) {
-        if (chose instanceof Lampe) {
-            lampes.add((Lampe) chose);
-        } else {
-            objets.add((Objet3D) chose);
-        }
-        origines.ajouter(chose, section);
     }
 
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
@@ -131,38 +139,29 @@ public final class SceneLue {
     }
 
     /**
-     * Les octets du fichier, où des objets et des lampes ont une autre place. Seule la valeur de leur ligne
-     * {@code centre} ou {@code position} change.
+     * Les octets du fichier de cette scène, où les places sont celles de la scène {@code deplacee} qui en vient. Seule
+     * la valeur de leur ligne {@code centre} ou {@code position} change.
      *
-     * @param places pour chaque objet ou lampe de cette scène, trois nombres comme dans un fichier
-     * @throws SceneFautive si le fichier a changé depuis sa lecture, ou si une section n'a pas cette ligne
+     * @throws SceneFautive si le fichier a changé depuis sa lecture
      */
-    public byte[] deplacer(Map<?, String> places) {
-        Map<Integer, String> parLigne = new HashMap<>();
-        places.forEach((chose, place) -> parLigne.put(origines.getLigne(chose), place));
+    public byte[] deplacer(SceneLue deplacee) {
+        Map<Integer, Point> places = new HashMap<>();
+        for (int k = 0; k < origines.size(); k++) {
+            Object chose = deplacee.origines.get(k).chose;
+            if (chose != origines.get(k).chose) {
+                places.put(origines.get(k).lignePlace, chose instanceof Lampe ? ((Lampe) chose).getPosition()
+                        : ((Sphere) chose).getCentre());
+            }
+        }
         // un octet, un caractère : ceux que rien ne change restent les mêmes
-        Matcher ligne = Pattern.compile(LIGNE).matcher(new String(relire(), StandardCharsets.ISO_8859_1));
-        Pattern ligneDePlace = Pattern.compile(PLACE);
-        StringBuilder ecrit = new StringBuilder();
-        String voulue = null;
-        int faites = 0;
+        Matcher ligne = LIGNE.matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        StringBuffer ecrit = new StringBuffer();
         for (int numero = 1; ligne.find(); numero++) {
-            Matcher place = ligneDePlace.matcher(ligne.group());
-            if (parLigne.containsKey(numero) || ligne.group().trim().startsWith("[")) {
-                voulue = parLigne.get(numero);
-            }
-            if (voulue != null && place.matches()) {
-                ecrit.append(place.group(1)).append(voulue).append(place.group(2));
-                voulue = null;
-                faites++;
-            } else {
-                ecrit.append(ligne.group());
+            if (places.containsKey(numero)) {
+                ligne.appendReplacement(ecrit, "$1" + ecrire(places.get(numero)) + "$2");
             }
         }
-        if (faites < places.size()) {
-            throw FichierScene.inutilisable(chemin.toString(), "une section déplacée n'a ni centre, ni position", null);
-        }
-        return ecrit.toString().getBytes(StandardCharsets.ISO_8859_1);
+        return ligne.appendTail(ecrit).toString().getBytes(StandardCharsets.ISO_8859_1);
     }
 
     /** Les octets du fichier, les mêmes qu'à sa lecture. */

@@ -84,8 +84,7 @@ public final class SectionLue extends Section {
         return null;
     }
 
-    /** Dit si cette clé est permise dans cette section. */
-    public boolean estConnue(String cle) {
+    private boolean estConnue(String cle) {
         for (String connue : connues) {
             if (pareilles(connue, cle)) {
                 return true;
@@ -178,8 +177,13 @@ public final class SectionLue extends Section {
 
     @Override
     public SceneFautive fautive(String cle, String faute, String attendu) {
+        return fautive(getLigne(cle), cle, faute, attendu);
+    }
+
+    /** La ligne de cette clé ou, si elle n'est pas donnée, celle de la section. */
+    int getLigne(String cle) {
         Entree entree = entree(cle);
-        return fautive(entree == null ? ligne : entree.ligne, cle, faute, attendu);
+        return entree == null ? ligne : entree.ligne;
     }
 
     @Override
@@ -192,14 +196,8 @@ public final class SectionLue extends Section {
     }
 
     @Override
-    public String valeur(String cle) {
-        Entree entree = entree(cle);
-        return entree == null ? null : entree.valeur;
-    }
-
-    @Override
     public SectionLue avec(String cle, String valeur, String sans) {
-        SectionLue autre = ouverte ? new SectionLue(nom) : new SectionLue(fichier, nom, 0, connues);
+        SectionLue autre = new SectionLue(nom);
         for (Entree entree : entrees) {
             if (pareilles(entree.cle, cle)) {
                 autre.ajouter(entree.cle, valeur, 0);

@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
+import java.util.function.Function;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -26,7 +27,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.scene.Origines;
 import lancer.texte.Nombre;
 
 /**
@@ -38,7 +38,7 @@ public final class EssaiRecit extends LectureRecit {
     private static final double[] BLANC = {1, 1, 1};
 
     private final Scene scene;
-    private final Origines origines;
+    private final Function<Object, String> origines;
     private final int largeur;
     private final int hauteur;
     private final int reflets;
@@ -62,7 +62,7 @@ public final class EssaiRecit extends LectureRecit {
     public int cachees;
     public final Map<String, Integer> arrets = new HashMap<>();
 
-    public EssaiRecit(Scene scene, Origines origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k,
+    public EssaiRecit(Scene scene, Function<Object, String> origines, int largeur, int hauteur, int reflets, DoubleUnaryOperator k,
             double[] air, double blinn) {
         this.scene = scene;
         this.origines = origines;
@@ -72,8 +72,8 @@ public final class EssaiRecit extends LectureRecit {
         this.k = k;
         this.air = air;
         this.blinn = blinn;
-        scene.getObjets().forEach(o -> parNom.put(origines.de(o), o));
-        scene.getLampes().forEach(l -> parNom.put(origines.de(l), l));
+        scene.getObjets().forEach(o -> parNom.put(origines.apply(o), o));
+        scene.getLampes().forEach(l -> parNom.put(origines.apply(l), l));
     }
 
     public void verifier(int x, int y, String sortie) {
@@ -147,7 +147,7 @@ public final class EssaiRecit extends LectureRecit {
                 d = di;
             }
         }
-        String debut = numero + "  " + (proche == null ? "ciel" : origines.de(proche)) + "  ";
+        String debut = numero + "  " + (proche == null ? "ciel" : origines.apply(proche)) + "  ";
         assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut);
         String[] dits = titre.substring(debut.length()).split(" = | : ", 2);
         double[] somme = nombres(dits[0]);
@@ -246,7 +246,7 @@ public final class EssaiRecit extends LectureRecit {
     /** @return ce que cette lampe ajoute */
     private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
         String titre = lignes.get(suivante++);
-        String nom = origines.de(lampe) + "  ";
+        String nom = origines.apply(lampe) + "  ";
         if (titre.matches("  \\d+ lampes .*")) {
             // les pareilles sont dessous
             titre = lignes.get(suivante++);
@@ -274,7 +274,7 @@ public final class EssaiRecit extends LectureRecit {
         }
         if (cache != null) {
             cachees++;
-            assertTrue(titre.endsWith("cachée par " + origines.de(cache)), titre);
+            assertTrue(titre.endsWith("cachée par " + origines.apply(cache)), titre);
             proche(L, nombres(lignes.get(suivante++).trim().replaceFirst("^L = ", "")));
             return new double[3];
         }

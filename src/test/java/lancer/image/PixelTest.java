@@ -25,7 +25,6 @@ import lancer.essai.Ressources;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.rapide.Preparation;
-import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,7 +64,7 @@ class PixelTest extends EssaiCommande {
             return vue;
         });
         Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
-        new Inspection(vide, new Origines(), new Camera(40, 70), 5, 31, 31).faire();
+        new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire();
         assertEquals(2, rayons[0]);
     }
 
@@ -88,7 +87,7 @@ class PixelTest extends EssaiCommande {
     }
 
     private static List<String> recit(Scene scene, Camera camera, int x, int y) {
-        Inspection pixel = new Inspection(scene, new Origines(), camera, 5, x, y);
+        Inspection pixel = new Inspection(scene, chose -> null, camera, 5, x, y);
         pixel.faire();
         return new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
     }

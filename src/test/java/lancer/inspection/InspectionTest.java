@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Function;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -24,7 +25,6 @@ import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
 import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
-import lancer.scene.Origines;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,7 +38,7 @@ class InspectionTest {
     Path dossier;
 
     /** Le pixel de cette scène, inspecté. */
-    private static Inspection inspecter(Scene scene, Origines origines, Camera camera, int reflets, int x, int y) {
+    private static Inspection inspecter(Scene scene, Function<Object, String> origines, Camera camera, int reflets, int x, int y) {
         Inspection pixel = new Inspection(scene, origines, camera, reflets, x, y);
         pixel.faire();
         return pixel;
@@ -46,7 +46,7 @@ class InspectionTest {
 
     /** Le pixel du milieu d'une image de 9 pixels de côté. */
     private static Inspection auMilieu(Scene scene) {
-        return inspecter(scene, new Origines(), new Camera(9, 9), 5, 4, 4);
+        return inspecter(scene, chose -> null, new Camera(9, 9), 5, 4, 4);
     }
 
     private static Recit recitDe(Inspection pixel) {
@@ -61,7 +61,7 @@ class InspectionTest {
         SceneLue lue = LecteurScene.lire(fichier, part -> { });
         Scene scene = new Scene(lue.objets, lue.lampes);
         scene.getModele().setSeuil(seuil);
-        Origines origines = lue.origines;
+        Function<Object, String> origines = lue::getOrigine;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
         for (int k = 0; k < 200; k++) {
@@ -84,7 +84,7 @@ class InspectionTest {
         Scene rapide = new Scene(lue.objets, lue.lampes);
         rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
         for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = inspecter(rapide, lue.origines, new Camera(80, 60), 5, x, 30);
+            Inspection pixel = inspecter(rapide, lue::getOrigine, new Camera(80, 60), 5, x, 30);
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
             assertEquals(recitDe(pixel).raconter().lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
         }
@@ -110,7 +110,7 @@ class InspectionTest {
         Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
         List<Integer> segments = new ArrayList<>();
         for (int reflets : new int[] {0, 1, 3}) {
-            Inspection pixel = inspecter(scene, new Origines(), new Camera(80, 60), reflets, 40, 30);
+            Inspection pixel = inspecter(scene, chose -> null, new Camera(80, 60), reflets, 40, 30);
             segments.add(pixel.getSegments().size());
             List<String> lignes = recitDe(pixel).raconter().lignes();
             String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
@@ -159,7 +159,7 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrit");
             }
         };
-        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), new Origines(),
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
                 camera, 5, 4, 4);
         pixel.faireOuEchouer(Inspection.AU_CENTRE);
         List<String> lignes = recitDe(pixel).raconter().lignes();

@@ -147,11 +147,11 @@ class LectureTest {
         Files.write(fichier, Arrays.asList("; un commentaire", "[SPHERE  \t a]", "centre=0 0 6", "rayon=1", "", "[Lampe]",
                 "position=1 2 3", "couleur=1 1 1", "[Sphere é b]", "centre=0 0 6", "rayon=1"));
         SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
-        assertEquals("[SPHERE a] ligne 2", lue.origines.de(lue.objets.get(0)));
-        assertEquals("[Lampe] ligne 6", lue.origines.de(lue.lampes.get(0)));
+        assertEquals("[SPHERE a] ligne 2", lue.getOrigine(lue.objets.get(0)));
+        assertEquals("[Lampe] ligne 6", lue.getOrigine(lue.lampes.get(0)));
         // sa jumelle : seule la scène la laisse de côté
-        assertEquals("[Sphere é b] ligne 9", lue.origines.de(lue.objets.get(1)));
-        assertNull(lue.origines.de(new Sphere(new Point(0, 0, 6), 1)));
+        assertEquals("[Sphere é b] ligne 9", lue.getOrigine(lue.objets.get(1)));
+        assertNull(lue.getOrigine(new Sphere(new Point(0, 0, 6), 1)));
     }
 
     @Test

@@ -12,11 +12,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.HashMap;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import lancer.Lampe;
 import lancer.Point;
@@ -73,13 +69,12 @@ class PlacesEcritesTest {
             for (String bout : new String[] {"", fin, fin + fin, " " + fin, fin + "; fin"}) {
                 String modele = debut + SCENE.replace("\n", fin) + bout;
                 SceneLue lue = lire(scene(modele, "0 0.2 6", "-4 6 -3", "1  1\t7"));
-                Map<Object, String> places = new IdentityHashMap<>();
-                places.put(lue.lampes.get(0), "3 3 0");
-                verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), lue.deplacer(places));
-                places.put(lue.objets.get(1), "1e-7 -2 .5");
-                places.put(lue.objets.get(0), "0.25 0.2 6");
-                byte[] ecrits = lue.deplacer(places);
-                verifier(scene(modele, "0.25 0.2 6", "3 3 0", "1e-7 -2 .5"), ecrits);
+                SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
+                verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), lue.deplacer(voulue));
+                voulue = voulue.avec((Sphere) lue.objets.get(1), new Point(1e-7, -2, .5))
+                        .avec((Sphere) lue.objets.get(0), new Point(0.25, 0.2, 6));
+                byte[] ecrits = lue.deplacer(voulue);
+                verifier(scene(modele, "0.25 0.2 6", "3 3 0", SceneLue.ecrire(new Point(1e-7, -2, .5))), ecrits);
                 SceneLue relue = lire(ecrits);
                 assertEquals(new Point(0.25, 0.2, 6), ((Sphere) relue.objets.get(0)).getCentre());
                 assertEquals(new Point(1e-7, -2, .5), ((Sphere) relue.objets.get(1)).getCentre());
@@ -92,10 +87,9 @@ class PlacesEcritesTest {
     void lesFinsDeLigneMeleesRestentMelees() throws IOException {
         String modele = "\n\r\n\r[Sphere 1]\r\r\ncentre=@1\rrayon=1\n[Lampe 1]\r\nposition=@2\r\ncouleur=1 1 1";
         SceneLue lue = lire(scene(modele, "0 0 6", "1 2 3"));
-        Map<Object, String> places = new HashMap<>();
-        places.put(lue.lampes.get(0), "4 5 6");
-        places.put(lue.objets.get(0), "1 0 6");
-        verifier(scene(modele, "1 0 6", "4 5 6"), lue.deplacer(places));
+        SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(4, 5, 6))
+                .avec((Sphere) lue.objets.get(0), new Point(1, 0, 6));
+        verifier(scene(modele, "1 0 6", "4 5 6"), lue.deplacer(voulue));
     }
 
     static Stream<Path> scenes() throws IOException {
@@ -114,13 +108,15 @@ class PlacesEcritesTest {
     void uneSceneDeplaceePuisRemiseEstCelleDAvant(Path scene) throws IOException {
         byte[] avant = Files.readAllBytes(scene);
         SceneLue lue = lire(avant);
-        verifier(avant, lue.deplacer(Collections.emptyMap()));
+        verifier(avant, lue.deplacer(lue));
         for (int rang = 0; rang < choses(lue).size(); rang += 1 + choses(lue).size() / 10) {
             Object chose = choses(lue).get(rang);
             if (chose instanceof Lampe || chose.getClass() == Sphere.class) {
-                byte[] ecrits = lue.deplacer(Collections.singletonMap(chose, "1 2 3"));
+                Point place = new Point(1, 2, 3);
+                byte[] ecrits = lue.deplacer(chose instanceof Lampe ? lue.avec((Lampe) chose, place)
+                        : lue.avec((Sphere) chose, place));
                 Object deplacee = choses(lire(ecrits)).get(rang);
-                assertEquals(new Point(1, 2, 3), chose instanceof Lampe ? ((Lampe) deplacee).getPosition()
+                assertEquals(place, chose instanceof Lampe ? ((Lampe) deplacee).getPosition()
                         : ((Sphere) deplacee).getCentre());
                 Files.write(fichier, avant);
             }
@@ -132,26 +128,26 @@ class PlacesEcritesTest {
         byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
         SceneLue lue = lire(avant);
         FileTime date = Files.getLastModifiedTime(fichier);
-        Map<Object, String> places = Collections.singletonMap(lue.lampes.get(0), "3 3 0");
+        SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
         // la même taille, la même date : seul le contenu le dit
         byte[] change = scene(SCENE, "0 0.3 6", "-4 6 -3", "1 1 7");
         Files.write(fichier, change);
         Files.setLastModifiedTime(fichier, date);
-        String faute = assertThrows(SceneFautive.class, () -> lue.deplacer(places)).getMessage();
+        String faute = assertThrows(SceneFautive.class, () -> lue.deplacer(voulue)).getMessage();
         assertTrue(faute.matches("\\Q" + fichier + "\\E : le fichier a changé depuis sa lecture ; attendu : .+"), faute);
         assertArrayEquals(change, Files.readAllBytes(fichier));
 
         Files.delete(fichier);
-        assertThrows(SceneFautive.class, () -> lue.deplacer(places));
+        assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
         Files.createDirectory(fichier);
-        assertThrows(SceneFautive.class, () -> lue.deplacer(places));
+        assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
     }
 
     @Test
     void leFichierEstRemplaceEnEntierOuPasDuTout() throws IOException {
         byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
         SceneLue lue = lire(avant);
-        byte[] ecrits = lue.deplacer(Collections.singletonMap(lue.lampes.get(0), "3 3 0"));
+        byte[] ecrits = lue.deplacer(lue.avec(lue.lampes.get(0), new Point(3, 3, 0)));
         Ecriture ecriture = new Ecriture(fichier.toString());
         ecriture.ecrire(ecrits);
         verifier(scene(SCENE, "0 0.2 6", "3 3 0", "1 1 7"), Files.readAllBytes(fichier));

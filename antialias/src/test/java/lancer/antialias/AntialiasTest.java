@@ -91,7 +91,7 @@ class AntialiasTest {
         lignes.addAll(Arrays.asList("[Blinn]", "facteur=" + facteur, "[Brume]", "couleur=0.8 0.7 0.6", "debut=1.5", "densite=" + densite));
         Path scene = scene(lignes.toArray(new String[0]));
         SceneLue lue = LecteurScene.lire(scene.toString(), part -> { });
-        EssaiRecit recit = new EssaiRecit(new Scene(lue.objets, lue.lampes).avec(lue.getModele()), lue.origines, 40, 30, reflets,
+        EssaiRecit recit = new EssaiRecit(new Scene(lue.objets, lue.lampes).avec(lue.getModele()), lue::getOrigine, 40, 30, reflets,
                 d -> 1 - Math.exp(-densite * Math.max(0, d - 1.5)), new double[] {0.8, 0.7, 0.6}, facteur);
         try (Essai.Isole programme = new Essai.Isole(Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class),
                 Essai.origine(Blinn.class)))) {

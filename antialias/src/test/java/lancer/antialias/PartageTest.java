@@ -27,7 +27,6 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.inspection.Inspection;
 import lancer.rapide.Preparation;
-import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -77,7 +76,7 @@ class PartageTest {
         });
         modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
         Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
-        new Inspection(vide, new Origines(), new Camera(64, 64), 0, 40, 40).faire();
+        new Inspection(vide, chose -> null, new Camera(64, 64), 0, 40, 40).faire();
         assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 

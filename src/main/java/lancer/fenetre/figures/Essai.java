@@ -44,6 +44,7 @@ public final class Essai {
             return reglages.getProfondeur() + (reglages.getProfondeur() > 1 ? " réflexions" : " réflexion");
         }
         Section section = reglages.getSectionEntiere(reglages.getEssayee());
-        return "1".equals(section.valeur("n")) ? "un rayon" : section.valeur("methode") + " n=" + section.valeur("n");
+        String n = section.mot("n", "");
+        return "1".equals(n) ? "un rayon" : section.mot("methode", "") + " n=" + n;
     }
 }

@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import lancer.Camera;
 import lancer.Scene;
 import lancer.inspection.Inspection;
-import lancer.scene.Origines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -32,7 +31,7 @@ class FigureTest {
         Path scene = dossier.resolve("boule.ini");
         Files.write(scene, ("[Sphere 1]\ncentre=0 0 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n"
                 + "[Lampe 2]\nposition=0 0 1\ncouleur=1 1 1\n").getBytes());
-        Inspection pixel = new Inspection(new Scene(scene.toString()), new Origines(), new Camera(L, H), 0, 150, 110);
+        Inspection pixel = new Inspection(new Scene(scene.toString()), chose -> null, new Camera(L, H), 0, 150, 110);
         pixel.faire();
         Figure figure = new Figure(pixel);
         Dimension vue = new Dimension(300, 200);

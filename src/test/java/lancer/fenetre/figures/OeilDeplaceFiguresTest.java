@@ -19,7 +19,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.essai.CameraDeplacee;
 import lancer.inspection.Inspection;
-import lancer.scene.Origines;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -35,7 +34,7 @@ class OeilDeplaceFiguresTest {
         Sphere boule = new Sphere(new Point(0.2, -0.1, 6), 2.5);
         boule.setKd(new Couleur(0.8));
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
-                Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), new Origines(), camera, 0, x, y);
+                Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), chose -> null, camera, 0, x, y);
         pixel.faire();
         assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).lampes.get(0).eclaire());
         return pixel;

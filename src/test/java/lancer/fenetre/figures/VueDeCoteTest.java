@@ -10,7 +10,6 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.inspection.Inspection;
-import lancer.scene.Origines;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -25,7 +24,7 @@ class VueDeCoteTest {
         double sommet = -0.3;
         double z = 4;
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, sommet - rayon, z), rayon)), Collections.emptyList());
-        Inspection pixel = new Inspection(scene, new Origines(), new Camera(40, 40), 0, 20, 23);
+        Inspection pixel = new Inspection(scene, chose -> null, new Camera(40, 40), 0, 20, 23);
         pixel.faire();
         assertTrue(pixel.getSegments().get(0).contact != null);
         VueDeCote vue = new VueDeCote();
