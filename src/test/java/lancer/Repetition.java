@@ -23,8 +23,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Rien n'est gardé d'un appel à l'autre : chaque méthode du cours est demandée plusieurs fois, d'autres entre deux, et
- * une couleur pendant qu'un autre fil en demande une autre. Une réponse fausse, mais toujours la même, n'est pas une faute ici. Ce fichier est donné : il
- * n'y a rien à y changer.
+ * une couleur pendant qu'un autre fil en demande une autre. Une réponse fausse, mais toujours la même, n'est pas une
+ * faute ici. Ce fichier est donné : il n'y a rien à y changer.
  */
 abstract class Repetition {
 
@@ -288,8 +288,8 @@ abstract class Repetition {
         }
 
         /**
-         * La faute de ces changements : la première, dans l'ordre des causes, dont la classe a un champ qui puisse changer, ou une classe qui a
-         * un tel champ ; à défaut, la première.
+         * La faute de ces changements : la première, dans l'ordre des causes, dont la classe a un champ qui puisse
+         * changer, ou une classe qui a un tel champ ; à défaut, la première.
          */
         private static Question fautive(List<Question> changees) {
             if (changees.isEmpty()) {

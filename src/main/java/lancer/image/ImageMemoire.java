@@ -63,9 +63,9 @@ public final class ImageMemoire implements Toile {
     /** Dit si ce pixel est celui que cette couleur dessinerait. */
     public boolean contient(Couleur coul, int xe, int ye) {
         int k = ye * largeur + xe;
-        boolean memeCode = codes == null || codes[k] == coul.getCode();
-        return memeCode && (lineaire == null || lineaire[3 * k] == (float) coul.r && lineaire[3 * k + 1] == (float) coul.v
-                && lineaire[3 * k + 2] == (float) coul.b);
+        boolean memesNombres = lineaire == null || lineaire[3 * k] == (float) coul.r
+                && lineaire[3 * k + 1] == (float) coul.v && lineaire[3 * k + 2] == (float) coul.b;
+        return memesNombres && (codes == null || codes[k] == coul.getCode());
     }
 
     /** Peint le pixel de cette teinte, et garde {@code valeur} comme couleur non limitée. */

@@ -7,9 +7,6 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.File;
 import java.io.IOException;
-import java.lang.reflect.Field;
-import java.net.URL;
-import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,14 +17,12 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.DoubleConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 import lancer.Main;
 import lancer.essai.Essai;
 import org.ini4j.Config;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -50,23 +45,6 @@ class ChangerLaBaseTest {
         try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(compiler(partie)), rien);
                 Essai.Isole base = new Essai.Isole(rien)) {
             assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
-        }
-    }
-
-    @Test
-    void uneBouleDeplaceeGardeLaCleAjouteeALaMatiere() throws Exception {
-        URL[] chemin = {compiler("Une clé de la matière").toUri().toURL(), Essai.origine(Main.class).toUri().toURL(),
-            Essai.origine(Config.class).toUri().toURL()};
-        try (URLClassLoader classes = new URLClassLoader(chemin, ClassLoader.getSystemClassLoader().getParent())) {
-            Object lue = classes.loadClass("lancer.scene.LecteurScene").getMethod("lire", String.class, DoubleConsumer.class)
-                    .invoke(null, scene("Ke=0.3 0 0").toString(), (DoubleConsumer) part -> { });
-            Object changee = classes.loadClass("lancer.scene.Deplacement")
-                    .getMethod("avec", lue.getClass(), int.class, String.class, String.class).invoke(null, lue, 0, "centre", "0 1 6");
-            Object boule = ((List<?>) changee.getClass().getField("objets").get(changee)).get(0);
-            assertEquals("Point(0.0, 1.0, 6.0)", boule.getClass().getMethod("getCentre").invoke(boule).toString());
-            Field emise = boule.getClass().getSuperclass().getDeclaredField("Ke");
-            emise.setAccessible(true);
-            assertEquals("Couleur(0.3, 0.0, 0.0)", emise.get(boule).toString());
         }
     }
 

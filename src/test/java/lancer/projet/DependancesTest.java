@@ -105,7 +105,7 @@ class DependancesTest {
 
     @Test
     void laRechercheRapideNeSaitRienDesSortiesNiDeLaCommande() {
-        verifier("lancer\\.rapide\\..*", COURS + "lancer\\.(contrat|precision|fils)\\..*");
+        verifier("lancer\\.rapide\\..*", COURS + "lancer\\.(contrat|precision|fils)\\..*|lancer\\.image\\.ImageMemoire");
     }
 
     @Test
