@@ -93,7 +93,7 @@ captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
 	@$(call capture,1248x702,blinn,fenetre-reglages) "Réglages" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
 	@$(call capture,1248x702,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
-	@$(call capture,1248x702,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "un clic" scenes/scene1.ini
+	@$(call capture,940x490,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "un clic" --taille=500x400 scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA_FENETRE) \
 	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png

@@ -30,7 +30,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
-import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
@@ -47,11 +46,11 @@ class FenetreTest extends EssaiFenetre {
     @Test
     void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
         banc = new BancFenetre(lente().lent());
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
-        attendre("on peut arrêter", () -> dessin.getItem(1).isEnabled());
+        JMenuItem arreter = article("Arrêter le dessin, sinon fermer le panneau");
+        attendre("on peut arrêter", arreter::isEnabled);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());
-        assertTrue(dessin.getItem(0).isEnabled(), "on peut redessiner");
+        attendre("il n'y a plus rien à arrêter", () -> !arreter.isEnabled());
+        assertTrue(article(0, "Relire la scène et redessiner").isEnabled(), "on peut redessiner");
     }
 
     @Test
