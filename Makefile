@@ -87,13 +87,13 @@ references: outils
 	@$(MVN) -q -f ensemble.xml -pl :lancer,:brume,:blinn,:antialias -Dgroups=reference -Dreferences.refaites=true test
 
 # Les captures d'écran des pages, sur un écran à elles.
-captures: $(BASE) antialias/target/antialias.jar blinn/target/blinn.jar
+captures: $(BASE) blinn/target/blinn.jar
 	@$(if $(XVFB),,echo "Il faut Xvfb : sudo apt-get install xvfb xauth" >&2; exit 1)
 	@rm -rf target/captures && mkdir -p target/captures
 	@$(MVN) -q -f ensemble.xml -pl :lancer test-compile
 	@$(call capture,1248x702,blinn,fenetre-reglages) "Réglages" Blinn "" --sans=Brume,Antialias scenes/bowling.ini
 	@$(call capture,1248x702,blinn,inspecteur) 405,360 verdict "Au bit près" --sans=Blinn scenes/scene1.ini
-	@$(call capture,940x490,antialias,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "un clic" --taille=500x400 scenes/scene1.ini
+	@$(call capture,940x490,blinn,vitesse-ou-precision) "Vitesse ou précision" vitesse.etat "un clic" --sans=Blinn --taille=500x400 scenes/scene1.ini
 	@$(call actualiser,target/captures,images)
 capture = xvfb-run -a -s "-screen 0 $(1)x24 -wr" $(JAVA_FENETRE) \
 	-cp $(2)/target/$(2).jar:target/test-classes lancer.fenetre.Captures target/captures/$(3).png
