@@ -15,7 +15,6 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
-import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
@@ -31,12 +30,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
-import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
-import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
@@ -50,11 +46,11 @@ class FenetreTest extends EssaiFenetre {
     @Test
     void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
         banc = new BancFenetre(lente().lent());
-        JMenu dessin = banc.cadre.getJMenuBar().getMenu(2);
-        attendre("on peut arrêter", () -> dessin.getItem(1).isEnabled());
+        JMenuItem arreter = article("Arrêter le dessin, sinon fermer le panneau");
+        attendre("on peut arrêter", arreter::isEnabled);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("il n'y a plus rien à arrêter", () -> !dessin.getItem(1).isEnabled());
-        assertTrue(dessin.getItem(0).isEnabled(), "on peut redessiner");
+        attendre("il n'y a plus rien à arrêter", () -> !arreter.isEnabled());
+        assertTrue(article(0, "Relire la scène et redessiner").isEnabled(), "on peut redessiner");
     }
 
     @Test
@@ -75,22 +71,6 @@ class FenetreTest extends EssaiFenetre {
                 .map(article -> ((JMenuItem) article).getMnemonic()).collect(Collectors.toList());
         assertEquals(lettres.size(), new HashSet<>(lettres).size(), lettres.toString());
         assertFalse(lettres.contains(KeyEvent.VK_UNDEFINED), lettres.toString());
-    }
-
-    @Test
-    void f1MontreLesTouchesDansUnTableauQuiResteOuvert() throws Exception {
-        ouvrir();
-        banc.frapper(KeyEvent.VK_F1);
-        JLabel table = composant("table", JLabel.class);
-        Window touches = SwingUtilities.getWindowAncestor(table);
-        assertTrue(table.getText().contains("<tr><td>Échap<td>arrêter le dessin"), table.getText());
-        assertFalse(surFilEvenements(touches::isFocused), "le clavier reste au cadre");
-        banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("une touche essayée va au cadre", () -> banc.controleur.demande.reglages.getReflets() == 2);
-        assertTrue(surFilEvenements(touches::isShowing));
-        banc.imageAchevee();
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap le ferme", () -> !touches.isShowing());
     }
 
     private static final Class<JTabbedPane> ONGLETS = JTabbedPane.class;

@@ -8,8 +8,9 @@ import lancer.dessin.Durees;
 /** Un réglage, l'erreur de son image, et les durées de ses dessins. Immuable. */
 public final class Essai {
 
-    /** Temps de dessin qui suffit, en nanosecondes ; nombres minimal et maximal de dessins. */
+    /** Temps de dessin qui suffit, en nanosecondes, puis celui qui suffit sans le nombre minimal de dessins. */
     private static final double ASSEZ_NS = 1.5e9;
+    private static final double LONGTEMPS_NS = 10e9;
     private static final int MOINS = 3;
     private static final int PLUS = 40;
 
@@ -28,7 +29,8 @@ public final class Essai {
 
     /** Dit si ce réglage a été assez dessiné. */
     public boolean suffit() {
-        return durees.getNombre() >= PLUS || durees.getNombre() >= MOINS && durees.getSomme() >= ASSEZ_NS;
+        return durees.getNombre() >= PLUS || durees.getNombre() >= MOINS && durees.getSomme() >= ASSEZ_NS
+                || durees.getSomme() >= LONGTEMPS_NS;
     }
 
     /** Le temps et l'erreur, avec leurs intervalles. */
