@@ -34,7 +34,7 @@ application: $(JARS)
 javadoc: outils
 	@$(MVN) -q -DskipTests package javadoc:javadoc
 
-# Une scène de N boules, ou une scène difficile (N=poussiere, ombres-fines, poussiere-miroirs) : make run SCENE=target/geante.ini
+# Une scène de N boules, ou une scène difficile (N=poussiere, etoile…) : make run SCENE=target/geante.ini
 scene-geante: mesures/target/mesures.jar
 	@mkdir -p target
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.scenes.Foule $(N) > target/geante.tmp && mv target/geante.tmp target/geante.ini
