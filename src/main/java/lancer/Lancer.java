@@ -1,9 +1,10 @@
 package lancer;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -128,17 +129,12 @@ public final class Lancer {
     private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         long debut = System.nanoTime();
         int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-        List<Lancer> siens = new ArrayList<>();
-        List<IntConsumer> ouvriers = new ArrayList<>();
-        for (int k = 0; k < Math.min(fils, nombre); k++) {
-            siens.add(new Lancer(this));
-            ouvriers.add(siens.get(k).ouvrier(brouillon, choisi, toile, profondeur));
-        }
-        equipe.faire(nombre, ouvriers);
         Compteurs total = new Compteurs();
-        for (Lancer sien : siens) {
-            total.ajouter(sien.scene.getCompteurs());
-        }
+        List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, nombre))
+                .collect(Collectors.toList());
+        equipe.faire(nombre, siens.stream().map(sien -> sien.ouvrier(brouillon, choisi, toile, profondeur))
+                .collect(Collectors.toList()));
+        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
         compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }

@@ -24,10 +24,6 @@ public class Main implements Toile {
     private Dessin dessin;
     private ImageMemoire image;
 
-    private Main(Options options, PrintStream sortie, PrintStream erreur) {
-        this(options, sortie, erreur, null, dessin -> { });
-    }
-
     /**
      * Le programme qui dessine cette demande : un dessin abandonné ne touche pas au suivant.
      *
@@ -60,7 +56,7 @@ public class Main implements Toile {
             if (options.aide || options.version) {
                 Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
             } else if (options.sansFenetre()) {
-                Main main = new Main(options, sortie, erreur);
+                Main main = new Main(options, sortie, erreur, null, null);
                 return new SansFenetre(options, main::dans, sortie, erreur).faire();
             } else {
                 Ouverture.ouvrir(options, Lecture::lire,

@@ -31,14 +31,13 @@ public abstract class Objet3D {
     /** La normale en un point de la surface : vers l'extérieur, de longueur 1. */
     public abstract Vecteur getNormale(Point contact);
 
-    /** Le point de la surface le plus proche d'un contact, écarté par un arrondi ; par défaut, le contact lui-même. */
-    public Point getPointDeSurface(Point contact) {
+    /**
+     * Le point de la surface le plus proche d'un contact, écarté par un arrondi ; par défaut, le contact lui-même.
+     *
+     * @param distance du contact au départ de son rayon
+     */
+    public Point getPointDeSurface(Point contact, double distance) {
         return contact;
-    }
-
-    /** Le même point, quand on connaît la distance du contact au départ de son rayon. */
-    Point getPointDeSurface(Point contact, double distance) {
-        return getPointDeSurface(contact);
     }
 
     /**

@@ -51,17 +51,12 @@ public class Sphere extends Objet3D {
     /**
      * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C). Soit u l'arrondi unité :
      * l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. L'écart de X = P + tV
-     * est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8). Le centre et un
-     * point qui n'est pas fini sont rendus tels quels.
+     * est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8) : si t est
+     * inférieur à r, X est plus juste, et c'est lui qui est rendu. Le centre et un point qui n'est pas fini sont rendus
+     * tels quels.
      */
     @Override
-    public Point getPointDeSurface(Point contact) {
-        return getPointDeSurface(contact, Constantes.INFINI);
-    }
-
-    /** {@inheritDoc} Si t est inférieur à r, P + tV est plus juste, à 2 u t près : c'est lui qui est rendu. */
-    @Override
-    Point getPointDeSurface(Point contact, double distance) {
+    public Point getPointDeSurface(Point contact, double distance) {
         double x = contact.x - centre.x;
         double y = contact.y - centre.y;
         double z = contact.z - centre.z;

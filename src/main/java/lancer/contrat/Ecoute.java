@@ -51,13 +51,6 @@ public final class Ecoute {
             distance = contact == null ? Constantes.INFINI : contact.distance;
             termes.add(new Terme(null, null, 0));
         }
-
-        /** Couleur du contact, moins la somme des termes notés ; noire si les deux sont égales au bit près. */
-        public Couleur inconnue() {
-            Couleur connue = termes.stream().flatMap(terme -> terme.ajouts.stream()).reduce(new Couleur(),
-                    (c, ajout) -> new Couleur(c.r + ajout.r, c.v + ajout.v, c.b + ajout.b));
-            return N == null || somme == null ? new Couleur() : somme.sub(connue);
-        }
     }
 
     /** Un terme de la somme : une lampe ou le rayon réfléchi, avec les couleurs ajoutées jusqu'au terme suivant. */
@@ -88,17 +81,6 @@ public final class Ecoute {
             this.lampe = lampe;
             this.suite = suite;
             this.devant = devant;
-        }
-
-        /** L'ajout de la lampe ou du rayon réfléchi ; {@code null} s'il n'éclaire pas le contact. */
-        public Couleur apport() {
-            boolean attendu = cache == null && produit != null && !produit.estNoire() && !ajouts.isEmpty();
-            int rang = ajouts.indexOf(produit);
-            return rang >= 0 ? ajouts.get(rang) : attendu ? ajouts.get(0) : null;
-        }
-
-        public boolean eclaire() {
-            return apport() != null;
         }
     }
 

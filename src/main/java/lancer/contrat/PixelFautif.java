@@ -21,11 +21,6 @@ public final class PixelFautif extends RuntimeException {
         y = (int) ye;
     }
 
-    /** Dit si la cause a une pile : Java n'en donne plus à une exception souvent levée. */
-    public boolean estSitue() {
-        return getCause().getStackTrace().length > 0;
-    }
-
     /** Rend cette couleur. @throws PixelFautif si elle est {@code null} ou si une composante n'est pas finie */
     public static Couleur exigerFinie(Couleur couleur, double xe, double ye) {
         if (couleur == null || !couleur.estFinie()) {

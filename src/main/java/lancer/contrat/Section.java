@@ -40,11 +40,6 @@ public abstract class Section {
         return contient(cle) ? nombres(cle, 1, min, max)[0] : defaut;
     }
 
-    /** Lit comme {@link #reel} un nombre strictement positif. */
-    public double reelPositif(String cle, double defaut, double max) {
-        return reel(cle, defaut, Double.MIN_VALUE, max);
-    }
-
     /** Lit comme {@link #reel} un nombre entier. */
     public int entier(String cle, int defaut, int min, int max) {
         double valeur = reel(cle, defaut, min, max);

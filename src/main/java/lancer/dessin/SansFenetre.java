@@ -29,7 +29,6 @@ import lancer.inspection.FaussesCouleurs;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.scene.FichierScene;
-import lancer.texte.Texte;
 
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre {
@@ -110,13 +109,12 @@ public final class SansFenetre {
             fichiers.put(new Ecriture(options.lineaire), new FichierPfm());
         }
         for (Ecriture fichier : fichiers.keySet()) {
-            fichier.epargner(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
+            fichier.distinguer(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
             if (options.comparer != null) {
-                fichier.epargner(Paths.get(options.comparer), "une des images comparées");
+                fichier.distinguer(Paths.get(options.comparer), "une des images comparées");
             }
             if (png != null && fichier != png) {
-                png.distinguer(fichier.getCible(), "--image et --lineaire écrivent le même fichier : "
-                        + Texte.echappe(options.image) + " ; attendu : deux fichiers");
+                png.distinguer(fichier.getCible(), "celle de --image et de --lineaire");
             }
         }
         return fichiers;

@@ -108,7 +108,7 @@ final class Enregistrement {
     private static void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture ecriture = new Ecriture(cible.getPath());
         try {
-            ecriture.epargner(FichierScene.trouver(scene), "la scène elle-même");
+            ecriture.distinguer(FichierScene.trouver(scene), "la scène elle-même");
         } catch (SceneFautive e) {
             // le fichier de la scène a été effacé depuis sa lecture
         }

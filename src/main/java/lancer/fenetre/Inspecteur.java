@@ -30,6 +30,7 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.VueDeCote;
 import lancer.image.ImageMemoire;
+import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 import lancer.inspection.Noeud;
 import lancer.inspection.Recit;
@@ -162,7 +163,8 @@ final class Inspecteur extends JPanel {
                 montree = nouvelle;
                 arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
-                boolean connue = nouvelle.getSegments().stream().allMatch(segment -> segment.inconnue().estNoire());
+                boolean connue = nouvelle.getSegments().stream()
+                        .allMatch(segment -> Apports.inconnue(segment).estNoire());
                 verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
                         : comparer(nouvelle.getCouleur()))
                         + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));

@@ -37,7 +37,9 @@ public final class Fautes {
         if (!tolerees) {
             throw faute;
         }
-        if (premiere == null || faute.estSitue() && rang(faute) < rang(premiere)) {
+        // Java ne donne plus de pile à une exception souvent levée : elle ne dirait pas où
+        boolean situee = faute.getCause().getStackTrace().length > 0;
+        if (premiere == null || situee && rang(faute) < rang(premiere)) {
             premiere = faute;
         }
         pixels.set(rang(faute));

@@ -76,17 +76,12 @@ public final class Ecriture {
         return cible;
     }
 
-    /** @throws Echec si la cible est ce fichier lu, même sous un autre nom ; {@code quoi} dit ce qu'il est */
-    public void epargner(Path lu, String quoi) {
-        distinguer(lu, "la sortie est " + quoi + " : " + Texte.echappe(lu.toString())
-                + " ; attendu : un autre fichier");
-    }
-
-    /** @throws Echec avec ce message si la cible est cet autre fichier, même sous un autre nom */
-    public void distinguer(Path autre, String faute) {
+    /** @throws Echec si la cible est cet autre fichier, même sous un autre nom ; {@code quoi} dit ce qu'il est */
+    public void distinguer(Path autre, String quoi) {
         try {
             if (Files.isSameFile(cible, autre)) {
-                throw Echec.demande(faute);
+                throw Echec.demande("la sortie est " + quoi + " : " + Texte.echappe(autre.toString())
+                        + " ; attendu : un autre fichier");
             }
         } catch (IOException e) {
             // un des deux fichiers n'existe pas : ils sont différents

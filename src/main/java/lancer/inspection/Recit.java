@@ -128,8 +128,8 @@ public final class Recit {
             if (segment.N != null) {
                 direLesTermes(lignes, segment);
             }
-            if (!segment.inconnue().estNoire()) {
-                lignes.add(dire("autre = %s (que le récit ne connaît pas)", segment.inconnue()));
+            if (!Apports.inconnue(segment).estNoire()) {
+                lignes.add(dire("autre = %s (que le récit ne connaît pas)", Apports.inconnue(segment)));
             }
             lignes.add(dire("contact, normale et rivaux").sur(details(segment, rayon, depart), true));
         }
@@ -147,8 +147,8 @@ public final class Recit {
         if (segment.N == null) {
             return "";
         }
-        List<Terme> ajoutees = segment.lampes.stream().filter(Terme::eclaire).collect(Collectors.toList());
-        boolean exactes = ajoutees.stream().allMatch(e -> e.apport().equals(e.produit));
+        List<Terme> ajoutees = segment.lampes.stream().filter(Apports::eclaire).collect(Collectors.toList());
+        boolean exactes = ajoutees.stream().allMatch(e -> Apports.apport(e).equals(e.produit));
         boolean diffus = exactes && ajoutees.stream().anyMatch(e -> !e.diffus.estNoire());
         boolean reflet = exactes && ajoutees.stream().anyMatch(e -> !e.reflet.estNoire());
         String lampes = ajoutees.size() == 1 ? "une lampe" : ajoutees.size() + " lampes";
@@ -162,11 +162,11 @@ public final class Recit {
         }
         Couleur Ks = segment.contact.objet.getKs();
         String facteur = Ks.r == Ks.v && Ks.v == Ks.b ? Nombre.ecrire(Ks.r) : "(" + lue(Ks) + ")";
-        segment.termes.stream().filter(terme -> terme.suite != null && terme.eclaire())
-                .forEach(terme -> termes.add(terme.apport().equals(terme.produit)
+        segment.termes.stream().filter(terme -> terme.suite != null && Apports.eclaire(terme))
+                .forEach(terme -> termes.add(Apports.apport(terme).equals(terme.produit)
                         ? facteur + " ⊗ " + nomDeLaVue(terme.suite) : "réfléchi"));
-        if (!segment.inconnue().estNoire() || segment.termes.stream()
-                .anyMatch(terme -> terme.ajouts.size() > (terme.eclaire() ? 1 : 0))) {
+        if (!Apports.inconnue(segment).estNoire() || segment.termes.stream()
+                .anyMatch(terme -> terme.ajouts.size() > (Apports.eclaire(terme) ? 1 : 0))) {
             termes.add("autre");
         }
         return termes.isEmpty() ? " : rien ne l'éclaire" : " = " + String.join(" + ", termes);
@@ -192,20 +192,20 @@ public final class Recit {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        List<Noeud> muettes = segment.lampes.stream().filter(lampe -> !lampe.eclaire() && lampe.ajouts.isEmpty())
+        List<Noeud> muettes = segment.lampes.stream().filter(lampe -> !Apports.eclaire(lampe) && lampe.ajouts.isEmpty())
                 .map(lampe -> lampe(segment, lampe)).collect(Collectors.toList());
         boolean nombreuses = muettes.size() > LAMPES;
         if (nombreuses) {
             lignes.add(dire("%d lampes n'apportent rien", muettes.size()).sur(muettes, true));
         }
         for (Terme terme : segment.termes) {
-            if (terme.lampe != null && !terme.eclaire() && !(nombreuses && terme.ajouts.isEmpty())) {
+            if (terme.lampe != null && !Apports.eclaire(terme) && !(nombreuses && terme.ajouts.isEmpty())) {
                 lignes.add(lampe(segment, terme));
-            } else if (terme.suite != null && !terme.eclaire()) {
+            } else if (terme.suite != null && !Apports.eclaire(terme)) {
                 lignes.add(dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
             for (Couleur ajout : terme.ajouts) {
-                lignes.add(ajout != terme.apport() ? dire("autre terme = %s", ajout)
+                lignes.add(ajout != Apports.apport(terme) ? dire("autre terme = %s", ajout)
                         : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
             }
         }
@@ -213,7 +213,7 @@ public final class Recit {
 
     private Noeud reflet(Segment segment, Terme terme) {
         return produit("Ks (%s) ⊗ %s = %s", terme.produit, lue(segment.contact.objet.getKs()), nomDeLaVue(terme.suite),
-                terme.apport()).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
+                Apports.apport(terme)).sur(Arrays.asList(dire("R = %s", segment.R), segment.poids == null
                 ? dire("poids : inconnu") : dire("poids, produit des Ks = %s", segment.poids)), true);
     }
 
@@ -228,13 +228,13 @@ public final class Recit {
         if (e.diffus == null) {
             return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", nom, e.devant);
         }
-        if (!e.eclaire()) {
+        if (!Apports.eclaire(e)) {
             Noeud titre = dire("%s  N·L = %s  %s", nom, e.cosinus, e.L == null
                     ? "sans effet sur cette matière : pas de rayon d'ombre"
                     : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
             return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
         }
-        Couleur apport = e.apport();
+        Couleur apport = Apports.apport(e);
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
                 : "%s  N·L = %s  éclairée : diffus + reflet ne donne pas %s", nom, e.cosinus, apport);
         return titre.sur(facteurs(segment, e), true);

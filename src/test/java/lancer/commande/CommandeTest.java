@@ -94,11 +94,11 @@ class CommandeTest extends EssaiCommande {
         Path[] ecritures = {dossier.resolve("un.pfm"), dossier.resolve("./un.pfm"), dossier.resolve("../" + nom + "/un.pfm"),
             ici.resolve("un.pfm"), dossier.resolve("deux.pfm")};
         for (Path autre : ecritures) {
-            String attendu = " ; attendu : deux fichiers";
+            String refus = "la sortie est celle de --image et de --lineaire : " + dossier.toRealPath().resolve("image.png") + " ; attendu : un autre fichier";
             Essai e = executer("--image", png.toString(), "--lineaire", autre.toString());
-            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + png + attendu, e);
+            verifierRefus(2, refus, e);
             e = executer("--lineaire=" + autre, "--image=" + ici.resolve("image.png"));
-            verifierRefus(2, "--image et --lineaire écrivent le même fichier : " + ici.resolve("image.png") + attendu, e);
+            verifierRefus(2, refus, e);
         }
         verifierFichiers("ici", "un.pfm", "deux.pfm");
     }

@@ -167,8 +167,9 @@ class IntersectionTest {
             f[axe] = 0;
             assertEquals(max, distance(f, v, max), 4 * U * max);
         });
-        assertEquals(new Point(1, 0, 0), new Sphere(new Point(), 1).getPointDeSurface(new Point(max, 0, 0)));
-        assertEquals(new Point(0, 0, -3), new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE)));
+        assertEquals(new Point(1, 0, 0), new Sphere(new Point(), 1).getPointDeSurface(new Point(max, 0, 0), INFINI));
+        assertEquals(new Point(0, 0, -3),
+                new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE), INFINI));
     }
 
     /** Ramené sur sa sphère, il s'en écarterait de 4 u r, autant que la hauteur d'une lampe qui rase un grand sol. */
@@ -186,7 +187,7 @@ class IntersectionTest {
             if (t < r) {
                 double ecart = Exact.ecartALaSurface(rayon.calcContact(), C, r);
                 assertEquals(0, ecart, 16 * U * (t + new Vecteur(new Point(), P).norme()), "graine 52, tirage " + k + ", r = " + r);
-                Point ramene = sphere.getPointDeSurface(P.add(t, rayon.getV()));
+                Point ramene = sphere.getPointDeSurface(P.add(t, rayon.getV()), INFINI);
                 rameneEnRayons = Math.max(rameneEnRayons, Exact.ecartALaSurface(ramene, C, r) / r);
             }
         }
@@ -196,8 +197,8 @@ class IntersectionTest {
     @Test
     void leCentreNeSeRameneNullePart() {
         Point centre = new Point(1, 2, 3);
-        assertSame(centre, new Sphere(new Point(1, 2, 3), 5).getPointDeSurface(centre));
+        assertSame(centre, new Sphere(new Point(1, 2, 3), 5).getPointDeSurface(centre, INFINI));
         Point infini = new Point(1, INFINI, 3);
-        assertSame(infini, new Sphere(centre, 5).getPointDeSurface(infini));
+        assertSame(infini, new Sphere(centre, 5).getPointDeSurface(infini, INFINI));
     }
 }

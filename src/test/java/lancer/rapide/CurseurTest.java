@@ -58,8 +58,8 @@ class CurseurTest {
         }
 
         @Override
-        public Point getPointDeSurface(Point contact) {
-            return sphere.getPointDeSurface(contact);
+        public Point getPointDeSurface(Point contact, double distance) {
+            return sphere.getPointDeSurface(contact, distance);
         }
     }
 

@@ -19,6 +19,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Ecoute.Terme;
+import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 
 /** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */
@@ -71,7 +72,7 @@ public final class Figure {
 
     private void tracer(Point contact, Terme lampe) {
         Point position = lampe.lampe.getPosition();
-        if (lampe.eclaire()) {
+        if (Apports.eclaire(lampe)) {
             tracer(contact, position, LAMPE, false);
         } else if (lampe.cache != null) {
             tracer(lampe.cache, position, Color.BLACK, false);

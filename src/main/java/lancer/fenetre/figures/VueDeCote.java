@@ -19,6 +19,7 @@ import lancer.PointContact;
 import lancer.Sphere;
 import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Ecoute.Terme;
+import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 
 /** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
@@ -109,7 +110,7 @@ public final class VueDeCote extends JPanel {
     /** Peint le rayon d'une lampe, ou l'objet qui la cache. */
     private void eclairer(Graphics2D g, Point contact, Terme lampe) {
         entourer(g, lampe.cache);
-        if (lampe.eclaire()) {
+        if (Apports.eclaire(lampe)) {
             g.setColor(LAMPE);
             g.draw(ligne(contact, lampe.lampe.getPosition()));
         }

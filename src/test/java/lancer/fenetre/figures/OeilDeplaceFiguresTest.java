@@ -18,6 +18,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.essai.CameraDeplacee;
+import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -36,7 +37,7 @@ class OeilDeplaceFiguresTest {
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), chose -> null, camera, 0, x, y);
         pixel.faire();
-        assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).lampes.get(0).eclaire());
+        assertTrue(pixel.getSegments().get(0).contact != null && Apports.eclaire(pixel.getSegments().get(0).lampes.get(0)));
         return pixel;
     }
 
