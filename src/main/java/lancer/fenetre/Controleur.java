@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
@@ -23,7 +24,7 @@ import lancer.scene.Surveillance;
  * L'état de la fenêtre, et la suite de ses dessins. Tout y est appelé dans le fil des événements ; {@link Travail}
  * calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
-final class Controleur {
+final class Controleur implements Travail.Suite {
 
     /** La plus grande image « avant » gardée, en pixels. */
     private static final int PIXELS_GARDES = 16_000_000;
@@ -48,8 +49,8 @@ final class Controleur {
     ImageMemoire avant;
     /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
     final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
-    /** Ce que Maj et la souris déplacent. */
-    Prise prise;
+    /** Reçoit chaque scène lue, et dit si ce qui était déplacé sans être écrit est perdu. */
+    Predicate<SceneLue> oubli = lue -> false;
 
     /** @param taille donne la taille de l'image à dessiner */
     Controleur(Moteur moteur, PanneauImage panneau, Supplier<Dimension> taille) {
@@ -177,21 +178,21 @@ final class Controleur {
         arreter();
         travail = nouveau;
         enCours = true;
-        nouveau.diriger(this);
+        nouveau.avertir(this);
         nouveau.execute();
         avertir();
     }
 
-    /** La scène que lit ce travail est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
-    void lue(Travail celui) {
+    @Override
+    public void lue(Travail celui) {
         if (celui == travail) {
             surveillance.suivre(fichier, celui.getVersion());
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
     }
 
-    /** Le dessin de ce travail commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
-    void montrer(Travail celui) {
+    @Override
+    public void montrer(Travail celui) {
         if (celui != travail || celui.isCancelled() && montre != null) {
             return;
         }
@@ -214,7 +215,7 @@ final class Controleur {
     private void adopter(Demande lue) {
         demande = demande == null ? lue : demande.avecLecture(lue.lecture);
         List<String> avis = new ArrayList<>(lue.lecture.lue.avertissements);
-        if (prise.oublier(lue.lecture.lue)) {
+        if (oubli.test(lue.lecture.lue)) {
             avis.add("scène relue : ce qui était déplacé sans être écrit est revenu à sa place");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
@@ -223,8 +224,8 @@ final class Controleur {
         }
     }
 
-    /** Ce travail est achevé, arrêté, ou a échoué. */
-    void finir(Travail celui) {
+    @Override
+    public void finir(Travail celui) {
         if (celui != travail) {
             return;
         }

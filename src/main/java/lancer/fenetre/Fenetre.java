@@ -56,7 +56,6 @@ final class Fenetre {
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         controleur = new Controleur(moteur, panneau, this::getTaille);
         prise = new Prise(controleur, panneau);
-        controleur.prise = prise;
         enregistrement = new Enregistrement(controleur, prise);
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
@@ -66,7 +65,6 @@ final class Fenetre {
                 bord.setBackground(panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight")
                         : cadre.getBackground()));
         onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
-        new Commandes(this);
         controleur.prevenir(this::suivre);
         cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);

@@ -63,6 +63,7 @@ public final class Ouverture {
                     premier.execute();
                 }
                 ouverte[0] = new Fenetre(moteur, LecteurSections.nomsDesVariantes(), fin);
+                new Commandes(ouverte[0]);
                 ouverte[0].montrer(premier, version);
             });
         } catch (InvocationTargetException e) {

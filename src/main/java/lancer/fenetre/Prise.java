@@ -65,6 +65,7 @@ final class Prise extends MouseAdapter {
         panneau.addMouseListener(this);
         panneau.addMouseMotionListener(this);
         panneau.prises = this::peindre;
+        controleur.oubli = this::oublier;
     }
 
     /** Oublie tout déplacement : cette scène vient d'être lue. @return vrai si l'un d'eux n'était pas écrit */

@@ -15,6 +15,19 @@ import lancer.scene.FichierScene;
  */
 final class Travail extends SwingWorker<Void, Runnable> {
 
+    /** Ce que ce travail fait faire dans le fil des événements. */
+    interface Suite {
+
+        /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
+        void lue(Travail celui);
+
+        /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
+        void montrer(Travail celui);
+
+        /** Ce travail est achevé, arrêté, ou a échoué. */
+        void finir(Travail celui);
+    }
+
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
@@ -33,8 +46,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
     private long fin;
-    /** Dirige ce travail, dans le fil des événements. */
-    private Controleur controleur;
+    private Suite suite;
 
     /** Dessine cette scène lue. @param reference l'image à laquelle une vue se compare, ou {@code null} */
     Travail(Moteur moteur, Demande demande, ImageMemoire reference) {
@@ -57,8 +69,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
         lue = !lit;
     }
 
-    void diriger(Controleur celui) {
-        controleur = celui;
+    void avertir(Suite celle) {
+        suite = celle;
     }
 
     @Override
@@ -68,7 +80,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
             Demande initiale = moteur.lire(fichier, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;
-            publish(() -> controleur.lue(this));
+            publish(() -> suite.lue(this));
         }
         if (demande.vue == null) {
             moteur.programme.accept(demande, this::suivre);
@@ -82,7 +94,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private void suivre(Dessin celui) {
         dessin = celui;
         debutDuDessin = System.nanoTime();
-        publish(() -> controleur.montrer(this));
+        publish(() -> suite.montrer(this));
     }
 
     @Override
@@ -93,7 +105,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     @Override
     protected void done() {
         fin = System.nanoTime();
-        controleur.finir(this);
+        suite.finir(this);
     }
 
     Demande getDemande() {
