@@ -7,6 +7,7 @@ import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -116,7 +117,9 @@ public final class GraphiqueVitesse extends JPanel {
         g.fillRect(0, 0, getWidth(), getHeight());
         if (!points.isEmpty()) {
             peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
-            points.forEach(p -> peindre(g, p));
+            List<Rectangle2D> noms = new ArrayList<>();
+            points.stream().sorted(Comparator.comparing(p -> !p.reglages.equals(present)))
+                    .forEach(p -> peindre(g, p, noms));
         }
     }
 
@@ -136,8 +139,8 @@ public final class GraphiqueVitesse extends JPanel {
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
-    /** Peint ce réglage, ses deux intervalles et son nom. */
-    private void peindre(Graphics2D g, Essai p) {
+    /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
+    private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
         double x = x(p);
         double y = y(p.erreur);
         g.setColor(new Color(0x2675BF));
@@ -146,8 +149,13 @@ public final class GraphiqueVitesse extends JPanel {
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
         // à droite, s'il y a la place
-        boolean droite = x + 2 * RAYON + g.getFontMetrics().stringWidth(nom) < getWidth();
-        ecrire(g, nom, droite ? x + 2 * RAYON : x - 2 * RAYON, y - RAYON, droite ? 0 : 1);
+        double large = g.getFontMetrics().stringWidth(nom);
+        double gauche = x + 2 * RAYON + large < getWidth() ? x + 2 * RAYON : x - 2 * RAYON - large;
+        Rectangle2D place = new Rectangle2D.Double(gauche, y - 3 * RAYON, large, 2 * RAYON);
+        if (noms.stream().noneMatch(place::intersects)) {
+            noms.add(place);
+            ecrire(g, nom, gauche, y - RAYON, 0);
+        }
     }
 
     private static String nombre(double t) {
