@@ -94,7 +94,8 @@ class CommandeTest extends EssaiCommande {
         Path[] ecritures = {dossier.resolve("un.pfm"), dossier.resolve("./un.pfm"), dossier.resolve("../" + nom + "/un.pfm"),
             ici.resolve("un.pfm"), dossier.resolve("deux.pfm")};
         for (Path autre : ecritures) {
-            String refus = "la sortie est celle de --image et de --lineaire : " + dossier.toRealPath().resolve("image.png") + " ; attendu : un autre fichier";
+            String refus = "la sortie est celle de --image et de --lineaire : " + dossier.toRealPath().resolve("image.png")
+                    + " ; attendu : un autre fichier";
             Essai e = executer("--image", png.toString(), "--lineaire", autre.toString());
             verifierRefus(2, refus, e);
             e = executer("--lineaire=" + autre, "--image=" + ici.resolve("image.png"));
