@@ -18,7 +18,7 @@ public final class Auto {
     /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
     /** Part des rayons de l'image dessinée que peut demander son contrôle. */
-    private static final double PART = 0.75;
+    private static final double PART = 0.6;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
     private static final long UN = (1 << 21) - 1;

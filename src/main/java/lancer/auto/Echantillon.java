@@ -23,8 +23,8 @@ import lancer.contrat.Vue;
 public final class Echantillon implements Toile {
 
     /** Part de l'image que mesure un essai, et bornes de son nombre de pixels ; un contrôle en a le double. */
-    private static final int PART = 70;
-    private static final int MOINS = 100;
+    private static final int PART = 100;
+    private static final int MOINS = 200;
     private static final int PLUS = 700;
     /** Seuil d'un rayon sans limite : au-dessous de ce produit des Ks, un reflet est invisible. */
     private static final double SANS_LIMITE = 1e-9;

@@ -150,12 +150,12 @@ class AutoTest {
 
     @Test
     void leCielNeDemandeQuUnRayonParPixel() {
-        Auto auto = auto(CIEL, LARGEUR, HAUTEUR, GRILLES, 0.1);
+        Auto auto = auto(CIEL, 80, 60, GRILLES, 0.1);
         assertTrue(dire(auto).startsWith("[Grille] n=1, "), dire(auto));
         dessiner(auto);
         assertTrue(auto.getMesure().rienVu, "" + auto.getMesure().erreur);
         assertEquals("", auto.getVerdict(), "rien n'est promis de ce que l'on n'a pas vu");
-        assertEquals("aucun écart sur 100 pixels ; un détail de moins d'un pixel sur 33 peut manquer", auto.getMesure().enMots());
+        assertEquals("aucun écart sur 200 pixels ; un détail de moins d'un pixel sur 66 peut manquer", auto.getMesure().enMots());
     }
 
     @Test
@@ -207,8 +207,8 @@ class AutoTest {
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
         assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
-        // un essai de cent pixels, deux contrôles de deux cents, leurs références, et l'image remplacée
-        assertTrue(repris.getRayonsDesEssais() > 8000 && repris.getRayonsDesEssais() < 8000 + 6 * 9 * 700,
+        // un essai de deux cents pixels, deux contrôles de quatre cents, leurs références, et l'image remplacée
+        assertTrue(repris.getRayonsDesEssais() > 8000 && repris.getRayonsDesEssais() < 8000 + 6 * 9 * 1000,
                 "" + repris.getRayonsDesEssais());
         Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, juste), 1, 2);
         dessiner(depasse);
@@ -220,7 +220,7 @@ class AutoTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"800, 600, 700", "200, 150, 428", "300, 150, 642", "70, 60, 100"})
+    @CsvSource({"800, 600, 700", "200, 150, 300", "300, 150, 450", "70, 60, 200"})
     void lesPixelsDUnControleNOntPasServi(int largeur, int hauteur, int essai) {
         Lancer prepare = Dessin.lancer(CIEL, largeur, hauteur, false);
         BitSet tires = new BitSet();
@@ -240,7 +240,7 @@ class AutoTest {
         BitSet tires = new BitSet();
         new Echantillon(prepare, 2, rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0), 1,
                 Long.MAX_VALUE, new SplittableRandom(1), tires);
-        assertEquals(856, tires.cardinality());
+        assertEquals(600, tires.cardinality());
         for (int rang = 0; rang < largeur * 150; rang++) {
             boolean bord = Math.abs(rang % largeur - 100.5) < 2 && Math.abs(rang / largeur - 60.5) < 2;
             assertTrue(tires.get(rang) || !bord, "pixel " + rang);

@@ -4,7 +4,6 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -32,7 +31,7 @@ public final class Scenes {
 
     /** Les fichiers des scènes livrées, par ordre alphabétique. */
     public static List<Path> livrees() throws IOException {
-        try (Stream<Path> fichiers = Files.list(Paths.get("scenes"))) {
+        try (Stream<Path> fichiers = Files.list(FichierScene.trouver("scenes/scene1.ini").toAbsolutePath().getParent())) {
             return fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
         }
     }
