@@ -16,7 +16,6 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
-import lancer.correction.enfant.Texte;
 
 /**
  * Le dossier {@code resultats} : un fichier par rendu, du nom de son identifiant, et rien d'autre qui les compte. Chacun est écrit à part,
@@ -101,8 +100,7 @@ public final class DossierDeResultats {
     }
 
     /**
-     * Écrit un résultat, à la place de celui du même rendu. Un résultat que l'on ne peut écrire devient un refus, qui dit pourquoi. Un
-     * résultat qui en remplace un autre, d'un travail différent, le dit.
+     * Écrit un résultat, à la place de celui du même rendu. Un résultat qui en remplace un autre, d'un travail différent, le dit.
      */
     public void ecrire(Resultat resultat) throws IOException {
         Path fichier = Files.createDirectories(dossier).resolve(nom(resultat.id) + FIN);
@@ -113,13 +111,7 @@ public final class DossierDeResultats {
                 resultat.regarder(resultat.remplace);
             }
         }
-        try {
-            deposer(fichier, resultat);
-        } catch (IOException | RuntimeException | Error e) {
-            Resultat refus = new Resultat(resultat);
-            refus.refus.add("ses résultats n'ont pas pu être écrits (" + Texte.protege(e.toString()) + ")");
-            deposer(fichier, refus);
-        }
+        deposer(fichier, resultat);
     }
 
     /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */
