@@ -23,8 +23,6 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class NotesTest extends ClasseEssai {
 
-    /** Un PNG d'un seul pixel. */
-
     private static final Charset CP1252 = Charset.forName("windows-1252");
     private static final String TITRES =
             "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
