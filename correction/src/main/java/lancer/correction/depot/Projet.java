@@ -41,8 +41,8 @@ public final class Projet {
     private static final Map<String, Pattern> VARIANTE = Map.of("brume", Pattern.compile("(?i)brume"),
             "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|crenelage)"), "blinn", Pattern.compile("(?i)blinn"));
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
-    private static final Pattern DE_TEST =
-            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
+    private static final Pattern DE_TEST = Pattern.compile("(?is)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes"
+            + "|module-info|package-info)\\.java)");
     /** Bibliothèques que la correction fournit. */
     private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
     /** Classes du cours que les autres classes n'appellent pas : leurs méthodes ne sont pas adaptées. */

@@ -6,6 +6,7 @@ import com.google.gson.JsonDeserializer;
 import com.google.gson.JsonPrimitive;
 import com.google.gson.JsonSerializer;
 import java.io.IOException;
+import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -43,13 +44,8 @@ public final class DossierDeResultats {
 
     /** Le nom des fichiers de ce rendu, sans leur fin : deux identifiants n'ont jamais le même. */
     public static String nom(String id) {
-        StringBuilder nom = new StringBuilder();
-        for (byte octet : id.getBytes(StandardCharsets.UTF_8)) {
-            char c = (char) (octet & 0xFF);
-            boolean sure = c < 128 && (Character.isLetterOrDigit(c) || "-_".indexOf(c) >= 0 || c == '.' && nom.length() > 0);
-            nom.append(sure ? String.valueOf(c) : String.format("%%%02X", (int) c));
-        }
-        return nom.length() <= NOM_MAX ? nom.toString()
+        String nom = URLEncoder.encode(id, StandardCharsets.UTF_8).replace("+", "%20").replace("*", "%2A").replaceFirst("^\\.", "%2E");
+        return nom.length() <= NOM_MAX ? nom
                 : nom.substring(0, DEBUT) + "~" + UUID.nameUUIDFromBytes(id.getBytes(StandardCharsets.UTF_8));
     }
 
