@@ -21,8 +21,6 @@ import org.apache.commons.compress.archivers.zip.ZipFile;
  */
 final class Lieu implements AutoCloseable {
 
-    /** Nombre maximal d'entrées lues d'un dossier. */
-    private static final int ENTREES_MAX = 200_000;
     /** Taille maximale d'une archive seule dans une archive, en octets. */
     private static final int CLASSE_MAX = 200 << 20;
 
@@ -103,7 +101,7 @@ final class Lieu implements AutoCloseable {
     static Map<String, Path> enfants(Path dossier) {
         Map<String, Path> enfants = new LinkedHashMap<>();
         try (Stream<Path> flux = Files.list(dossier)) {
-            for (Path f : flux.limit(ENTREES_MAX).sorted().collect(Collectors.toList())) {
+            for (Path f : flux.sorted().collect(Collectors.toList())) {
                 String nom = f.getFileName().toString();
                 while (enfants.putIfAbsent(nom, f) != null) {
                     // deux noms différents peuvent se lire pareils, si la langue de la machine n'a pas leurs caractères
