@@ -158,9 +158,10 @@ final class Contenu {
 
     private void ajouter(String chemin, byte[] lus) {
         octets += lus.length;
-        pesee += lus.length;
-        if (pesee > PESEE_MAX) {
-            remarquer("des sources" + DE_COTE + "il y en a plus de " + (PESEE_MAX >> 20) + " Mo en tout");
+        boolean trop = pesee + lus.length > PESEE_MAX;
+        pesee += trop ? 0 : lus.length;
+        if (trop) {
+            remarquer(chemin + DE_COTE + "plus de " + (PESEE_MAX >> 20) + " Mo de sources en tout");
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
             remarquer(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
