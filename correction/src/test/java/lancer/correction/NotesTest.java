@@ -23,10 +23,6 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class NotesTest extends ClasseEssai {
 
-    /** Un PNG d'un seul pixel. */
-    private static final String PIXEL =
-            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC";
-
     private static final Charset CP1252 = Charset.forName("windows-1252");
     private static final String TITRES =
             "Identifier,\"Full name\",Grade,\"Maximum grade\",\"Last modified (grade)\",\"Feedback comments\"\n";
@@ -245,20 +241,6 @@ class NotesTest extends ClasseEssai {
         assertEquals("17.00/20.00", note("TP2 de plus"));
         assertEquals(0, renoter().code);
         contient(Files.readString(dossier.resolve("index.html")), "6 entrées, 6 lignes", "etudiants/TP1%2520de%2520plus.html");
-    }
-
-    @Test
-    void unePageQueLOnNePeutEcrireNeCouteQuElleEtLIndexDitLaquelleEtPourquoi() throws IOException {
-        Files.writeString(dossier.resolve("etudiants/mon-bilan.html"), "à moi");
-        Path resultat = resultat("7002");
-        Files.writeString(resultat, Files.readString(resultat).replaceFirst("\"scene1\":\"iVBOR[^\"]*", "\"scene1\":\"" + PIXEL));
-        Essai essai = renoter();
-        assertEquals(0, essai.code, essai.erreur);
-        assertEquals("17.00/20.00", note("7001"));
-        contient(page(dossier, "7002"), "sa page n&#39;a pas pu être écrite (java.lang.IllegalArgumentException");
-        contient(classe(dossier).get("7002").get("à regarder"), "sa page n'a pas pu être écrite (java.lang.IllegalArgumentException");
-        contient(Files.readString(dossier.resolve("index.html")), "Zoé N’Guyen</a><td class=\"n\">", "sa page n&#39;a pas pu être écrite");
-        assertEquals("à moi", Files.readString(dossier.resolve("etudiants/mon-bilan.html")));
     }
 
     @Test

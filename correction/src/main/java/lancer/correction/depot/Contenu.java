@@ -16,7 +16,6 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import lancer.correction.enfant.Texte;
 import org.apache.commons.compress.archivers.zip.UnsupportedZipFeatureException;
 import org.apache.commons.compress.archivers.zip.ZipArchiveEntry;
@@ -37,12 +36,8 @@ final class Contenu {
 
     /** Taille maximale de ce qui est lu d'un rendu, décompressé, en octets. */
     private static final long OCTETS_MAX = 50L << 20;
-    /** Nombre maximal d'entrées d'une archive. */
-    static final int FICHES_MAX = 200_000;
-    private static final int SOURCE_MAX = 1 << 20;
-    private static final int SOURCES_MAX = 500;
+    /** Taille maximale des sources d'un rendu, en octets. */
     private static final int PESEE_MAX = 6 << 20;
-    private static final int CHEMIN_MAX = 1000;
     private static final int EMBOITEMENT_MAX = 3;
     private static final int CITES_MAX = 5;
     private static final int NOM_MAX = 70;
@@ -59,7 +54,6 @@ final class Contenu {
     private final Set<String> autres = new TreeSet<>();
     private long octets;
     private long pesee;
-    private boolean tropDeFiches;
 
     Contenu(Rendu rendu) {
         this.rendu = rendu;
@@ -108,11 +102,8 @@ final class Contenu {
      * @return faux s'il n'y a plus rien à lire de ce rendu
      */
     private boolean prendre(String chemin, boolean lien, IOSupplier<InputStream> contenu, String archive, int niveau) {
-        if (octets > OCTETS_MAX || tropDeFiches) {
+        if (octets > OCTETS_MAX) {
             return false;
-        } else if (chemin.length() > CHEMIN_MAX) {
-            refuser("des noms de plus de " + CHEMIN_MAX + " caractères : laissés de côté");
-            return true;
         }
         List<String> noms = List.of(chemin.split("/"));
         String fin = noms.isEmpty() ? "" : noms.get(noms.size() - 1);
@@ -155,7 +146,7 @@ final class Contenu {
             if (zip) {
                 deplier(flux, chemin, niveau);
             } else {
-                ajouter(chemin, flux.readNBytes(SOURCE_MAX + 1));
+                ajouter(chemin, flux.readNBytes(PESEE_MAX + 1));
             }
         } catch (UnsupportedOperationException e) {
             refuser((archive.isEmpty() ? chemin : archive) + " : archive " + e.getMessage() + " ; à déplier à la main");
@@ -167,12 +158,10 @@ final class Contenu {
 
     private void ajouter(String chemin, byte[] lus) {
         octets += lus.length;
-        pesee += lus.length;
-        if (lus.length > SOURCE_MAX) {
-            remarquer(chemin + DE_COTE + "plus d'un mégaoctet");
-        } else if (rendu.sources.size() >= SOURCES_MAX || pesee > PESEE_MAX) {
-            remarquer("des sources" + DE_COTE + "il y en a plus de " + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20)
-                    + " Mo en tout");
+        boolean trop = pesee + lus.length > PESEE_MAX;
+        pesee += trop ? 0 : lus.length;
+        if (trop) {
+            remarquer(chemin + DE_COTE + "plus de " + (PESEE_MAX >> 20) + " Mo de sources en tout");
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
             remarquer(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
@@ -185,10 +174,7 @@ final class Contenu {
         }
         byte[] archive = flux.readNBytes((int) OCTETS_MAX + 1);
         octets += archive.length;
-        // les fiches du répertoire central, que la bibliothèque retient toutes (APPNOTE.TXT, 4.3.12)
-        tropDeFiches |= IntStream.range(0, archive.length - 3).filter(k -> archive[k] == 'P' && archive[k + 1] == 'K' && archive[k + 2] == 1
-                && archive[k + 3] == 2).limit(FICHES_MAX + 1).count() > FICHES_MAX;
-        if (octets > OCTETS_MAX || tropDeFiches) {
+        if (octets > OCTETS_MAX) {
             return;
         }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
@@ -213,9 +199,8 @@ final class Contenu {
     /** Conclut la lecture. */
     void finir() {
         outils.keySet().removeIf(dossier -> rendu.sources.keySet().stream().anyMatch(s -> s.startsWith(dossier + "/")));
-        if (octets > OCTETS_MAX || tropDeFiches) {
-            rendu.refus.add(tropDeFiches ? "une archive de plus de " + FICHES_MAX + " entrées"
-                    : "plus de " + (OCTETS_MAX >> 20) + " Mo de sources et d'archives une fois dépliées");
+        if (octets > OCTETS_MAX) {
+            rendu.refus.add("plus de " + (OCTETS_MAX >> 20) + " Mo de sources et d'archives une fois dépliées");
             rendu.sources.clear();
         } else if (rendu.sources.isEmpty() && rendu.refus.isEmpty()) {
             autres.addAll(rendu.bibliotheques);

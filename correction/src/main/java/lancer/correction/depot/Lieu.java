@@ -101,7 +101,7 @@ final class Lieu implements AutoCloseable {
     static Map<String, Path> enfants(Path dossier) {
         Map<String, Path> enfants = new LinkedHashMap<>();
         try (Stream<Path> flux = Files.list(dossier)) {
-            for (Path f : flux.limit(Contenu.FICHES_MAX).sorted().collect(Collectors.toList())) {
+            for (Path f : flux.sorted().collect(Collectors.toList())) {
                 String nom = f.getFileName().toString();
                 while (enfants.putIfAbsent(nom, f) != null) {
                     // deux noms différents peuvent se lire pareils, si la langue de la machine n'a pas leurs caractères

@@ -41,8 +41,8 @@ public final class Projet {
     private static final Map<String, Pattern> VARIANTE = Map.of("brume", Pattern.compile("(?i)brume"),
             "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|crenelage)"), "blinn", Pattern.compile("(?i)blinn"));
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
-    private static final Pattern DE_TEST =
-            Pattern.compile("(?s)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes|module-info|package-info)\\.java)", Pattern.CASE_INSENSITIVE);
+    private static final Pattern DE_TEST = Pattern.compile("(?is)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes"
+            + "|module-info|package-info)\\.java)");
     /** Bibliothèques que la correction fournit. */
     private static final Pattern FOURNIE = Pattern.compile("(?i)(ini4j|junit|opentest4j|apiguardian|hamcrest).*");
     /** Classes du cours que les autres classes n'appellent pas : leurs méthodes ne sont pas adaptées. */
@@ -188,30 +188,24 @@ public final class Projet {
         return dossier.substring(0, dossier.lastIndexOf('/', dossier.length() - 2) + 1);
     }
 
-    /** L'extension que nomme le dossier d'un projet ou, à défaut, un dossier plus haut qui ne contient aucun autre projet nommé. */
+    /** L'extension que nomme le dossier d'un projet ou, à défaut, le plus proche qui le contient, sans contenir tous les projets. */
     private static String partie(String racine, Set<String> projets) {
         String commun = projets.stream().findFirst().orElse("");
         while (!commun.isEmpty() && (projets.contains(commun) || !tousDans(commun, projets))) {
             commun = parent(commun);
         }
-        return nommee(dossier(racine), commun, projets);
-    }
-
-    private static boolean tousDans(String dossier, Set<String> projets) {
-        return projets.stream().allMatch(p -> p.startsWith(dossier));
-    }
-
-    /** @param haut dossier dont le nom, et celui de tout dossier plus haut, ne dit rien */
-    private static String nommee(String bas, String haut, Set<String> projets) {
-        for (String d = bas; d.length() > haut.length(); d = parent(d)) {
-            String ici = d;
+        for (String d = dossier(racine); d.length() > commun.length(); d = parent(d)) {
             String nom = Normalizer.normalize(d.substring(parent(d).length()), Normalizer.Form.NFD).replaceAll("\\p{M}", "");
             List<String> dites = VARIANTE.keySet().stream().filter(v -> VARIANTE.get(v).matcher(nom).find()).collect(Collectors.toList());
-            if (dites.size() == 1 && projets.stream().noneMatch(p -> p.startsWith(ici) && !nommee(p, ici, Set.of()).isEmpty())) {
+            if (dites.size() == 1) {
                 return dites.get(0);
             }
         }
         return "";
+    }
+
+    private static boolean tousDans(String dossier, Set<String> projets) {
+        return projets.stream().allMatch(p -> p.startsWith(dossier));
     }
 
     /** Ajoute une remarque pour l'étudiant et pour l'enseignant. */

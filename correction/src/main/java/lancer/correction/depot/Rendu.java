@@ -1,15 +1,14 @@
 package lancer.correction.depot;
 
-import java.math.BigInteger;
+import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.UUID;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Texte;
 
@@ -55,16 +54,12 @@ public final class Rendu {
 
     /** Ce qui distingue ce rendu d'un autre : ses sources ou, sans sources, la raison. */
     public String empreinte() {
-        try {
-            MessageDigest empreinte = MessageDigest.getInstance("SHA-256");
-            sources.forEach((chemin, octets) -> {
-                empreinte.update(chemin.getBytes(StandardCharsets.UTF_8));
-                empreinte.update(octets);
-            });
-            empreinte.update(refus.toString().getBytes(StandardCharsets.UTF_8));
-            return new BigInteger(1, empreinte.digest()).toString(16);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
-        }
+        ByteArrayOutputStream tout = new ByteArrayOutputStream();
+        sources.forEach((chemin, octets) -> {
+            tout.writeBytes(chemin.getBytes(StandardCharsets.UTF_8));
+            tout.writeBytes(octets);
+        });
+        tout.writeBytes(refus.toString().getBytes(StandardCharsets.UTF_8));
+        return UUID.nameUUIDFromBytes(tout.toByteArray()).toString();
     }
 }

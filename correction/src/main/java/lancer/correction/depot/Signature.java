@@ -35,7 +35,7 @@ public final class Signature {
     }
 
     /**
-     * Écrit, pour chaque méthode dont l'étudiant a changé l'ordre ou le type des paramètres, une méthode de forme attendue qui appelle la
+     * Écrit, pour chaque méthode dont l'étudiant a changé le type des paramètres, une méthode de forme attendue qui appelle la
      * sienne.
      *
      * @param dites reçoit ces changements
@@ -44,7 +44,7 @@ public final class Signature {
         StringBuilder ponts = new StringBuilder();
         for (Signature attendue : duCours.methodes) {
             List<Signature> siennes = lui.methodes.stream().filter(m -> m.nom.equals(attendue.nom) && m.statique == attendue.statique
-                    && m.rend.isEmpty() == attendue.rend.isEmpty() && m.arguments(attendue) != null).collect(Collectors.toList());
+                    && m.rend.isEmpty() == attendue.rend.isEmpty() && m.convient(attendue)).collect(Collectors.toList());
             if (!attendue.privee && !siennes.isEmpty() && siennes.stream().noneMatch(m -> m.vaut(attendue))) {
                 ponts.append(siennes.get(0).pont(attendue));
                 dites.add((attendue.rend.isEmpty() ? "" : lui.nom + ".") + attendue.nom + "(" + String.join(", ", siennes.get(0).types)
@@ -57,8 +57,10 @@ public final class Signature {
     private String pont(Signature attendue) {
         String parametres = IntStream.range(0, types.size()).mapToObj(k -> attendue.types.get(k) + " p" + k)
                 .collect(Collectors.joining(", "));
+        String arguments = IntStream.range(0, types.size()).mapToObj(k -> (types.get(k).equals(attendue.types.get(k)) ? ""
+                : "(" + types.get(k) + ") ") + "p" + k).collect(Collectors.joining(", "));
         String appel = (rend.isEmpty() ? "this" : rend.equals("void") ? nom : "return " + nom)
-                + "(" + String.join(", ", arguments(attendue)) + "); }";
+                + "(" + arguments + "); }";
         return " public " + (statique ? "static " : "") + rend + " " + nom + "(" + parametres + ") { " + appel;
     }
 
@@ -67,22 +69,9 @@ public final class Signature {
         return IntStream.range(0, types.size()).allMatch(k -> types.get(k).equals(attendue.types.get(k)) || types.get(k).equals("Objet3D"));
     }
 
-    /** Arguments qui permettent d'appeler celle-ci depuis l'attendue : à leur place, ou dans un autre ordre ; {@code null} sinon. */
-    private List<String> arguments(Signature attendue) {
-        List<String> restent = new ArrayList<>(attendue.types);
-        if (types.size() != restent.size()) {
-            return null;
-        }
-        List<String> arguments = new ArrayList<>();
-        for (int k = 0; k < types.size(); k++) {
-            String type = types.get(k);
-            boolean converti = COMPATIBLES.contains(type + " " + restent.get(k));
-            int ici = type.equals(restent.get(k)) || converti ? k : restent.indexOf(type);
-            if (ici < 0) {
-                return null;
-            }
-            arguments.add((type.equals(restent.set(ici, "")) ? "" : "(" + type + ") ") + "p" + ici);
-        }
-        return arguments;
+    /** Dit si un appel de l'attendue peut devenir un appel de celle-ci. */
+    private boolean convient(Signature attendue) {
+        return types.size() == attendue.types.size() && IntStream.range(0, types.size()).allMatch(k ->
+                types.get(k).equals(attendue.types.get(k)) || COMPATIBLES.contains(types.get(k) + " " + attendue.types.get(k)));
     }
 }

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.UndeclaredThrowableException;
 import java.nio.file.Files;
@@ -82,9 +81,9 @@ public final class Execution {
         }
     }
 
-    public static void main(String[] args) throws IOException, ReflectiveOperationException {
+    public static void main(String[] args) throws IOException {
         InputStream demandes = new FileInputStream(FileDescriptor.in);
-        OutputStream reponses = new FileOutputStream(aPart());
+        OutputStream reponses = new FileOutputStream(FileDescriptor.out);
         System.setIn(InputStream.nullInputStream());
         PrintStream puits = new Puits();
         System.setOut(puits);
@@ -95,16 +94,6 @@ public final class Execution {
             // les fils que le rendu a laissés ne doivent pas empêcher l'arrêt
             Runtime.getRuntime().halt(0);
         }
-    }
-
-    /** La sortie des réponses, hors de portée d'un rendu : {@code FileDescriptor.out} désigne désormais la sortie d'erreur. */
-    private static FileDescriptor aPart() throws ReflectiveOperationException {
-        Field numero = FileDescriptor.class.getDeclaredField("fd");
-        numero.setAccessible(true);
-        FileDescriptor sortie = new FileDescriptor();
-        numero.setInt(sortie, numero.getInt(FileDescriptor.out));
-        numero.setInt(FileDescriptor.out, numero.getInt(FileDescriptor.err));
-        return sortie;
     }
 
     /** Ignore les affichages d'un rendu, sans même les coder : un affichage par rayon ne doit pas passer pour une boucle sans fin. */

@@ -139,7 +139,6 @@ public final class Confinement {
                 "-XX:TieredStopAtLevel=1", "-XX:+ExitOnOutOfMemoryError", "-XX:-UsePerfData",
                 // la sortie standard ne sert qu'aux réponses
                 "-XX:+DisplayVMOutputToStderr", "-Xlog:disable",
-                "--add-opens", "java.base/java.io=ALL-UNNAMED",
                 "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8", "-Dsun.jnu.encoding=UTF-8", "-Duser.language=fr",
                 "-Djava.io.tmpdir=" + (confine ? "/tmp" : temporaire)));
         commande.addAll(List.of("-cp", classes, principale.getName()));

@@ -4,9 +4,8 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Paths;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -27,8 +26,6 @@ import lancer.correction.enfant.Echange;
 public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
-    /** Unités de temps par seconde de Linux (sysconf, {@code _SC_CLK_TCK}). */
-    private static final double TICS = 100;
     private static final byte[] FIN = new byte[0];
     /** Statuts de Java à court de mémoire, et d'un programme que le système a tué. */
     private static final int MEMOIRE = 3;
@@ -176,21 +173,13 @@ public final class Enfant implements AutoCloseable {
         return travaille;
     }
 
-    /** Temps de processeur d'un processus, en secondes (proc(5), {@code stat}). */
+    /** Temps de processeur d'un processus, en secondes. */
     private double mesurer(ProcessHandle un) throws Arret {
-        String stat;
-        try {
-            stat = Files.readString(Paths.get("/proc", "" + un.pid(), "stat"), StandardCharsets.ISO_8859_1);
-        } catch (IOException e) {
-            // le processus est fini
-            return 0;
-        }
-        // le nom du programme, qui précède, peut contenir n'importe quel caractère
-        String[] champs = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
-        if (Integer.parseInt(champs[17]) > Limites.FILS) {
+        String[] fils = Path.of("/proc", String.valueOf(un.pid()), "task").toFile().list();
+        if (fils != null && fils.length > Limites.FILS) {
             throw arreter("arrêté : lance sans fin des fils");
         }
-        return (Long.parseLong(champs[11]) + Long.parseLong(champs[12])) / TICS;
+        return un.info().totalCpuDuration().orElse(Duration.ZERO).toNanos() / 1e9;
     }
 
     /** Arrête la machine virtuelle, dont la réponse n'est pas dans les limites. */

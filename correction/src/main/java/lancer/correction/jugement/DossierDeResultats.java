@@ -6,6 +6,7 @@ import com.google.gson.JsonDeserializer;
 import com.google.gson.JsonPrimitive;
 import com.google.gson.JsonSerializer;
 import java.io.IOException;
+import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,7 +17,6 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
-import lancer.correction.enfant.Texte;
 
 /**
  * Le dossier {@code resultats} : un fichier par rendu, du nom de son identifiant, et rien d'autre qui les compte. Chacun est écrit à part,
@@ -44,13 +44,8 @@ public final class DossierDeResultats {
 
     /** Le nom des fichiers de ce rendu, sans leur fin : deux identifiants n'ont jamais le même. */
     public static String nom(String id) {
-        StringBuilder nom = new StringBuilder();
-        for (byte octet : id.getBytes(StandardCharsets.UTF_8)) {
-            char c = (char) (octet & 0xFF);
-            boolean sure = c < 128 && (Character.isLetterOrDigit(c) || "-_".indexOf(c) >= 0 || c == '.' && nom.length() > 0);
-            nom.append(sure ? String.valueOf(c) : String.format("%%%02X", (int) c));
-        }
-        return nom.length() <= NOM_MAX ? nom.toString()
+        String nom = URLEncoder.encode(id, StandardCharsets.UTF_8).replace("+", "%20").replace("*", "%2A").replaceFirst("^\\.", "%2E");
+        return nom.length() <= NOM_MAX ? nom
                 : nom.substring(0, DEBUT) + "~" + UUID.nameUUIDFromBytes(id.getBytes(StandardCharsets.UTF_8));
     }
 
@@ -101,8 +96,7 @@ public final class DossierDeResultats {
     }
 
     /**
-     * Écrit un résultat, à la place de celui du même rendu. Un résultat que l'on ne peut écrire devient un refus, qui dit pourquoi. Un
-     * résultat qui en remplace un autre, d'un travail différent, le dit.
+     * Écrit un résultat, à la place de celui du même rendu. Un résultat qui en remplace un autre, d'un travail différent, le dit.
      */
     public void ecrire(Resultat resultat) throws IOException {
         Path fichier = Files.createDirectories(dossier).resolve(nom(resultat.id) + FIN);
@@ -113,13 +107,7 @@ public final class DossierDeResultats {
                 resultat.regarder(resultat.remplace);
             }
         }
-        try {
-            deposer(fichier, resultat);
-        } catch (IOException | RuntimeException | Error e) {
-            Resultat refus = new Resultat(resultat);
-            refus.refus.add("ses résultats n'ont pas pu être écrits (" + Texte.protege(e.toString()) + ")");
-            deposer(fichier, refus);
-        }
+        deposer(fichier, resultat);
     }
 
     /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */

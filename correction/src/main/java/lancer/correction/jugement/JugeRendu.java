@@ -171,7 +171,8 @@ final class JugeRendu implements AutoCloseable {
             for (Verification v : List.copyOf(cachees)) {
                 if (ensuite.get(v.id()).etat != Etat.REUSSI) {
                     cachees.remove(v);
-                    charger(v, Etat.FAUSSE, "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe, classe);
+                    charger(v, Etat.FAUSSE, "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe,
+                            classe);
                 }
             }
         }

@@ -54,15 +54,6 @@ public final class Resultat {
         this.sansConfinement = sansConfinement;
     }
 
-    /** Un résultat du même rendu, sans rien de ce qu'il a donné. */
-    Resultat(Resultat autre) {
-        this.id = autre.id;
-        this.nom = autre.nom;
-        this.entrees = autre.entrees;
-        this.empreinte = autre.empreinte;
-        this.sansConfinement = autre.sansConfinement;
-    }
-
     /** Ajoute une raison d'examiner ce rendu, sans doublon. */
     void regarder(String raison) {
         if (!aRegarder.contains(raison)) {

@@ -53,7 +53,7 @@ public final class Pages {
     }
 
     /**
-     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}. Une page que l'on ne peut écrire ne coûte qu'elle.
+     * Écrit {@code index.html}, {@code classe.csv} et {@code etudiants/}.
      *
      * @param compte nombres d'entrées et de lignes ; @param avis messages à montrer en tête
      */
@@ -62,23 +62,8 @@ public final class Pages {
         List<Object> rangees = new ArrayList<>();
         try {
             for (Eleve eleve : eleves) {
-                String rangee;
-                String page;
-                try {
-                    rangee = remplir("rangee", Map.of("eleve", eleve));
-                    page = remplir("eleve", Map.of("eleve", eleve));
-                } catch (IOException | TemplateException | RuntimeException | Error e) {
-                    Throwable cause = e;
-                    while (cause.getCause() != null) {
-                        cause = cause.getCause();
-                    }
-                    String panne = "sa page n'a pas pu être écrite (" + Texte.protege(cause.toString()) + ")";
-                    eleve.aRegarder.add(panne);
-                    rangee = remplir("rangee", Map.of("eleve", eleve, "panne", panne));
-                    page = remplir("eleve", Map.of("eleve", eleve, "panne", panne));
-                }
-                rangees.add(HTMLOutputFormat.INSTANCE.fromMarkup(rangee));
-                Files.writeString(etudiants.resolve(eleve.page), page);
+                rangees.add(HTMLOutputFormat.INSTANCE.fromMarkup(remplir("rangee", Map.of("eleve", eleve))));
+                Files.writeString(etudiants.resolve(eleve.page), remplir("eleve", Map.of("eleve", eleve)));
             }
             Files.writeString(dossier.resolve("index.html"), remplir("classe", Map.of("eleves", eleves, "rangees", rangees, "avis", avis,
                     "compte", compte)));

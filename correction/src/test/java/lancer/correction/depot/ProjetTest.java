@@ -320,20 +320,6 @@ class ProjetTest extends DepotEssai {
     }
 
     @Test
-    void unAutreOrdreDeParametresEstUneRemarqueEtNonUneFaute() throws IOException {
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Objet3D.java"),
-                "package lancer;\nabstract class Objet3D {\n    public Couleur getColor(Rayon r, Scene s, PointContact c, int p) {\n"
-                        + "        return null;\n    }\n}\n");
-        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Scene.java"),
-                "package lancer;\nclass Scene {\n    public PointContact getClosestIntersection(Rayon r) {\n        return null;\n    }\n"
-                        + "    public PointContact getClosestIntersection(final Rayon r, Objet3D o) {\n        return null;\n    }\n}\n");
-        Projet projet = projet(lire(rendus).get("11"));
-        assertTrue(projet.texte("Objet3D").contains(
-                "getColor(Scene p0, Rayon p1, PointContact p2, int p3) { return getColor(p1, p0, p2, p3); }"));
-        assertEquals(1, projet.remarques.size(), projet.remarques.toString());
-    }
-
-    @Test
     void unReelDUneAutreSorteEstLaisseTelQuelEtDesEntiersSeLaissentAppeler() throws IOException {
         ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Lancer.java"), "package lancer;\nclass Lancer {\n"
                 + "    public Couleur getCouleurPixel(int xe, int ye, int p) {\n        return null;\n    }\n}\n");

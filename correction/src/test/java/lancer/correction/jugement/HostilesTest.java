@@ -71,14 +71,14 @@ class HostilesTest extends JuryEssai {
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         assertTrue(imageJuste(resultats.get("ordinaire")));
-        rate(resultats, "imprime", "s de calcul");
+        rate(resultats, "imprime", "a répondu ce qu'on ne lui demandait pas");
         rate(resultats, "recursion", "appels sans fin");
         rate(resultats, "boucle", "s de calcul");
         rate(resultats, "interblocage", "bloqué");
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "memoire", "mémoire épuisée");
         rate(resultats, "memoire-native", "OutOfMemoryError");
-        rate(resultats, "imitation", "obtenu : (1.0, 1.0, 1.0)");
+        rate(resultats, "imitation", "a répondu ce qu'on ne lui demandait pas");
         rate(resultats, "balises", "<script>alert(1)</script>");
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
@@ -107,7 +107,8 @@ class HostilesTest extends JuryEssai {
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         rate(resultats, "boucle", "trop long ou sans fin");
         rate(resultats, "sortie", "arrêté de lui-même");
-        for (String nom : List.of("imitation", "mathematiques", "falsification", "faux-junit")) {
+        rate(resultats, "imitation", "a répondu ce qu'on ne lui demandait pas");
+        for (String nom : List.of("mathematiques", "falsification", "faux-junit")) {
             rate(resultats, nom, "obtenu : (");
         }
     }

@@ -64,9 +64,8 @@ class IndependanceTest extends JuryEssai {
         ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
         ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
                 .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
-        String sortie = "try { java.lang.reflect.Field f = java.io.FileDescriptor.class.getDeclaredField(\"fd\"); f.setAccessible(true);"
-                + " java.io.FileDescriptor un = new java.io.FileDescriptor(); f.setInt(un, 1);"
-                + " java.io.DataOutputStream s = new java.io.DataOutputStream(new java.io.FileOutputStream(un));";
+        String sortie = "try { java.io.DataOutputStream s = new java.io.DataOutputStream("
+                + "new java.io.FileOutputStream(java.io.FileDescriptor.out));";
         attaque(rendus.resolve("brut"), sortie + " s.writeBytes(\"REUSSI\\n\"); } catch (Exception e) { }");
         attaque(rendus.resolve("avance"), sortie + " for (int k = 0; k < 99; k++) { s.writeInt(k); s.writeInt(2); s.writeChar('R'); } }"
                 + " catch (Exception e) { }");
