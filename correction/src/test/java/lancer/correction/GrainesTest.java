@@ -1,11 +1,13 @@
 package lancer.correction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +16,15 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Lancer;
+import lancer.Objet3D;
+import lancer.Point;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,7 +32,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Des valeurs que personne ne connaît d'avance : celles des vérifications, tirées d'un nombre. */
+/** Des valeurs que personne ne connaît d'avance : les vérifications et les scènes, tirées d'un nombre. */
 class GrainesTest {
 
     private static final String GEANTE = "Sphere.uneSphereGeanteEstToucheeSansGrain";
@@ -161,6 +172,81 @@ class GrainesTest {
         } finally {
             System.getProperties().remove("table");
             System.clearProperty("table.apprend");
+        }
+    }
+
+    private static Scene lire(String texte) throws IOException {
+        Path fichier = Files.writeString(Files.createTempFile(dossier, "scene", ".ini"), texte);
+        Scene lue = new Scene(fichier.toString());
+        // sans les variantes, que les tests de ce module ont dans leur chemin
+        return new Scene(lue.getObjets(), lue.getLampes());
+    }
+
+    private static List<Sphere> boules(Scene scene) {
+        List<Sphere> boules = new ArrayList<>();
+        scene.getObjets().forEach(objet -> boules.add((Sphere) objet));
+        return boules;
+    }
+
+    private static double ecart(Point p, Point q) {
+        return new Vecteur(p, q).norme();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scene1", "ombres", "miroirs", "bowling", "brume"})
+    void uneSceneTireeResteUneSceneValideEtSemblable(String nom) throws IOException {
+        List<Sphere> avant = boules(lire(SourcesDuCours.scene(nom)));
+        List<Lampe> lampes = lire(SourcesDuCours.scene(nom)).getLampes();
+        assertEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 3));
+        assertNotEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 4));
+        for (long graine : graines(20)) {
+            Scene tiree = lire(SourcesDuCours.scene(nom, graine));
+            List<Sphere> apres = boules(tiree);
+            assertEquals(avant.size(), apres.size());
+            assertEquals(lampes.size(), tiree.getLampes().size());
+            for (int k = 0; k < avant.size(); k++) {
+                Sphere a = avant.get(k);
+                Sphere b = apres.get(k);
+                assertEquals(a.getRayon(), b.getRayon());
+                double permis = a.getRayon() < 100 ? 0.22 * a.getRayon() : 0;
+                assertTrue(ecart(a.getCentre(), b.getCentre()) <= permis, a + " " + b);
+                assertTrue(a.getRayon() >= 100 || ecart(b.getCentre(), Camera.OEIL) > b.getRayon(), b + " : l'œil y est");
+                for (Objet3D autre : apres.subList(0, k)) {
+                    double jeu = ecart(b.getCentre(), ((Sphere) autre).getCentre()) - b.getRayon() - ((Sphere) autre).getRayon();
+                    assertTrue(jeu > -0.4 * Math.min(b.getRayon(), ((Sphere) autre).getRayon()), b + " est dans " + autre);
+                }
+            }
+            for (int k = 0; k < lampes.size(); k++) {
+                double bouge = ecart(lampes.get(k).getPosition(), tiree.getLampes().get(k).getPosition());
+                assertTrue(bouge <= 0.09 * ecart(new Point(), lampes.get(k).getPosition()), nom + " : " + bouge);
+            }
+        }
+    }
+
+    /** La part des pixels, parmi ceux qui ne sont pas du ciel, qui ne sont plus les mêmes. */
+    private static double changes(Scene avant, Scene apres) {
+        Camera camera = new Camera(40, 30);
+        int vus = 0;
+        int changes = 0;
+        for (int p = 0; p < 1200; p++) {
+            double xe = p % 40 + 0.5;
+            double ye = p / 40 + 0.5;
+            if (apres.getClosestIntersection(camera.getRayon(xe, ye), null) != null) {
+                vus++;
+                Couleur a = new Lancer(avant, camera).getCouleurPixel(xe, ye, 5);
+                Couleur b = new Lancer(apres, camera).getCouleurPixel(xe, ye, 5);
+                changes += Math.max(Math.abs(a.r - b.r), Math.max(Math.abs(a.v - b.v), Math.abs(a.b - b.b))) > 2 / 255.0 ? 1 : 0;
+            }
+        }
+        return changes / (double) vus;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scene1", "ombres", "miroirs"})
+    void lImageDUneSceneTireeNEstPasCelleQueLOnConnait(String nom) throws IOException {
+        for (long graine : graines(5)) {
+            double part = changes(lire(SourcesDuCours.scene(nom)), lire(SourcesDuCours.scene(nom, graine)));
+            assertTrue(part > 0.85, nom + ", graine " + graine + " : " + part);
         }
     }
 }

@@ -35,7 +35,7 @@ final class JugeImage {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
         return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, ici -> ici.sonder(byte[].class,
-                "dessiner", SourcesDuCours.scene(scene), taille[0], taille[1], taille[2])));
+                "dessiner", reference.scene(scene), taille[0], taille[1], taille[2])));
     }
 
     /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */
@@ -47,7 +47,7 @@ final class JugeImage {
     /** Réponses intermédiaires des méthodes de ces classes. */
     List<?> decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonder(assemblage, TEMPS, ici -> ici.sonder(List.class, "decrire", SourcesDuCours.scene(scene), taille[0], taille[1], xe, ye,
+        return sonder(assemblage, TEMPS, ici -> ici.sonder(List.class, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
                 Math.min(5, taille[2])));
     }
 

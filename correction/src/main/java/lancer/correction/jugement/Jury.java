@@ -73,7 +73,7 @@ public final class Jury implements AutoCloseable {
             try {
                 // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
                 compilations.add(machines.new Compilation());
-                reference = new Reference(machines, compilations.peek());
+                reference = new Reference(machines, compilations.peek(), graine);
             } catch (Arret e) {
                 throw new Panne(1, "le corrigé n'a pu être jugé : " + e.getMessage());
             }

@@ -37,12 +37,15 @@ public final class Reference implements AutoCloseable {
     final String appels;
     /** Verdicts de chaque classe du projet à compléter, seule avec celles du corrigé. */
     private final Map<String, Verdict> seules = new HashMap<>();
+    private final long graine;
     public final GrilleDeNotation grille;
     /** Le corrigé compilé, et le juge qui l'exécute. */
     private final Assemblage assemblage;
     private final JugeRendu juge;
 
-    Reference(Machines machines, Machines.Compilation compilation) throws Arret {
+    /** @param graine le nombre d'où viennent les scènes jugées */
+    Reference(Machines machines, Machines.Compilation compilation, long graine) throws Arret {
+        this.graine = graine;
         cours = new Cours(compilation::lire);
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
@@ -64,6 +67,11 @@ public final class Reference implements AutoCloseable {
         }
     }
 
+    /** Le texte d'une scène jugée. */
+    String scene(String nom) {
+        return SourcesDuCours.scene(nom, graine);
+    }
+
     /** Remplit la grille : vérifications, scènes, extensions, consignes, images du corrigé. */
     private void remplir() throws Arret {
         verifications.stream().filter(v -> !v.etape.equals(Verification.REPETITION)).forEach(grille::ajouter);
@@ -74,7 +82,7 @@ public final class Reference implements AutoCloseable {
                     "la scène « " + nom + " », par toutes les classes du rendu, est celle du corrigé"));
             grille.images.put(nom, juge.images.dessiner(assemblage, nom));
             grille.images.put(nom + GrilleDeNotation.AU_CENTRE, juge.images.tracer(assemblage,
-                    SourcesDuCours.scene(nom), taille[0], taille[1], taille[2]));
+                    scene(nom), taille[0], taille[1], taille[2]));
         }
         for (String nom : SourcesDuCours.VARIANTES) {
             String[] titres = GrilleDeNotation.EXTENSIONS.get(nom);

@@ -8,12 +8,19 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
 
@@ -40,6 +47,12 @@ public final class SourcesDuCours {
 
     private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");
+
+    /** Rayon d'une sphère trop grande pour être déplacée : un sol, un miroir presque plat. */
+    private static final double IMMENSE = 100;
+
+    private static final Pattern RAYON = Pattern.compile("(?m)^rayon=(\\S+)");
+    private static final Pattern TRIPLET = Pattern.compile("(?m)^(centre|position|Kd|Ks|couleur)=(\\S+) (\\S+) (\\S+)$");
 
     /** Fichiers du projet qui ne sont pas des classes du cours. */
     private static final List<String> PROJET = List.of("pom.xml", "Makefile", "src/test/java/lancer/Etapes.java",
@@ -111,6 +124,28 @@ public final class SourcesDuCours {
 
     public static String scene(String nom) {
         return ressource("scenes/" + nom + ".ini");
+    }
+
+    /** Cette scène, dont les positions et les couleurs varient un peu selon la graine. */
+    public static String scene(String nom, long graine) {
+        SplittableRandom hasard = new SplittableRandom(graine);
+        StringBuilder texte = new StringBuilder();
+        for (String section : scene(nom).split("(?m)^(?=\\[)")) {
+            Matcher rayon = RAYON.matcher(section);
+            double r = rayon.find() ? Double.parseDouble(rayon.group(1)) : IMMENSE;
+            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r)));
+        }
+        return texte.toString();
+    }
+
+    private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
+        double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
+        String cle = triplet.group(1);
+        // au plus un huitième du rayon d'une sphère, ou un vingtième de la distance d'une lampe
+        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
+                : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
+        return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
+                : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
     }
 
     /** Un texte de l'archive du programme. */

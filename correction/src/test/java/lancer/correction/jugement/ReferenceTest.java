@@ -77,7 +77,7 @@ class ReferenceTest extends JuryEssai {
         int faux = 0;
         for (String nom : Reference.SCENES.keySet()) {
             int[] taille = Reference.SCENES.get(nom);
-            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), SourcesDuCours.scene(nom)).toString());
+            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), SourcesDuCours.scene(nom, GRAINE)).toString());
             // sans les variantes, que les tests de ce module ont dans leur chemin
             Lancer lancer = new Lancer(new Scene(lue.getObjets(), lue.getLampes()), new Camera(taille[0], taille[1]));
             for (int p = 0; p < taille[0] * taille[1]; p++) {
