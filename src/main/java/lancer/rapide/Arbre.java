@@ -21,7 +21,7 @@ final class Arbre {
 
     /** Taille maximale d'une feuille, et coût d'un nœud en objets demandés. */
     private static final int FEUILLE_MAX = 8;
-    private static final double COUT_NOEUD = 1;
+    private static final double COUT_NOEUD = 2;
 
     /** Nombre de rangs différents le long d'un axe. */
     private static final double FINESSE = 1 << 30;
