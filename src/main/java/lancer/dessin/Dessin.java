@@ -68,7 +68,7 @@ public final class Dessin {
     /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Reglages#isSimple} */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = new Camera(largeur, hauteur);
-        Preparation.choisir(scene, camera, simple, part -> { });
+        Preparation.choisir(scene, camera, simple);
         return new Lancer(scene, camera);
     }
 

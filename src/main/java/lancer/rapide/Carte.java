@@ -40,6 +40,9 @@ final class Carte {
      * @return {@code null} s'il en faut davantage, ou s'il y a trop de grandes enveloppes
      */
     static Carte de(PointDeVue point, Enveloppes enveloppes, int places) {
+        if (point == null) {
+            return null;
+        }
         double[] g = enveloppes.geometrie;
         long[] ordre = new long[enveloppes.bornes.length];
         for (int o = 0; o < ordre.length; o++) {

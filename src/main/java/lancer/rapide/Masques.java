@@ -77,11 +77,8 @@ final class Masques implements Recherche {
         int cases = (int) Math.min(CASES_D_UNE_LAMPE, pixels / CASES_PAR_PIXEL);
         for (int l = 0; l < Math.min(lampes.length, LAMPES_MAX); l++) {
             Recherche.obeir();
-            Point p = lampes[l].getPosition();
-            if (cases > n && Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
-                vues[l] = PointDeVue.deLaLampe(p, enveloppes, cases);
-                parCase[l] = masques(vues[l]);
-            }
+            vues[l] = cases > n ? PointDeVue.deLaLampe(lampes[l], enveloppes, cases) : null;
+            parCase[l] = vues[l] == null ? null : masques(vues[l]);
         }
     }
 

@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import lancer.Camera;
+import lancer.Lampe;
 import lancer.Point;
 
 /** Un point par où passent des rayons, l'œil ou une lampe. Les directions qui en partent sont découpées en cases. */
@@ -74,7 +75,11 @@ final class PointDeVue {
     }
 
     /** Une lampe, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf des grandes enveloppes. */
-    static PointDeVue deLaLampe(Point lampe, Enveloppes enveloppes, int cases) {
+    static PointDeVue deLaLampe(Lampe celle, Enveloppes enveloppes, int cases) {
+        Point lampe = celle.getPosition();
+        if (!(Enveloppes.plusGrande(lampe.x, lampe.y, lampe.z) < Enveloppes.LONGUEUR_MAX)) {
+            return null;
+        }
         double[][] bords = new double[6][];
         Arrays.setAll(bords, face -> Fenetre.vide());
         double[] d = new double[3];

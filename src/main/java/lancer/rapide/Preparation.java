@@ -1,7 +1,6 @@
 package lancer.rapide;
 
 import java.util.List;
-import java.util.function.DoubleConsumer;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -32,28 +31,20 @@ public final class Preparation implements Recherche {
     /** Nombre d'objets par pixel au-delà duquel il n'y a pas de carte. */
     private static final int OBJETS_PAR_PIXEL = 8;
 
-    /** Nombre de places et de cases de toutes les cartes, par objet, et nombres toujours permis ; cases d'une carte. */
-    private static final int PLACES_PAR_OBJET = 32;
-    private static final int PLACES_TOUJOURS = 1 << 22;
+    /** Nombre de cases d'une carte par objet, nombre de cases de toutes les cartes, et de places par case. */
     private static final int CASES_PAR_OBJET = 8;
     private static final int CASES_TOUJOURS = 1 << 18;
-    private static final int CASES_MAX = 1 << 19;
-
-    /** Parts approchées de la préparation faites après la copie des enveloppes, puis après l'arbre. */
-    private static final double PART_ENVELOPPES = 0.1;
-    private static final double PART_ARBRE = 0.5;
+    private static final int PLACES_PAR_CASE = 8;
 
     private final Scene scene;
     private final Camera camera;
-    private final DoubleConsumer suivi;
     private Enveloppes enveloppes;
     private Recherche recherche;
 
-    /** @param suivi reçoit la part faite, de 0 à 1, après chaque étape */
-    Preparation(Scene scene, Camera camera, DoubleConsumer suivi) {
+    /** La recherche de cette scène vue de cette caméra. L'image est la même que si tous les objets sont proposés. */
+    public Preparation(Scene scene, Camera camera) {
         this.scene = scene;
         this.camera = camera;
-        this.suivi = suivi;
         construire();
     }
 
@@ -63,8 +54,8 @@ public final class Preparation implements Recherche {
      * @param simple vrai pour proposer tous les objets
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
-    public static void choisir(Scene scene, Camera camera, boolean simple, DoubleConsumer suivi) {
-        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : new Preparation(scene, camera, suivi));
+    public static void choisir(Scene scene, Camera camera, boolean simple) {
+        scene.getModele().setRecherche(simple || !estUtile(scene, camera) ? null : new Preparation(scene, camera));
     }
 
     /** Dit si les structures, construction comprise, sont plus rapides que de demander tous les objets. */
@@ -74,14 +65,8 @@ public final class Preparation implements Recherche {
         return objets > PEU || objets > DEUX && pixels * objets * (1 + scene.getLampes().size()) > VITE_FAIT;
     }
 
-    /** La recherche de cette scène vue de cette caméra. L'image est la même que si tous les objets sont proposés. */
-    public static Recherche pour(Scene scene, Camera camera, DoubleConsumer suivi) {
-        return new Preparation(scene, camera, suivi);
-    }
-
     private void construire() {
         enveloppes = new Enveloppes(scene.getObjets());
-        suivi.accept(PART_ENVELOPPES);
         int objets = enveloppes.objets.length;
         long pixels = (long) camera.getLargeur() * camera.getHauteur();
         recherche = objets <= PEU ? masques() : foule(objets <= OBJETS_PAR_PIXEL * pixels);
@@ -94,24 +79,19 @@ public final class Preparation implements Recherche {
 
     /** La recherche d'une foule. @param avecCartes faux pour l'arbre seul */
     Recherche foule(boolean avecCartes) {
+        Arbre arbre = new Arbre(enveloppes);
         List<Lampe> lampes = scene.getLampes();
         Carte[] cartes = new Carte[lampes.size()];
-        Arbre arbre = new Arbre(enveloppes);
         long n = enveloppes.bornes.length;
-        int places = (int) (Math.max(PLACES_TOUJOURS, n * PLACES_PAR_OBJET) / (1 + cartes.length));
         long permises = Math.max(CASES_TOUJOURS, n * CASES_PAR_OBJET) / (1 + cartes.length);
-        int cases = (int) Math.min(Math.min(permises, n * CASES_PAR_OBJET), CASES_MAX);
+        int cases = (int) Math.min(permises, n * CASES_PAR_OBJET);
+        int places = PLACES_PAR_CASE * cases;
         boolean utiles = avecCartes && cases > n / 16;
-        for (int l = 0; l < cartes.length; l++) {
-            suivi.accept(PART_ARBRE + (1 - PART_ARBRE) * l / (1 + cartes.length));
-            Point p = lampes.get(l).getPosition();
-            if (utiles && Enveloppes.plusGrande(p.x, p.y, p.z) < Enveloppes.LONGUEUR_MAX) {
-                cartes[l] = Carte.de(PointDeVue.deLaLampe(p, enveloppes, cases), enveloppes, places);
-            }
+        for (int l = 0; l < cartes.length && utiles; l++) {
+            cartes[l] = Carte.de(PointDeVue.deLaLampe(lampes.get(l), enveloppes, cases), enveloppes, places);
         }
-        PointDeVue oeil = utiles ? PointDeVue.deLOeil(camera, cases) : null;
-        return new Foule(enveloppes, arbre, oeil == null ? null : Carte.de(oeil, enveloppes, places),
-                lampes.toArray(new Lampe[0]), cartes, new Compteurs());
+        Carte oeil = utiles ? Carte.de(PointDeVue.deLOeil(camera, cases), enveloppes, places) : null;
+        return new Foule(enveloppes, arbre, oeil, lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 
     /** Dit si tous les objets sont là où ils étaient à la dernière construction. */

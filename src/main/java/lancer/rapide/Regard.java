@@ -4,19 +4,18 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
-import lancer.Lampe;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
@@ -81,13 +80,17 @@ public final class Regard {
         Scene toutes = scene.avec(sansRecherche(scene.getModele()));
         Scene cherchee = scene.avec(scene.getModele());
         try {
-            boolean cache = false;
-            for (int k = 0; k < RAYONS && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
-                Objet3D depart = classes.isEmpty() || k % 3 != 2 ? null : tirer(classes.get(k / 3 % classes.size()));
-                Objet3D cible = classes.isEmpty() ? null : tirer(classes.get(k / 3 % classes.size()));
-                Lampe lampe = scene.getLampes().isEmpty() ? null : tirer(scene.getLampes());
-                Rayon rayon = rayon(camera, k % 3 == 1 ? lampe : null, depart, cible);
-                cache = rayon != null && (deborde(cible, rayon) || differe(toutes, cherchee, rayon, depart, lampe));
+            // les boucles peuvent demander un objet que la scène ne donne pas à la recherche
+            toutes.getClosestIntersection(camera.getRayon(0, 0));
+            boolean cache = toutes.getCompteurs().testsSpheres > scene.getObjets().size();
+            int rayons = classes.isEmpty() ? 0 : RAYONS;
+            for (int k = 0; k < rayons && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
+                List<Objet3D> classe = classes.get(k / 2 % classes.size());
+                Objet3D cible = tirer(classe);
+                Objet3D depart = k % 2 == 0 ? null : tirer(classe);
+                Point P = depart == null ? camera.getOeil() : dans(depart, 1);
+                Rayon rayon = new Rayon(P, dans(cible, hasard.nextDouble()));
+                cache = deborde(cible, rayon) || differe(toutes, cherchee, rayon, depart);
             }
             return cache;
         } catch (CancellationException | OutOfMemoryError e) {
@@ -98,19 +101,8 @@ public final class Regard {
         }
     }
 
-    private <T> T tirer(List<T> liste) {
+    private Objet3D tirer(List<Objet3D> liste) {
         return liste.get(hasard.nextInt(liste.size()));
-    }
-
-    /** Un rayon de la lampe ou de l'enveloppe de {@code depart} vers celle de {@code cible}, ou un rayon de l'écran. */
-    private Rayon rayon(Camera camera, Lampe lampe, Objet3D depart, Objet3D cible) {
-        if (cible == null || lampe == null && depart == null) {
-            return camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
-                    camera.getHauteur() * hasard.nextDouble());
-        }
-        Point P = lampe != null ? lampe.getPosition() : dans(depart, 1);
-        Vecteur V = new Vecteur(P, dans(cible, hasard.nextDouble()));
-        return V.norme() > 0 && V.norme() <= Double.MAX_VALUE ? new Rayon(P, V) : null;
     }
 
     /** Un point de l'enveloppe de cet objet, à cette part de son rayon. */
@@ -122,7 +114,7 @@ public final class Regard {
 
     /** Dit si ce rayon rencontre cet objet hors de son enveloppe. */
     private static boolean deborde(Objet3D objet, Rayon rayon) {
-        double d = objet == null ? Double.POSITIVE_INFINITY : objet.getIntersectionDistance(rayon);
+        double d = objet.getIntersectionDistance(rayon);
         if (!(d < Double.POSITIVE_INFINITY)) {
             return false;
         }
@@ -132,27 +124,11 @@ public final class Regard {
         return new Vecteur(c, rayon.getP().add(d, rayon.getV())).norme() > enveloppe.getRayon() + marge;
     }
 
-    /** Dit si la recherche et tous les objets répondent autrement à ce rayon, ou à une ombre de son contact. */
-    private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart, Lampe lampe) {
-        Rayon autre = Rayon.dOmbre(rayon.getP(), rayon.getV());
-        long avant = toutes.getCompteurs().testsSpheres;
-        PointContact attendu = toutes.getClosestIntersection(rayon, depart);
-        // les boucles peuvent demander un objet que la scène ne donne pas à la recherche
-        if (toutes.getCompteurs().testsSpheres - avant > toutes.getObjets().size()
-                || !Objects.equals(attendu, cherchee.getClosestIntersection(autre, depart))
-                || autre.getObjet() != rayon.getObjet()) {
-            return true;
-        }
-        if (attendu == null || lampe == null) {
-            return false;
-        }
-        Vecteur versLampe = new Vecteur(attendu, lampe.getPosition());
-        if (!(attendu.objet.getNormale(attendu).dot(versLampe) > 0)) {
-            return false;
-        }
-        Vecteur L = versLampe.normalized();
-        return toutes.estCachee(lampe, attendu, L, versLampe.norme(), attendu.objet)
-                != cherchee.estCachee(lampe, attendu, L, versLampe.norme(), attendu.objet);
+    /** Dit si la recherche donne à ce rayon une autre couleur que tous les objets, qui donnent deux fois la leur. */
+    private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart) {
+        Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
+        return !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))
+                && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
     }
 
     /**
@@ -172,23 +148,19 @@ public final class Regard {
         if (acheve.getFautes().getPremiere() != null) {
             return false;
         }
-        int pixels = image.largeur * image.hauteur;
-        int combien = Math.min(PIXELS, pixels / UN_SUR);
-        if (differe(acheve, modele, image, profondeur, combien)) {
+        if (differe(acheve, modele, image, profondeur)) {
             ecart = CHANGE;
             return false;
         }
-        double parPixel = (double) acheve.getCompteurs().rayons() / pixels * scene.getObjets().size();
-        int quelques = (int) Math.min(combien, EXAMENS / (1 + parPixel));
-        if (modele.getRecherche() == null || !differe(acheve, sansRecherche(modele), image, profondeur, quelques)) {
-            return false;
+        boolean cache = modele.getRecherche() != null && differe(acheve, sansRecherche(modele), image, profondeur);
+        if (cache) {
+            oter(scene);
         }
-        oter(scene);
-        return true;
+        return cache;
     }
 
     /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
-    private boolean differe(Lancer acheve, Modele modele, ImageMemoire image, int profondeur, int combien) {
+    private boolean differe(Lancer acheve, Modele modele, ImageMemoire image, int profondeur) {
         Lancer lancer = new Lancer(acheve.getScene().avec(modele), acheve.getCamera());
         lancer.getFautes().tolerer();
         Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
@@ -196,7 +168,9 @@ public final class Regard {
                 : modele.getEchantillonnage().pour(acheve.getScene().getObjets(), acheve.getCamera());
         boolean[] differe = new boolean[1];
         Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
-        for (int k = 0; k < combien && !differe[0]; k++) {
+        int combien = Math.min(PIXELS, image.largeur * image.hauteur / UN_SUR);
+        Compteurs compteurs = lancer.getScene().getCompteurs();
+        for (int k = 0; k < combien && !differe[0] && compteurs.examens() < EXAMENS; k++) {
             int i = hasard.nextInt(image.largeur);
             int j = hasard.nextInt(image.hauteur);
             if (choisi == null) {

@@ -59,7 +59,7 @@ class PixelsFautifsTest {
     private static PixelFautif faute(Vecteur normale, int fils) {
         Scene scene = new Scene(Collections.singletonList(new Mur(normale)),
                 Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
-        scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+        scene.getModele().setRecherche(new Preparation(scene, CAMERA));
         Toile toile = (couleur, i, j) -> assertTrue(i < 20, "un pixel faux est arrivé à l'image");
         return assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels(toile, 5, fils));
     }

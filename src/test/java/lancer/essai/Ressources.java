@@ -94,7 +94,7 @@ public final class Ressources {
 
     /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
-        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+        scene.getModele().setRecherche(new Preparation(scene, camera));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
         new Lancer(scene, camera).TracerPixels(image, reflets, 2);
         return image;

@@ -44,7 +44,7 @@ class PixelTest extends EssaiCommande {
     void saCouleurEstDiteToutEntiere() {
         Scene scene = new Scene(SCENE);
         Camera camera = new Camera(20, 15);
-        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+        scene.getModele().setRecherche(new Preparation(scene, camera));
         String[] attendus = new String[20 * 15];
         new Lancer(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
                 + Integer.toHexString(c.getCode()).substring(2).toUpperCase(), 3, 2);

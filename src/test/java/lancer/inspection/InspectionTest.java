@@ -82,7 +82,7 @@ class InspectionTest {
         String fichier = Ressources.chemin("reference/p4-foule.ini");
         SceneLue lue = LecteurScene.lire(fichier, part -> { });
         Scene rapide = new Scene(lue.objets, lue.lampes);
-        rapide.getModele().setRecherche(Preparation.pour(rapide, new Camera(80, 60), part -> { }));
+        rapide.getModele().setRecherche(new Preparation(rapide, new Camera(80, 60)));
         for (int x = 5; x < 80; x += 9) {
             Inspection pixel = inspecter(rapide, lue::getOrigine, new Camera(80, 60), 5, x, 30);
             Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);

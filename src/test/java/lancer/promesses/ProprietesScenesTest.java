@@ -48,7 +48,7 @@ class ProprietesScenesTest {
         while (quittes < RAYONS) {
             Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
             Scene[] chemins = {scene, new Scene(scene.getObjets(), scene.getLampes())};
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
                 Objet3D depart = null;
@@ -101,7 +101,7 @@ class ProprietesScenesTest {
         int auCiel = 0;
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
                 Couleur vue = scene.getCouleurVue(copie(premier), null, 12);

@@ -38,7 +38,7 @@ class ComptesTest {
     }
 
     private static Compteurs compter(Scene scene, int profondeur) {
-        return IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, part -> { }), profondeur).compteurs;
+        return IdentiteTest.Dessin.de(scene, CAMERA, new Preparation(scene, CAMERA), profondeur).compteurs;
     }
 
     /** Des comptes décident : d'une ou deux sphères, ou de peu de pixels, les boucles du cours répondent sans rien préparer. */
@@ -83,7 +83,7 @@ class ComptesTest {
             boolean longs = scene.getLampes().size() > 100 || e.getKey().matches(".*(coquilles|un seul point|mêlées).*");
             Camera camera = longs ? new Camera(20, 15) : CAMERA;
             IdentiteTest.Dessin oracle = IdentiteTest.Dessin.de(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), 3);
-            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, camera, Preparation.pour(scene, camera, part -> { }), 3);
+            IdentiteTest.Dessin rapide = IdentiteTest.Dessin.de(scene, camera, new Preparation(scene, camera), 3);
             rapide.verifier(e.getKey(), oracle);
             long boucles = rapide.compteurs.rayons() * scene.getObjets().size();
             int n = scene.getObjets().size();
@@ -130,7 +130,7 @@ class ComptesTest {
         Camera camera = new Camera(largeur, hauteur);
         scene.getModele().setSeuil(0);
         Compteurs arbre = compter(scene, camera, new ArbreSimple(scene.getObjets(), new Compteurs()), profondeur, points);
-        Compteurs rapide = compter(scene, camera, Preparation.pour(scene, camera, part -> { }), profondeur, points);
+        Compteurs rapide = compter(scene, camera, new Preparation(scene, camera), profondeur, points);
         long autres = avecBoucles ? compter(scene, camera, null, profondeur, points).examens() : Long.MAX_VALUE;
         assertEquals(arbre.rayons(), rapide.rayons(), nom);
         double n = scene.getObjets().size();
@@ -153,10 +153,10 @@ class ComptesTest {
     @Test
     void unFilInterrompuSArreteDansUnPixel() {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).lampes(2000).scene();
-        Recherche rapide = Preparation.pour(scene, new Camera(2, 2), part -> { });
+        Recherche rapide = new Preparation(scene, new Camera(2, 2));
         for (Recherche recherche : new Recherche[] {null,
             rapide,
-            new Preparation(scene, CAMERA, part -> { }).foule(false)}) {
+            new Preparation(scene, CAMERA).foule(false)}) {
             scene.getModele().setRecherche(recherche);
             Lancer lancer = new Lancer(scene.avec(scene.getModele()), CAMERA);
             Thread.currentThread().interrupt();
@@ -176,7 +176,7 @@ class ComptesTest {
         Scene scene = ScenesDEssai.foule(7, 20_000, 0).scene();
         Thread.currentThread().interrupt();
         try {
-            assertThrows(CancellationException.class, () -> Preparation.pour(scene, CAMERA, part -> { }));
+            assertThrows(CancellationException.class, () -> new Preparation(scene, CAMERA));
         } finally {
             assertTrue(Thread.interrupted(), "le fil appelant reste interrompu");
         }

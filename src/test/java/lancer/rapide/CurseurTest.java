@@ -72,7 +72,7 @@ class CurseurTest {
     }
 
     private static IdentiteTest.Dessin dessiner(Scene scene) {
-        return IdentiteTest.Dessin.de(scene, CAMERA, Preparation.pour(scene, CAMERA, part -> { }), 3);
+        return IdentiteTest.Dessin.de(scene, CAMERA, new Preparation(scene, CAMERA), 3);
     }
 
     @Test
@@ -109,7 +109,7 @@ class CurseurTest {
         scenes.putAll(ScenesDEssai.toutes(12));
         scenes.putAll(ScenesDEssai.extremes(60));
         scenes.forEach((nom, scene) -> {
-            Preparation preparation = new Preparation(scene, CAMERA, part -> { });
+            Preparation preparation = new Preparation(scene, CAMERA);
             List<Recherche> recherches = new ArrayList<>();
             recherches.add(preparation.foule(true));
             recherches.add(preparation.foule(false));
@@ -152,7 +152,7 @@ class CurseurTest {
         for (int taille : new int[] {12, 60}) {
             Scene scene = ScenesDEssai.foule(9, taille, 0).scene();
             Scene boucles = new Scene(scene.getObjets(), scene.getLampes());
-            scene.getModele().setRecherche(Preparation.pour(scene, CAMERA, part -> { }));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
             Sphere etrangere = new Sphere(new Point(0, 0, 8), 0.1);
             boolean[][] reponses = new boolean[2][400];
             for (int k = 0; k < 400; k++) {

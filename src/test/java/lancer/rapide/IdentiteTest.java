@@ -75,7 +75,7 @@ class IdentiteTest {
             double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
             scene.getModele().setRecherche(null);
             Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
-            scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+            scene.getModele().setRecherche(new Preparation(scene, camera));
             assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
         }
     }
@@ -103,14 +103,14 @@ class IdentiteTest {
         scene.getModele().setRecherche(null);
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
         Compteurs premiers = null;
-        Preparation preparation = new Preparation(scene, camera, part -> { });
+        Preparation preparation = new Preparation(scene, camera);
         if (scene.getObjets().size() <= Long.SIZE) {
             Dessin.de(scene, camera, preparation.masques(), profondeur).verifier(nom + ", masques", lisible);
         }
         Dessin.de(scene, camera, preparation.foule(true), profondeur).verifier(nom + ", cartes", lisible);
         Dessin.de(scene, camera, preparation.foule(false), profondeur).verifier(nom + ", arbre seul", lisible);
         for (int fils : new int[] {1, 2, 7}) {
-            scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+            scene.getModele().setRecherche(new Preparation(scene, camera));
             Dessin rapide = new Dessin(scene, camera, profondeur, fils);
             rapide.verifier(nom + ", " + fils + " fils", lisible);
             premiers = premiers == null ? rapide.compteurs : premiers;

@@ -48,7 +48,7 @@ class OeilDeplaceTest {
             }
         } else {
             // il y a des rayons qui n'existent pas : la préparation n'en échoue pas
-            Preparation.pour(ScenesDEssai.foule(3, 60, 0).scene(), camera, part -> { });
+            new Preparation(ScenesDEssai.foule(3, 60, 0).scene(), camera);
         }
     }
 
@@ -74,7 +74,7 @@ class OeilDeplaceTest {
                 Scene scene = ScenesDEssai.foule(8, foule, 0).scene();
                 Camera camera = k == 0 ? new Camera(LARGEUR, HAUTEUR)
                         : new CameraDeplacee(LARGEUR, HAUTEUR, new Point(0, 0, -4.2), 0);
-                scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+                scene.getModele().setRecherche(new Preparation(scene, camera));
                 Lancer traceur = new Lancer(scene, camera);
                 traceur.TracerPixels((couleur, i, j) -> { }, 0, 1);
                 noeuds[k] = traceur.getCompteurs().noeudsVisites;

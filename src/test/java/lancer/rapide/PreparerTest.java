@@ -3,15 +3,10 @@ package lancer.rapide;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.TreeSet;
-import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
@@ -48,15 +43,6 @@ class PreparerTest {
             System.arraycopy(preparee, j * 3 * 64, sienne, 0, 3 * 64);
             assertArrayEquals(ligne, sienne, "ligne " + j);
         }
-    }
-
-    @Test
-    void laPartPrepareeSeDitApresChaqueEtape() {
-        List<Double> parts = new ArrayList<>();
-        Preparation.pour(new Scene("scenes/tournesol.ini"), new Camera(64, 48), parts::add);
-        List<Double> croissantes = new ArrayList<>(new TreeSet<>(parts));
-        assertEquals(croissantes, parts);
-        assertTrue(parts.size() >= 3 && parts.get(0) > 0 && parts.get(parts.size() - 1) <= 1, parts.toString());
     }
 
     @Test

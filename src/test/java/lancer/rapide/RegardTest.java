@@ -43,7 +43,7 @@ class RegardTest {
     }
 
     private static Regard preparer(Scene scene, boolean simple) {
-        Preparation.choisir(scene, CAMERA, simple, part -> { });
+        Preparation.choisir(scene, CAMERA, simple);
         return new Regard(scene, CAMERA);
     }
 
