@@ -12,91 +12,84 @@ final class Carte {
     /** Nombre d'objets d'une case au-delà duquel elle est pleine : l'arbre la remplace. */
     private static final int PLEINE = 30;
 
-    /** Nombre de grandes enveloppes au-delà duquel il n'y a pas de carte : chacune est comparée à toutes les cases. */
-    private static final int GRANDES_MAX = 16;
-
     final PointDeVue point;
 
-    /** Première place de chaque case, et nombre de places, −1 si elle est pleine. */
+    /** Première place de chaque case ; celle de la suivante est sa fin. */
     final int[] debut;
-    final byte[] nombre;
 
-    /** Pour chaque place, le rang d'un objet et une borne inférieure de sa distance au point. */
-    final int[] objets;
+    /** Le rang d'un objet pour chaque place, et pour chaque rang une borne inférieure de sa distance au point. */
+    int[] objets = new int[16];
     final float[] pres;
 
-    private Carte(PointDeVue point, int places) {
+    /** La case de chaque place, avant leur rangement, et nombre de places. */
+    private int[] cases = new int[16];
+    private int nombre;
+
+    private Carte(PointDeVue point, Enveloppes enveloppes) {
         this.point = point;
-        debut = new int[point.nombre];
-        nombre = new byte[point.nombre];
-        objets = new int[places];
-        pres = new float[places];
+        debut = new int[point.nombre + 1];
+        pres = new float[enveloppes.objets.length];
     }
 
     /**
      * La carte de ce point.
      *
+     * @param point {@code null} s'il n'en a pas
      * @param places nombre maximal de places
-     * @return {@code null} s'il en faut davantage, ou s'il y a trop de grandes enveloppes
+     * @return {@code null} s'il en faut davantage
      */
     static Carte de(PointDeVue point, Enveloppes enveloppes, int places) {
         if (point == null) {
             return null;
         }
+        Carte carte = new Carte(point, enveloppes);
         double[] g = enveloppes.geometrie;
         long[] ordre = new long[enveloppes.bornes.length];
         for (int o = 0; o < ordre.length; o++) {
-            // la moitié haute, positive, donne l'ordre
             int k = enveloppes.bornes[o];
-            ordre[o] = (long) Float.floatToRawIntBits(point.auMoins(g, k)) << 32 | k;
+            carte.pres[k] = point.auMoins(g, k);
+            // la moitié haute, positive, donne l'ordre
+            ordre[o] = (long) Float.floatToRawIntBits(carte.pres[k]) << Integer.SIZE | k;
         }
         Arrays.sort(ordre);
-        int[] cases = new int[2 * ordre.length + 16];
-        int[] quelle = new int[cases.length];
-        int[] comptes = new int[point.nombre];
-        int total = 0;
-        int grandes = 0;
-        for (int o = 0; o < ordre.length; o++) {
+        for (long o : ordre) {
             Recherche.obeir();
-            int[] siennes = point.cases(g, (int) ordre[o]);
-            grandes += siennes.length > point.nombre / 8 ? 1 : 0;
-            if (grandes > GRANDES_MAX || total + siennes.length > places) {
+            point.cases(g, (int) o, c -> carte.ajouter(c, (int) o));
+            if (carte.nombre > places) {
                 return null;
             }
-            if (total + siennes.length > cases.length) {
-                cases = Arrays.copyOf(cases, 2 * cases.length + siennes.length);
-                quelle = Arrays.copyOf(quelle, cases.length);
-            }
-            for (int c : siennes) {
-                cases[total] = c;
-                quelle[total++] = o;
-                comptes[c]++;
-            }
         }
-        return ranger(point, ordre, comptes, Arrays.copyOf(cases, total), quelle);
+        carte.ranger();
+        return carte;
     }
 
-    /** Range par case les objets, donnés par distance croissante. */
-    private static Carte ranger(PointDeVue point, long[] ordre, int[] comptes, int[] cases, int[] quelle) {
-        int places = 0;
-        for (int n : comptes) {
-            places += n > PLEINE ? 0 : n;
+    private void ajouter(int c, int objet) {
+        if (nombre == objets.length) {
+            objets = Arrays.copyOf(objets, 2 * nombre);
+            cases = Arrays.copyOf(cases, 2 * nombre);
         }
-        Carte carte = new Carte(point, places);
-        int place = 0;
-        for (int c = 0; c < comptes.length; c++) {
-            carte.debut[c] = place;
-            carte.nombre[c] = (byte) (comptes[c] > PLEINE ? -1 : 0);
-            place += comptes[c] > PLEINE ? 0 : comptes[c];
+        objets[nombre] = objet;
+        cases[nombre++] = c;
+    }
+
+    /** Range les places par case, sans changer l'ordre de celles d'une case. */
+    private void ranger() {
+        for (int e = 0; e < nombre; e++) {
+            debut[cases[e]]++;
         }
-        for (int e = 0; e < cases.length; e++) {
-            int c = cases[e];
-            if (carte.nombre[c] >= 0) {
-                int ici = carte.debut[c] + carte.nombre[c]++;
-                carte.objets[ici] = (int) ordre[quelle[e]];
-                carte.pres[ici] = Float.intBitsToFloat((int) (ordre[quelle[e]] >>> 32));
-            }
+        for (int c = 1; c < debut.length; c++) {
+            debut[c] += debut[c - 1];
         }
-        return carte;
+        int[] ranges = new int[nombre];
+        for (int e = nombre - 1; e >= 0; e--) {
+            ranges[--debut[cases[e]]] = objets[e];
+        }
+        objets = ranges;
+        cases = null;
+    }
+
+    /** Dit si cette case a trop d'objets. */
+    boolean estPleine(int c) {
+        return debut[c + 1] - debut[c] > PLEINE;
     }
 }

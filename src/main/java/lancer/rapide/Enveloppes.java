@@ -2,6 +2,8 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
@@ -35,8 +37,12 @@ final class Enveloppes {
     Enveloppes(List<Objet3D> scene) {
         objets = scene.toArray(new Objet3D[0]);
         geometrie = copier();
-        bornes = rangs(true);
-        libres = rangs(false);
+        bornes = rangs(k -> geometrie[PAS * k + 3] >= 0);
+        libres = rangs(k -> !(geometrie[PAS * k + 3] >= 0));
+    }
+
+    private int[] rangs(IntPredicate voulus) {
+        return IntStream.range(0, objets.length).filter(voulus).toArray();
     }
 
     private double[] copier() {
@@ -58,18 +64,6 @@ final class Enveloppes {
         return g;
     }
 
-    /** Les rangs des objets qui ont une enveloppe, ou de ceux qui n'en ont pas. */
-    private int[] rangs(boolean avecEnveloppe) {
-        int[] rangs = new int[objets.length];
-        int n = 0;
-        for (int k = 0; k < objets.length; k++) {
-            if (geometrie[PAS * k + 3] >= 0 == avecEnveloppe) {
-                rangs[n++] = k;
-            }
-        }
-        return Arrays.copyOf(rangs, n);
-    }
-
     /** Dit si aucune enveloppe n'a changé depuis la copie. */
     boolean sontEnPlace() {
         return Arrays.equals(geometrie, copier());
@@ -87,6 +81,15 @@ final class Enveloppes {
 
     static double plusGrande(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    /** Le rang de celui-ci dans ce tableau, cherché à partir d'un rang ; s'il n'y est pas, ce rang. */
+    static int trouver(Object celui, Object[] tableau, int depuis) {
+        int rang = depuis;
+        for (int k = 0; k < tableau.length && tableau[rang] != celui; k++) {
+            rang = rang + 1 < tableau.length ? rang + 1 : 0;
+        }
+        return rang;
     }
 
     /** Dit si cette direction est de longueur 1, comme toutes les structures le supposent. */

@@ -1,6 +1,7 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 
 /**
  * Une fenêtre sur les directions qui partent d'un point, perpendiculaire à un axe et découpée en cases égales. Une
@@ -31,9 +32,6 @@ final class Fenetre {
     private final double parDv;
     final int colonnes;
     final int lignes;
-
-    /** Les cases de la dernière enveloppe cherchée. */
-    int[] touchees = new int[16];
 
     /** @param face le double de l'axe, plus 1 si son sens est négatif */
     Fenetre(int face, double[] bords, int colonnes, int lignes) {
@@ -119,54 +117,41 @@ final class Fenetre {
     }
 
     /**
-     * Note dans {@link #touchees} les cases que touche une enveloppe : le cône de la case et le sien se coupent.
+     * Donne les cases que touche une enveloppe : le cône de la case et le sien se coupent.
      *
      * @param d direction du centre, de longueur 1
      * @param sinus celui du demi-angle ; 1 ou plus si le point est dans l'enveloppe
-     * @return leur nombre
      */
-    int chercher(double[] d, double sinus) {
-        int i0 = 0;
-        int i1 = colonnes - 1;
-        int j0 = 0;
-        int j1 = lignes - 1;
+    void chercher(double[] d, double sinus, IntConsumer touchee) {
+        double[] vus = {u0, u1, v0, v1};
         if (sinus <= GRANDE) {
-            double[] vus = silhouette(2 * axe + (signe > 0 ? 0 : 1), d, sinus);
+            vus = silhouette(2 * axe + (signe > 0 ? 0 : 1), d, sinus);
             if (vus == null || vus[0] > u1 || vus[1] < u0 || vus[2] > v1 || vus[3] < v0) {
-                return 0;
+                return;
             }
-            i0 = rang((vus[0] - u0) * parDu, colonnes);
-            i1 = rang((vus[1] - u0) * parDu, colonnes);
-            j0 = rang((vus[2] - v0) * parDv, lignes);
-            j1 = rang((vus[3] - v0) * parDv, lignes);
         }
-        boolean partout = !(sinus < 1) || sinus <= GRANDE && i1 - i0 <= 1 && j1 - j0 <= 1;
+        int i0 = rang((vus[0] - u0) * parDu, colonnes);
+        int i1 = rang((vus[1] - u0) * parDu, colonnes);
+        int j0 = rang((vus[2] - v0) * parDv, lignes);
+        int j1 = rang((vus[3] - v0) * parDv, lignes);
+        boolean peu = sinus <= GRANDE && i1 - i0 <= 1 && j1 - j0 <= 1;
         double cosinus = Math.sqrt(1 - sinus * sinus);
-        double cu = d[(axe + 1) % 3];
-        double cv = d[(axe + 2) % 3];
-        double cw = signe * d[axe];
         double rayon = Math.sqrt(du * du + dv * dv) / 2 + MARGE;
-        int nombre = 0;
-        if (touchees.length < (i1 - i0 + 1) * (j1 - j0 + 1)) {
-            touchees = new int[(i1 - i0 + 1) * (j1 - j0 + 1)];
-        }
         for (int j = j0; j <= j1; j++) {
             double v = v0 + (j + 0.5) * dv;
             for (int i = i0; i <= i1; i++) {
-                if (!partout) {
-                    double u = u0 + (i + 0.5) * du;
-                    double par = 1 / Math.sqrt(u * u + v * v + 1);
-                    double sa = rayon * par;
-                    // une case de demi-angle a est loin si l'angle des deux axes dépasse la somme des demi-angles
-                    double limite = Math.sqrt(1 - sa * sa) * cosinus - sa * sinus - ECART;
-                    if ((u * cu + v * cv + cw) * par < limite) {
-                        continue;
-                    }
+                double u = u0 + (i + 0.5) * du;
+                double par = 1 / Math.sqrt(u * u + v * v + 1);
+                double sa = rayon * par;
+                // une case de demi-angle a est loin si l'angle des deux axes dépasse la somme des demi-angles
+                double limite = Math.sqrt(1 - sa * sa) * cosinus - sa * sinus - ECART;
+                double angle = (u * d[(axe + 1) % 3] + v * d[(axe + 2) % 3] + signe * d[axe]) * par;
+                // NaN si le point est dans l'enveloppe : la négation donne alors toutes les cases
+                if (peu || !(angle < limite)) {
+                    touchee.accept(j * colonnes + i);
                 }
-                touchees[nombre++] = j * colonnes + i;
             }
         }
-        return nombre;
     }
 
     /** Les bords de la fenêtre quand rien n'y est. */

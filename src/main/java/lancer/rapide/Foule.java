@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.stream.IntStream;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
@@ -16,7 +17,7 @@ final class Foule implements Recherche {
 
     private final Enveloppes enveloppes;
     private final int[] libres;
-    private final int nombre;
+    private final int[] tous;
     private final Arbre arbre;
     private final Carte oeil;
     private final Lampe[] lampes;
@@ -37,7 +38,7 @@ final class Foule implements Recherche {
     private int[] liste;
     private int place;
     private int fin;
-    /** Distances des objets d'une case, {@code null} dans l'arbre, et ce que le rayon a parcouru avant P. */
+    /** Distances au point d'une carte, {@code null} hors d'elle, et ce que le rayon a parcouru avant P. */
     private float[] pres;
     private double avance;
 
@@ -46,11 +47,9 @@ final class Foule implements Recherche {
     private final double[] entrees = new double[Arbre.PROFONDEUR_MAX];
     private int haut;
 
-    /** Vrai pour une ombre : le dernier objet qui a caché une lampe vient avant l'arbre, et les objets libres après. */
     private boolean ombre;
-    /** Places des prochains objets libres, et du prochain objet quand aucune structure ne convient. */
+    /** Place du prochain objet libre : ils viennent après une case, et avant l'arbre. */
     private int libre;
-    private int tous;
     /** L'objet proposé en dernier, −1 à la fin ; celui qui a caché une lampe en dernier ; celui à proposer d'abord. */
     private int propose = -1;
     private int bloqueur = -1;
@@ -65,7 +64,7 @@ final class Foule implements Recherche {
         this.lampes = lampes;
         this.compteurs = compteurs;
         libres = enveloppes.libres;
-        nombre = enveloppes.objets.length;
+        tous = IntStream.range(0, enveloppes.objets.length).toArray();
     }
 
     @Override
@@ -84,17 +83,8 @@ final class Foule implements Recherche {
             bloqueur = propose;
         }
         ombre = true;
-        ouvrir(carteDe(demandee), P, V);
-    }
-
-    private Carte carteDe(Lampe demandee) {
-        for (int k = 0; k < lampes.length; k++) {
-            if (lampes[lampe] == demandee) {
-                return cartes[lampe];
-            }
-            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
-        }
-        return null;
+        lampe = Enveloppes.trouver(demandee, lampes, lampe);
+        ouvrir(lampes.length > 0 && lampes[lampe] == demandee ? cartes[lampe] : null, P, V);
     }
 
     private void ouvrir(Carte carte, Point P, Vecteur V) {
@@ -104,36 +94,37 @@ final class Foule implements Recherche {
         vx = V.x;
         vy = V.y;
         vz = V.z;
-        place = 0;
         fin = 0;
         haut = 0;
         libre = 0;
-        tous = nombre;
         premier = -1;
+        pres = null;
         compteurs.noeudsVisites++;
-        int c = carte == null ? -1 : carte.point.caseDe(px, py, pz, vx, vy, vz);
-        if (c >= 0 && carte.nombre[c] >= 0) {
-            liste = carte.objets;
+        int c = carte == null ? -1 : carte.point.caseDe(P, V);
+        if (c >= 0 && !carte.estPleine(c)) {
             pres = carte.pres;
-            place = carte.debut[c];
-            fin = place + carte.nombre[c];
-            avance = carte.point.avance(px, py, pz, vx, vy, vz);
+            avance = carte.point.avance(P, V);
+            lire(carte.objets, carte.debut[c], carte.debut[c + 1]);
         } else if (Enveloppes.estUnitaire(vx, vy, vz) && Enveloppes.plusGrande(px, py, pz) < Enveloppes.LONGUEUR_MAX) {
-            liste = arbre.feuilles;
-            pres = null;
             pile[0] = 0;
             entrees[0] = 0;
-            haut = liste.length == 0 ? 0 : 1;
+            haut = arbre.feuilles.length == 0 ? 0 : 1;
             premier = ombre ? bloqueur : -1;
         } else {
             libre = libres.length;
-            tous = 0;
+            lire(tous, 0, tous.length);
         }
+    }
+
+    private void lire(int[] celle, int debut, int apres) {
+        liste = celle;
+        place = debut;
+        fin = apres;
     }
 
     @Override
     public int suivant(double auPlus) {
-        if (place < fin && (pres == null || pres[place] - avance <= auPlus)) {
+        if (place < fin && (pres == null || pres[liste[place]] - avance <= auPlus)) {
             propose = liste[place++];
         } else {
             propose = suite(auPlus);
@@ -141,7 +132,7 @@ final class Foule implements Recherche {
         return propose;
     }
 
-    /** Le premier objet proposé avant l'arbre, d'une nouvelle feuille, ou après l'arbre ou la case. */
+    /** Le premier objet proposé avant l'arbre, d'une nouvelle feuille, ou après une case. */
     private int suite(double auPlus) {
         fin = 0;
         if (premier >= 0) {
@@ -149,16 +140,10 @@ final class Foule implements Recherche {
             premier = -1;
             return k;
         }
-        if (haut > 0 && !ombre && libre < libres.length) {
-            return libres[libre++];
-        }
-        if (haut > 0 && descendre(auPlus)) {
-            return liste[place++];
-        }
         if (libre < libres.length) {
             return libres[libre++];
         }
-        return tous < nombre ? tous++ : -1;
+        return descendre(auPlus) ? liste[place++] : -1;
     }
 
     /** Cherche la feuille suivante. @return faux s'il n'y en a plus */
@@ -191,8 +176,7 @@ final class Foule implements Recherche {
             }
             if (n >= 0) {
                 compteurs.noeudsVisites += visites;
-                place = arbre.suite[n];
-                fin = place + arbre.compte[n];
+                lire(arbre.feuilles, arbre.suite[n], arbre.suite[n] + arbre.compte[n]);
                 return true;
             }
         }

@@ -26,10 +26,9 @@ final class Masques implements Recherche {
     /** Élargissement d'un départ ou d'un contact, en part des longueurs ; un rayon en vérifie la moitié. */
     private static final double MARGE = 1e-9;
 
-    /** Nombre de cases d'une lampe, au plus une pour ce nombre de pixels ; nombre de lampes qui en ont. */
+    /** Nombre de cases d'une lampe, et de pixels pour une case des lampes. */
     private static final int CASES_D_UNE_LAMPE = 4096;
-    private static final int CASES_PAR_PIXEL = 16;
-    private static final int LAMPES_MAX = 32;
+    private static final int PIXELS_PAR_CASE = 8;
 
     private final Objet3D[] objets;
     private final double[] g;
@@ -74,8 +73,8 @@ final class Masques implements Recherche {
         lampes = siennes.toArray(new Lampe[0]);
         vues = new PointDeVue[lampes.length];
         parCase = new long[lampes.length][];
-        int cases = (int) Math.min(CASES_D_UNE_LAMPE, pixels / CASES_PAR_PIXEL);
-        for (int l = 0; l < Math.min(lampes.length, LAMPES_MAX); l++) {
+        int cases = (int) Math.min(CASES_D_UNE_LAMPE, pixels / PIXELS_PAR_CASE / (1 + lampes.length));
+        for (int l = 0; l < lampes.length; l++) {
             Recherche.obeir();
             vues[l] = cases > n ? PointDeVue.deLaLampe(lampes[l], enveloppes, cases) : null;
             parCase[l] = vues[l] == null ? null : masques(vues[l]);
@@ -86,9 +85,8 @@ final class Masques implements Recherche {
     private long[] masques(PointDeVue vue) {
         long[] masques = new long[vue.nombre];
         for (int k = 0; k < objets.length; k++) {
-            for (int c : vue.cases(g, k)) {
-                masques[c] |= 1L << k;
-            }
+            long bit = 1L << k;
+            vue.cases(g, k, c -> masques[c] |= bit);
         }
         return masques;
     }
@@ -147,10 +145,11 @@ final class Masques implements Recherche {
         dAbord = 0;
         if (depart == null) {
             bloqueur = 0;
-            int c = oeil == null ? -1 : oeil.caseDe(P.x, P.y, P.z, V.x, V.y, V.z);
+            int c = oeil == null ? -1 : oeil.caseDe(P, V);
             poser(c < 0 ? tous : parTuile[c]);
         } else {
-            boolean connu = trouver(depart) && estPres(P.x, P.y, P.z, portee) && Enveloppes.estUnitaire(V.x, V.y, V.z);
+            rang = Enveloppes.trouver(depart, objets, rang);
+            boolean connu = objets.length > 0 && objets[rang] == depart && estPres(P.x, P.y, P.z, portee) && Enveloppes.estUnitaire(V.x, V.y, V.z);
             poser(connu ? parDirection[CUBES * rang + (cube(V.z) * COTE + cube(V.y)) * COTE + cube(V.x)] : tous);
         }
     }
@@ -167,8 +166,9 @@ final class Masques implements Recherche {
         }
         ombre = true;
         dAbord = bloqueur;
-        PointDeVue vue = trouver(demandee) ? vues[lampe] : null;
-        int c = vue == null ? -1 : vue.caseDe(P.x, P.y, P.z, V.x, V.y, V.z);
+        lampe = Enveloppes.trouver(demandee, lampes, lampe);
+        PointDeVue vue = lampes.length > 0 && lampes[lampe] == demandee ? vues[lampe] : null;
+        int c = vue == null ? -1 : vue.caseDe(P, V);
         poser(c < 0 ? tous : parCase[lampe][c]);
     }
 
@@ -176,27 +176,6 @@ final class Masques implements Recherche {
         compteurs.noeudsVisites++;
         reste = masque;
         propose = 0;
-    }
-
-    /** Note le rang de cet objet. @return faux s'il n'est pas de la scène */
-    private boolean trouver(Objet3D objet) {
-        for (int k = 0; k < objets.length; k++) {
-            if (objets[rang] == objet) {
-                return true;
-            }
-            rang = rang + 1 < objets.length ? rang + 1 : 0;
-        }
-        return false;
-    }
-
-    private boolean trouver(Lampe demandee) {
-        for (int k = 0; k < lampes.length; k++) {
-            if (lampes[lampe] == demandee) {
-                return true;
-            }
-            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
-        }
-        return false;
     }
 
     /** Dit si ce point est à la surface, ou dans l'enveloppe, de l'objet trouvé. */

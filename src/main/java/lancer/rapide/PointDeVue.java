@@ -1,9 +1,11 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Point;
+import lancer.Vecteur;
 
 /** Un point par où passent des rayons, l'œil ou une lampe. Les directions qui en partent sont découpées en cases. */
 final class PointDeVue {
@@ -121,50 +123,45 @@ final class PointDeVue {
         return Math.max(0, Math.nextDown((float) pres));
     }
 
-    /** Les cases où se voit l'enveloppe k, ou l'objet libre k. */
-    int[] cases(double[] g, int k) {
+    /** Donne les cases où se voit l'enveloppe k, ou l'objet libre k. */
+    void cases(double[] g, int k, IntConsumer vue) {
         double[] d = new double[3];
         double sinus = viser(x, y, z, g, k, d);
-        int[] toutes = new int[0];
         for (int f = 0; f < fenetres.length; f++) {
-            int n = fenetres[f] == null ? 0 : fenetres[f].chercher(d, sinus);
-            int debut = toutes.length;
-            toutes = n == 0 ? toutes : Arrays.copyOf(toutes, debut + n);
-            for (int c = 0; c < n; c++) {
-                toutes[debut + c] = premieres[f] + fenetres[f].touchees[c];
+            int premiere = premieres[f];
+            if (fenetres[f] != null) {
+                fenetres[f].chercher(d, sinus, c -> vue.accept(premiere + c));
             }
         }
         if (ailleurs >= 0 && !(sinus <= Fenetre.GRANDE)) {
-            toutes = Arrays.copyOf(toutes, toutes.length + 1);
-            toutes[toutes.length - 1] = ailleurs;
+            vue.accept(ailleurs);
         }
-        return toutes;
     }
 
     /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas, ou si elle n'est pas connue. */
-    int caseDe(double px, double py, double pz, double vx, double vy, double vz) {
-        double ax = px - x;
-        double ay = py - y;
-        double az = pz - z;
-        double cx = ay * vz - az * vy;
-        double cy = az * vx - ax * vz;
-        double cz = ax * vy - ay * vx;
-        double ecart = ECART * Enveloppes.plusGrande(x, y, z);
+    int caseDe(Point P, Vecteur V) {
+        double ax = P.x - x;
+        double ay = P.y - y;
+        double az = P.z - z;
+        double cx = ay * V.z - az * V.y;
+        double cy = az * V.x - ax * V.z;
+        double cz = ax * V.y - ay * V.x;
+        double ecart = ECART * portee();
         boolean passe = cx * cx + cy * cy + cz * cz <= ecart * ecart;
         // plus loin, l'arrondi de ce produit vectoriel passerait l'écart
         boolean sur = ARRONDI * Enveloppes.plusGrande(ax, ay, az) <= ecart;
-        if (!(passe && sur && Enveloppes.estUnitaire(vx, vy, vz))) {
+        if (!(passe && sur && Enveloppes.estUnitaire(V.x, V.y, V.z))) {
             return -1;
         }
-        double sens = ax * vx + ay * vy + az * vz >= 0 ? 1 : -1;
-        int f = Fenetre.face(sens * vx, sens * vy, sens * vz);
-        int c = fenetres[f] == null ? -1 : fenetres[f].caseDe(sens * vx, sens * vy, sens * vz);
+        double sens = ax * V.x + ay * V.y + az * V.z >= 0 ? 1 : -1;
+        int f = Fenetre.face(sens * V.x, sens * V.y, sens * V.z);
+        int c = fenetres[f] == null ? -1 : fenetres[f].caseDe(sens * V.x, sens * V.y, sens * V.z);
         return c < 0 ? ailleurs : premieres[f] + c;
     }
 
     /** Ce qu'un rayon qui s'éloigne du point a parcouru avant P ; +∞ s'il s'en approche. */
-    double avance(double px, double py, double pz, double vx, double vy, double vz) {
-        double a = (px - x) * vx + (py - y) * vy + (pz - z) * vz;
+    double avance(Point P, Vecteur V) {
+        double a = (P.x - x) * V.x + (P.y - y) * V.y + (P.z - z) * V.z;
         return a >= 0 ? a * (1 + 1e-12) : Double.POSITIVE_INFINITY;
     }
 
