@@ -240,7 +240,7 @@ class PartageTest {
     void dansUneImageToutEnLongueurLesPetitesBoulesSontVuesCommeParLaGrilleComplete(int largeur, int hauteur) {
         Camera camera = new Camera(largeur, hauteur);
         Scene scene = poussiere(camera, largeur * hauteur / 150, 0.2, 0.4, 0.6);
-        scene.getModele().setRecherche(Preparation.pour(scene, camera, part -> { }));
+        scene.getModele().setRecherche(new Preparation(scene, camera));
         long[] rayons = new long[1];
         double[] juste = rouges(scene, camera, new Coins(16, 0), rayons);
         for (int n : new int[] {3, 4, 8}) {

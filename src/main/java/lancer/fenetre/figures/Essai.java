@@ -14,6 +14,9 @@ public final class Essai {
     private static final int MOINS = 3;
     private static final int PLUS = 40;
 
+    /** Erreur, en niveaux, qui s'écrirait 0,00. */
+    private static final double ARRONDI = 0.005;
+
     public final Reglages reglages;
     public final Durees durees;
     /** En niveaux, avec leur intervalle à 95 %. */
@@ -35,7 +38,8 @@ public final class Essai {
 
     /** Le temps et l'erreur, avec leurs intervalles. */
     public String dire() {
-        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + (erreur > 0 ? "erreur de %.2f ± %.2f niveaux"
+        boolean vue = erreur + incertitude >= ARRONDI;
+        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + (vue ? "erreur de %.2f ± %.2f niveaux"
                 : "aucun écart vu"), durees.getMediane() / 1e9, durees.getMin() / 1e9, durees.getMax() / 1e9, erreur,
                 incertitude);
     }
