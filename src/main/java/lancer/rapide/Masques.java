@@ -149,7 +149,8 @@ final class Masques implements Recherche {
             poser(c < 0 ? tous : parTuile[c]);
         } else {
             rang = Enveloppes.trouver(depart, objets, rang);
-            boolean connu = objets.length > 0 && objets[rang] == depart && estPres(P.x, P.y, P.z, portee) && Enveloppes.estUnitaire(V.x, V.y, V.z);
+            boolean connu = objets.length > 0 && objets[rang] == depart && estPres(P.x, P.y, P.z, portee)
+                    && Enveloppes.estUnitaire(V.x, V.y, V.z);
             poser(connu ? parDirection[CUBES * rang + (cube(V.z) * COTE + cube(V.y)) * COTE + cube(V.x)] : tous);
         }
     }

@@ -45,7 +45,7 @@ public final class Regard {
     private final Random hasard = new Random(1);
     private String ecart;
 
-    /** Compare la recherche de cette scène préparée à toutes les réponses de ses objets, et l'ôte si elle en cache une. */
+    /** Compare la recherche de cette scène préparée aux réponses de tous ses objets, et l'ôte si elle en cache une. */
     public Regard(Scene scene, Camera camera) {
         if (scene.getModele().getRecherche() != null && cache(scene, camera)) {
             oter(scene);

@@ -38,7 +38,7 @@ public final class Essai {
 
     /** Le temps et l'erreur, avec leurs intervalles. */
     public String dire() {
-        boolean vue = erreur + incertitude >= ARRONDI;
+        boolean vue = erreur >= ARRONDI;
         return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + (vue ? "erreur de %.2f ± %.2f niveaux"
                 : "aucun écart vu"), durees.getMediane() / 1e9, durees.getMin() / 1e9, durees.getMax() / 1e9, erreur,
                 incertitude);

@@ -22,9 +22,13 @@ import org.junit.jupiter.api.io.TempDir;
 /** Ce qu'une page montre d'une scène s'écrit tel quel dans une scène : le programme, avec ses variantes, l'accepte. */
 class BlocsTest {
 
-    /** Un bloc, lignes en retrait, ou un mot de code. {@code Plan}, {@code Nuit} et {@code Damier} n'existent que dans la page qui les fait écrire. */
+    /**
+     * Un bloc, lignes en retrait, ou un mot de code. {@code Plan}, {@code Nuit} et {@code Damier} n'existent que dans la page qui les fait
+     * écrire.
+     */
     private static final Pattern BLOC = Pattern.compile("(?m)(?:^ {4}.*\\n|^\\n(?= {4}))+|`[^`\\n]+`");
-    private static final Pattern SECTION = Pattern.compile("(?s)(?:;[^\\n]*\\n)*\\[(?!(?:Plan|Nuit|Damier)\\b)[A-Z][a-z]+\\b[^\\]\\n…]*\\].*");
+    private static final Pattern SECTION = Pattern.compile(
+            "(?s)(?:;[^\\n]*\\n)*\\[(?!(?:Plan|Nuit|Damier)\\b)[A-Z][a-z]+\\b[^\\]\\n…]*\\].*");
 
     private static final String SCENE = "[Sphere du test]\ncentre=0 0 5\nrayon=1\n\n[Lampe du test]\nposition=0 9 0\ncouleur=1 1 1\n\n";
 
