@@ -84,7 +84,7 @@ class QuatriemeVarianteTest {
             ProcessBuilder sh = new ProcessBuilder("sh", "-e", "-c", bloc).directory(copie.toFile())
                     .redirectErrorStream(true).redirectOutput(sortie.toFile());
             // ni l'écran, ni les réglages du make qui lance ces tests ; et le même Java qu'eux
-            sh.environment().keySet().removeAll(Arrays.asList("DISPLAY", "MAKEFLAGS", "MAKELEVEL", "MFLAGS"));
+            sh.environment().keySet().removeAll(Arrays.asList("DISPLAY", "MVN", "MAKEFLAGS", "MAKELEVEL", "MFLAGS"));
             String java = System.getProperty("java.home");
             sh.environment().put("JAVA_HOME", java);
             sh.environment().put("PATH", java + File.separator + "bin" + File.pathSeparator + System.getenv("PATH"));
