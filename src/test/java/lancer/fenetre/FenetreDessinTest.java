@@ -25,7 +25,6 @@ import lancer.Constantes;
 import lancer.Lancer;
 import lancer.dessin.Dessin;
 import lancer.Scene;
-import lancer.dessin.Dessin;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;

@@ -14,7 +14,6 @@ import java.util.Random;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;

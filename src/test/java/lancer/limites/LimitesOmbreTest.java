@@ -27,7 +27,6 @@ import lancer.contrat.Vue;
 import lancer.essai.Formule;
 import lancer.essai.Ombre;
 import lancer.essai.Rangee;
-import lancer.essai.Ressources;
 import lancer.essai.TraceurNaif;
 import org.junit.jupiter.api.Test;
 
