@@ -28,11 +28,13 @@ import lancer.Vecteur;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Des valeurs que personne ne connaît d'avance : les vérifications et les scènes, tirées d'un nombre. */
+@EnabledIfSystemProperty(named = "tests.longs", matches = ".*")
 class GrainesTest {
 
     private static final String GEANTE = "Sphere.uneSphereGeanteEstToucheeSansGrain";
