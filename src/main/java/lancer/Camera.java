@@ -2,7 +2,7 @@ package lancer;
 
 /**
  * Passage d'un pixel à son rayon (cours, « Écran, œil et projection »). L'écran est dans le plan z = 0, l'œil derrière
- * lui, la scène devant (z &gt; 0). Immuable.
+ * lui, la scène devant (z &gt; 0). Une {@link CameraPlacee} les place ailleurs. Immuable.
  */
 public class Camera {
 
@@ -46,17 +46,23 @@ public class Camera {
         return OEIL;
     }
 
-    /** Le point de l'écran en (xe, ye), en pixels depuis la gauche et depuis le haut. Tous ces points ont le même z. */
+    /** Le point de l'écran en (xe, ye), en pixels depuis la gauche et depuis le haut. */
     public Point getEcran(double xe, double ye) {
         return new Point(getX(xe), getY(ye), 0);
     }
 
+    /** Où l'œil voit p : x à droite, y en haut, z droit devant lui, perpendiculaire à l'écran. */
+    public Vecteur depuisLOeil(Point p) {
+        return new Vecteur(getOeil(), p);
+    }
+
     /** Le point de l'image où l'œil voit p : x et y, en pixels ; z est le nombre de pixels d'une unité en p. */
     public Point projeter(Point p) {
-        Point oeil = getOeil();
-        double pixels = (getEcran(0, 0).z - oeil.z) / (p.z - oeil.z) * largeur / Constantes.ECHELLE;
-        return new Point(largeur / 2.0 + oeil.x * largeur / Constantes.ECHELLE + (p.x - oeil.x) * pixels,
-                hauteur / 2.0 - oeil.y * largeur / Constantes.ECHELLE - (p.y - oeil.y) * pixels, pixels);
+        Vecteur vu = depuisLOeil(p);
+        Vecteur centre = depuisLOeil(getEcran(largeur / 2.0, hauteur / 2.0));
+        double pixels = centre.z / vu.z * largeur / Constantes.ECHELLE;
+        return new Point(largeur / 2.0 - centre.x * largeur / Constantes.ECHELLE + vu.x * pixels,
+                hauteur / 2.0 + centre.y * largeur / Constantes.ECHELLE - vu.y * pixels, pixels);
     }
 
     /**

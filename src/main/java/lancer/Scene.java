@@ -3,6 +3,7 @@ package lancer;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.BiFunction;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
@@ -22,6 +23,7 @@ public final class Scene {
 
     private final Objet3D[] objets;
     final Lampe[] lampes;
+    private final BiFunction<Integer, Integer, Camera> cadrage;
     private final Modele modele;
     private final Recherche tous;
     private final Compteurs compteurs = new Compteurs();
@@ -37,11 +39,17 @@ public final class Scene {
     }
 
     private Scene(SceneLue lue) {
-        this(new Scene(lue.objets, lue.lampes), lue.getModele());
+        this(lue.getScene(), lue.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
+        this(objets, lampes, Camera::new);
+    }
+
+    /** Une scène sans fichier. @param cadrage voir {@link #getCamera} */
+    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage) {
+        this.cadrage = cadrage;
         this.objets = SceneLue.sansConfondues(objets).toArray(new Objet3D[0]);
         this.lampes = lampes.toArray(new Lampe[0]);
         tous = new TousLesObjets(this.objets.length);
@@ -51,6 +59,7 @@ public final class Scene {
     private Scene(Scene autre, Modele modele) {
         objets = autre.objets;
         lampes = autre.lampes;
+        cadrage = autre.cadrage;
         tous = autre.tous.pourUnFil(compteurs);
         this.modele = modele.pourUnFil(compteurs);
     }
@@ -58,6 +67,11 @@ public final class Scene {
     /** La même scène pour un autre fil, avec ses propres compteurs, dessinée selon ce modèle. */
     public Scene avec(Modele autre) {
         return new Scene(this, autre);
+    }
+
+    /** La caméra que place la scène, ou celle du cours, pour une image de cette taille. */
+    public Camera getCamera(int largeur, int hauteur) {
+        return cadrage.apply(largeur, hauteur);
     }
 
     /** Le premier objet que rencontre ce rayon. Voir {@link #getClosestIntersection(Rayon, Objet3D)}. */

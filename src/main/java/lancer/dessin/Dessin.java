@@ -67,7 +67,7 @@ public final class Dessin {
 
     /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Reglages#isSimple} */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
-        Camera camera = new Camera(largeur, hauteur);
+        Camera camera = scene.getCamera(largeur, hauteur);
         Preparation.choisir(scene, camera, simple);
         return new Lancer(scene, camera);
     }

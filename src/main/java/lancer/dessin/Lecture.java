@@ -12,7 +12,7 @@ public final class Lecture {
     /** Le nom du fichier, tel qu'il est demandé. */
     public final String fichier;
     public final SceneLue lue;
-    /** Les objets et les lampes, sans réglage. */
+    /** Les objets, les lampes et la caméra, sans réglage. */
     public final Scene scene;
     /** Le temps de la lecture, en nanosecondes. */
     public final long dureeNs;
@@ -22,7 +22,7 @@ public final class Lecture {
         this.fichier = fichier;
         this.lue = lue;
         this.dureeNs = dureeNs;
-        scene = new Scene(lue.objets, lue.lampes);
+        scene = lue.getScene();
     }
 
     /**

@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
-import lancer.Camera;
 import lancer.Lancer;
+import lancer.Scene;
 import lancer.auto.Auto;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
@@ -176,8 +176,9 @@ public final class SansFenetre {
 
     private void expliquerUnPixel() {
         lire();
-        Inspection pixel = new Inspection(demande.getScene(), demande.lecture.lue::getOrigine,
-                new Camera(options.largeur, options.hauteur), demande.reglages.getProfondeur(),
+        Scene scene = demande.getScene();
+        Inspection pixel = new Inspection(scene, demande.lecture.lue::getOrigine,
+                scene.getCamera(options.largeur, options.hauteur), demande.reglages.getProfondeur(),
                 options.pixelX, options.pixelY);
         pixel.faire();
         Messages.repondreEnUtf8(new Recit(pixel, Double::toString, Double::toString).raconter().lignes(), sortie);

@@ -1,7 +1,11 @@
 package lancer.rapide;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
+import lancer.Vecteur;
 
 /**
  * Une fenêtre sur les directions qui partent d'un point, perpendiculaire à un axe et découpée en cases égales. Une
@@ -18,6 +22,10 @@ final class Fenetre {
 
     /** Sinus au-delà duquel une enveloppe est comparée à toutes les cases. */
     static final double GRANDE = 0.25;
+
+    /** Les plans u = −w, u = w, v = −w et v = w : leurs vecteurs normaux (u, v, w), du côté du cadre. */
+    private static final Vecteur[] COTES = {new Vecteur(1, 0, 1), new Vecteur(-1, 0, 1), new Vecteur(0, 1, 1),
+        new Vecteur(0, -1, 1)};
 
     /** Axe de w, parmi x, y et z, et son signe. */
     private final int axe;
@@ -152,6 +160,43 @@ final class Fenetre {
                 }
             }
         }
+    }
+
+    /** Les bords de ce polygone de directions, coupé au cadre |u| ≤ 1, |v| ≤ 1 ; vides s'il n'y est pas. */
+    static double[] entourer(int face, List<Vecteur> directions) {
+        int axe = face / 2;
+        List<Vecteur> coins = directions.stream().map(d -> {
+            double[] xyz = {d.x, d.y, d.z};
+            return new Vecteur(xyz[(axe + 1) % 3], xyz[(axe + 2) % 3], face % 2 == 0 ? xyz[axe] : -xyz[axe]);
+        }).collect(Collectors.toList());
+        for (Vecteur cote : COTES) {
+            coins = couper(coins, cote);
+        }
+        double[] bords = vide();
+        for (Vecteur coin : coins) {
+            bords[0] = Math.min(bords[0], coin.x / coin.z - MARGE);
+            bords[1] = Math.max(bords[1], coin.x / coin.z + MARGE);
+            bords[2] = Math.min(bords[2], coin.y / coin.z - MARGE);
+            bords[3] = Math.max(bords[3], coin.y / coin.z + MARGE);
+        }
+        return bords;
+    }
+
+    /** La part de ce polygone qui est de ce côté d'un plan (Sutherland et Hodgman, 1974). */
+    private static List<Vecteur> couper(List<Vecteur> coins, Vecteur cote) {
+        List<Vecteur> gardes = new ArrayList<>();
+        for (int k = 0; k < coins.size(); k++) {
+            Vecteur a = coins.get(k);
+            Vecteur ab = coins.get((k + 1) % coins.size()).sub(a);
+            double part = -a.dot(cote) / ab.dot(cote);
+            if (a.dot(cote) >= 0) {
+                gardes.add(a);
+            }
+            if (part > 0 && part < 1) {
+                gardes.add(a.add(part, ab));
+            }
+        }
+        return gardes;
     }
 
     /** Les bords de la fenêtre quand rien n'y est. */

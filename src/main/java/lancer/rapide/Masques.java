@@ -62,7 +62,7 @@ final class Masques implements Recherche {
         tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
         oeil = PointDeVue.deLOeil(camera, (int) (pixels / (TUILE * TUILE)));
-        portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee());
+        portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee);
         parTuile = oeil == null ? null : masques(oeil);
         parDirection = new long[CUBES * n];
         for (int b = 0; b < n; b++) {

@@ -1,7 +1,9 @@
 package lancer.rapide;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntConsumer;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Point;
@@ -10,7 +12,7 @@ import lancer.Vecteur;
 /** Un point par où passent des rayons, l'œil ou une lampe. Les directions qui en partent sont découpées en cases. */
 final class PointDeVue {
 
-    /** Écart permis du point à la droite du rayon, en part des coordonnées du point ; une enveloppe en a le double. */
+    /** Écart permis du point à la droite du rayon, en part de la portée ; une enveloppe en a le double. */
     private static final double ECART = 5e-14;
 
     /** Arrondi d'un produit vectoriel de ce vecteur et d'une direction, en part du vecteur. */
@@ -22,6 +24,8 @@ final class PointDeVue {
     private final double x;
     private final double y;
     private final double z;
+    /** La plus grande coordonnée du point, et de l'écran s'il est l'œil. */
+    final double portee;
     /** Fenêtre de chaque face du cube, {@code null} s'il n'y a rien, et rang de sa première case. */
     private final Fenetre[] fenetres = new Fenetre[6];
     private final int[] premieres = new int[6];
@@ -31,7 +35,8 @@ final class PointDeVue {
     final int nombre;
 
     /** @param bords de chaque face */
-    private PointDeVue(Point p, double[][] bords, boolean connuAilleurs, int cases) {
+    private PointDeVue(Point p, double portee, double[][] bords, boolean connuAilleurs, int cases) {
+        this.portee = portee;
         x = p.x;
         y = p.y;
         z = p.z;
@@ -59,47 +64,51 @@ final class PointDeVue {
         nombre = n;
     }
 
-    /** L'œil, et l'écran pour seule fenêtre ; {@code null} si l'écran n'est pas devant lui, ou en est trop près. */
+    /** L'œil, et sur chaque face d'un cube une fenêtre autour de l'écran ; {@code null} s'il est trop loin. */
     static PointDeVue deLOeil(Camera camera, int cases) {
         Point oeil = camera.getOeil();
-        Point a = camera.getEcran(0, 0);
-        Point b = camera.getEcran(camera.getLargeur(), camera.getHauteur());
-        double u0 = (a.x - oeil.x) / (a.z - oeil.z);
-        double u1 = (b.x - oeil.x) / (b.z - oeil.z);
-        double v0 = (a.y - oeil.y) / (a.z - oeil.z);
-        double v1 = (b.y - oeil.y) / (b.z - oeil.z);
+        int largeur = camera.getLargeur();
+        int hauteur = camera.getHauteur();
+        List<Point> coins = Arrays.asList(camera.getEcran(0, 0), camera.getEcran(largeur, 0),
+                camera.getEcran(largeur, hauteur), camera.getEcran(0, hauteur));
+        double portee = Enveloppes.plusGrande(oeil.x, oeil.y, oeil.z);
+        for (Point coin : coins) {
+            portee = Math.max(portee, Enveloppes.plusGrande(coin.x, coin.y, coin.z));
+        }
+        if (!(portee < Enveloppes.LONGUEUR_MAX)) {
+            return null;
+        }
+        List<Vecteur> ecran = coins.stream().map(coin -> new Vecteur(oeil, coin)).collect(Collectors.toList());
         double[][] bords = new double[6][];
-        bords[4] = new double[] {Math.min(u0, u1) - Fenetre.MARGE, Math.max(u0, u1) + Fenetre.MARGE,
-            Math.min(v0, v1) - Fenetre.MARGE, Math.max(v0, v1) + Fenetre.MARGE};
-        boolean devant = a.z > oeil.z && b.z > oeil.z && Arrays.stream(bords[4]).allMatch(bord -> Math.abs(bord) <= 1)
-                && Enveloppes.plusGrande(oeil.x, oeil.y, oeil.z) < Enveloppes.LONGUEUR_MAX;
-        return devant ? new PointDeVue(oeil, bords, false, Math.max(1, cases)) : null;
+        Arrays.setAll(bords, face -> Fenetre.entourer(face, ecran));
+        return new PointDeVue(oeil, portee, bords, false, Math.max(1, cases));
     }
 
     /** Une lampe, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf des grandes enveloppes. */
     static PointDeVue deLaLampe(Lampe celle, Enveloppes enveloppes, int cases) {
         Point lampe = celle.getPosition();
-        if (!(Enveloppes.plusGrande(lampe.x, lampe.y, lampe.z) < Enveloppes.LONGUEUR_MAX)) {
+        double portee = Enveloppes.plusGrande(lampe.x, lampe.y, lampe.z);
+        if (!(portee < Enveloppes.LONGUEUR_MAX)) {
             return null;
         }
         double[][] bords = new double[6][];
         Arrays.setAll(bords, face -> Fenetre.vide());
         double[] d = new double[3];
         for (int k : enveloppes.bornes) {
-            double sinus = viser(lampe.x, lampe.y, lampe.z, enveloppes.geometrie, k, d);
+            double sinus = viser(lampe.x, lampe.y, lampe.z, portee, enveloppes.geometrie, k, d);
             for (int f = 0; f < bords.length && sinus <= Fenetre.GRANDE; f++) {
                 Fenetre.elargir(f, d, sinus, bords[f]);
             }
         }
-        return new PointDeVue(lampe, bords, true, cases);
+        return new PointDeVue(lampe, portee, bords, true, cases);
     }
 
     /**
-     * Note dans d la direction de cette enveloppe vue de (x, y, z).
+     * Note dans d la direction de cette enveloppe vue de (x, y, z), de cette portée.
      *
      * @return le sinus de son demi-angle, 1 ou plus si elle contient ce point
      */
-    private static double viser(double x, double y, double z, double[] g, int k, double[] d) {
+    private static double viser(double x, double y, double z, double portee, double[] g, int k, double[] d) {
         int s = Enveloppes.PAS * k;
         double dx = g[s] - x;
         double dy = g[s + 1] - y;
@@ -108,7 +117,7 @@ final class PointDeVue {
         d[0] = dx / loin;
         d[1] = dy / loin;
         d[2] = dz / loin;
-        double r = g[s + 3] + 2 * ECART * Enveloppes.plusGrande(x, y, z);
+        double r = g[s + 3] + 2 * ECART * portee;
         return loin > LOIN_MIN ? r / loin : Double.POSITIVE_INFINITY;
     }
 
@@ -119,14 +128,14 @@ final class PointDeVue {
         double dy = g[s + 1] - y;
         double dz = g[s + 2] - z;
         double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        double pres = loin - g[s + 3] - 2 * ECART * Enveloppes.plusGrande(x, y, z) - Enveloppes.MARGE * loin;
+        double pres = loin - g[s + 3] - 2 * ECART * portee - Enveloppes.MARGE * loin;
         return Math.max(0, Math.nextDown((float) pres));
     }
 
     /** Donne les cases où se voit l'enveloppe k, ou l'objet libre k. */
     void cases(double[] g, int k, IntConsumer vue) {
         double[] d = new double[3];
-        double sinus = viser(x, y, z, g, k, d);
+        double sinus = viser(x, y, z, portee, g, k, d);
         for (int f = 0; f < fenetres.length; f++) {
             int premiere = premieres[f];
             if (fenetres[f] != null) {
@@ -146,7 +155,7 @@ final class PointDeVue {
         double cx = ay * V.z - az * V.y;
         double cy = az * V.x - ax * V.z;
         double cz = ax * V.y - ay * V.x;
-        double ecart = ECART * portee();
+        double ecart = ECART * portee;
         boolean passe = cx * cx + cy * cy + cz * cz <= ecart * ecart;
         // plus loin, l'arrondi de ce produit vectoriel passerait l'écart
         boolean sur = ARRONDI * Enveloppes.plusGrande(ax, ay, az) <= ecart;
@@ -163,10 +172,5 @@ final class PointDeVue {
     double avance(Point P, Vecteur V) {
         double a = (P.x - x) * V.x + (P.y - y) * V.y + (P.z - z) * V.z;
         return a >= 0 ? a * (1 + 1e-12) : Double.POSITIVE_INFINITY;
-    }
-
-    /** La plus grande coordonnée. */
-    double portee() {
-        return Enveloppes.plusGrande(x, y, z);
     }
 }

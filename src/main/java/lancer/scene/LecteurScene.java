@@ -31,14 +31,15 @@ public final class LecteurScene {
     private final String fichier;
     private final LecteurSections sections = new LecteurSections();
     private final SceneLue lue;
-    /** Les sections de variantes, par type. */
-    private final Map<String, SectionLue> sectionsVariantes = new HashMap<>();
+    /** Les sections de variantes, et celle de la caméra, par type. */
+    private final Map<String, SectionLue> uniques = new HashMap<>();
     /** La ligne de chaque section, par son nom ; le type y a son écriture ordinaire. */
     private final Map<String, Integer> noms = new HashMap<>();
     private Lignes lignes;
     private SectionLue courante;
-    /** Vrai si la section en cours n'est ni celle d'un objet, ni celle d'une lampe. */
+    /** Vrai si la section en cours est celle d'une variante, ou celle de la caméra. */
     private boolean variante;
+    private boolean camera;
 
     private LecteurScene(String nomFichier) {
         chemin = FichierScene.trouver(nomFichier);
@@ -73,7 +74,7 @@ public final class LecteurScene {
             throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
         sections.variantes.forEach((type, presente) -> {
-            SectionLue donnee = sectionsVariantes.get(type);
+            SectionLue donnee = uniques.get(type);
             lue.variantes.put(presente, donnee != null ? donnee
                     : new SectionLue(fichier, presente.getSection(), 0, null));
         });
@@ -108,7 +109,9 @@ public final class LecteurScene {
 
         @Override
         public void endSection() {
-            if (!variante) {
+            if (camera) {
+                lue.cadrage = LecteurSections.lireCamera(courante);
+            } else if (!variante) {
                 Object chose = sections.lire(courante);
                 lue.ajouter(chose, courante.nom, courante.ligne,
                         courante.getLigne(chose instanceof Lampe ? "position" : "centre"));
@@ -134,6 +137,7 @@ public final class LecteurScene {
         int ligne = lignes.getNumero();
         Forme forme = sections.formes.get(type);
         variante = !sections.cles.containsKey(type);
+        camera = type.equals(LecteurSections.CAMERA);
         courante = new SectionLue(fichier, nom, ligne, sections.cles.get(type));
         boolean presente = !variante || sections.variantes.containsKey(type);
         if (!presente && !LecteurSections.varianteConnue(type)) {
@@ -146,7 +150,7 @@ public final class LecteurScene {
             throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
                     "un nom différent pour chaque section");
         }
-        SectionLue premiere = variante ? sectionsVariantes.put(type, courante) : null;
+        SectionLue premiere = variante || camera ? uniques.put(type, courante) : null;
         if (premiere != null) {
             throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.ligne,
                     "une seule section " + mot);

@@ -9,13 +9,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.function.BiFunction;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.Camera;
+import lancer.CameraPlacee;
+import lancer.Constantes;
 import lancer.Lampe;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.SceneFautive;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Forme;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
@@ -30,6 +36,11 @@ public final class LecteurSections {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
+
+    /** Type de la section de la caméra, et les valeurs du champ, en degrés, l'une et l'autre exclues. */
+    static final String CAMERA = "camera";
+    private static final double CHAMP_MIN = 0;
+    private static final double CHAMP_MAX = 180;
 
     /** Types des sections des trois variantes du projet, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
@@ -72,6 +83,7 @@ public final class LecteurSections {
     LecteurSections() {
         ajouter(SPHERE, Sphere.class);
         cles.put(prendre("Lampe", Lampe.class), Arrays.asList("position", "couleur"));
+        cles.put(prendre("Camera", Camera.class), Arrays.asList("oeil", "cible", "champ"));
         for (Variante variante : inscrites(Variante.class)) {
             variantes.put(prendre(variante.getSection(), variante.getClass()), variante);
         }
@@ -118,7 +130,7 @@ public final class LecteurSections {
     }
 
     String types() {
-        return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe"),
+        return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe", "Camera"),
                 VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))
                 .flatMap(sections -> sections).distinct().collect(Collectors.joining(", "));
     }
@@ -148,6 +160,22 @@ public final class LecteurSections {
             throw section.fautive(section.ligne, null, "section que " + classe + " ne sait pas lire : "
                     + Pile.cause(e, Pattern.quote(classe) + ".*"), "des valeurs qui lui conviennent");
         }
+    }
+
+    /** La caméra que place cette section, selon la largeur et la hauteur de l'image. */
+    static BiFunction<Integer, Integer, Camera> lireCamera(SectionLue section) {
+        double champ = section.reel("champ", Constantes.CHAMP, Math.nextUp(CHAMP_MIN), Math.nextDown(CHAMP_MAX));
+        if (!section.contient("oeil") && !section.contient("cible")) {
+            Point oeil = new Point(0, 0, -CameraPlacee.focale(champ));
+            return (largeur, hauteur) -> new CameraPlacee(largeur, hauteur, oeil, new Vecteur(0, 0, 1), champ);
+        }
+        Point oeil = section.point("oeil");
+        Vecteur axe = new Vecteur(oeil, section.point("cible"));
+        if (axe.x == 0 && axe.z == 0) {
+            throw section.fautive("cible", axe.y == 0 ? "l'œil est sur la cible" : "l'œil vise le long de l'axe y",
+                    "une cible qui n'est ni sur l'œil, ni à sa verticale");
+        }
+        return (largeur, hauteur) -> new CameraPlacee(largeur, hauteur, oeil, axe, champ);
     }
 
     /** Lit la matière d'un objet. Une clé absente garde la valeur que l'objet a reçue à sa création. */

@@ -12,12 +12,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
+import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Modele;
@@ -46,6 +49,9 @@ public final class SceneLue {
 
     /** Avertissements : une ligne pour chaque section que la lecture a ignorée. */
     public final List<String> avertissements = new ArrayList<>();
+
+    /** La caméra, selon la largeur et la hauteur de l'image. */
+    BiFunction<Integer, Integer, Camera> cadrage = Camera::new;
 
     final Path chemin;
     /** Le contrôle CRC-32 des octets lus. */
@@ -104,11 +110,17 @@ public final class SceneLue {
     private SceneLue remplacer(Object ancienne, Object nouvelle) {
         SceneLue faite = new SceneLue(chemin);
         faite.somme = somme;
+        faite.cadrage = cadrage;
         origines.forEach(lue -> faite.ajouter(lue.chose == ancienne ? nouvelle : lue.chose, lue.nom, lue.ligne,
                 lue.lignePlace));
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
         return faite;
+    }
+
+    /** Les objets, les lampes et la caméra, sans réglage. */
+    public Scene getScene() {
+        return new Scene(objets, lampes, cadrage);
     }
 
     /** Cette place, comme dans un fichier. */

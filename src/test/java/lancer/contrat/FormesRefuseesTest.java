@@ -51,7 +51,7 @@ class FormesRefuseesTest extends EssaiFormes {
         "point=0 0 0~NORMALE=0 -0 0e5 | ligne 3, [Panneau sol], normale : vecteur nul : « 0 -0 0e5 » ; attendu : trois nombres "
                 + "qui ne sont pas tous nuls",
         "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : "
-                + "Sphere, Panneau, Lampe, Brume, Antialias, Blinn"})
+                + "Sphere, Panneau, Lampe, Camera, Brume, Antialias, Blinn"})
     void uneSectionFautiveEstRefuseeEnUneLigne(String lignes, String message) throws IOException {
         refuser(Essai.message("{fichier}, " + message, scene), executer(classesDuPanneau, ("[Panneau sol]~" + lignes).split("~")));
     }
@@ -153,7 +153,7 @@ class FormesRefuseesTest extends EssaiFormes {
 
     @Test
     void sansLaLigneSaSectionEstRefusee() throws IOException {
-        refuser(scene + ", ligne 1, [Panneau mur] : type de section inconnu ; attendu : Sphere, Lampe, Brume, Antialias, Blinn",
+        refuser(scene + ", ligne 1, [Panneau mur] : type de section inconnu ; attendu : Sphere, Lampe, Camera, Brume, Antialias, Blinn",
                 executer(dossier, MUR));
     }
 }

@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import lancer.Sphere;
 import lancer.commande.Options;
 import lancer.image.ImageMemoire;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
 /** Ce que la fenêtre montre en classe : une boule qui se prend, des vues en fausses couleurs. */
@@ -105,6 +106,23 @@ class FenetreLeconTest extends EssaiFenetre {
         assertEquals(voulu, sphere(0).getCentre());
         banc.attendreCodes("l'image est la même", deplacee);
         assertEquals("écrit dans boule.ini", banc.message());
+    }
+
+    @Test
+    void vueDeDerriereUneBouleSuitAussiLaSourisEtSEcritOuElleEst() throws Exception {
+        String ini = "[Camera]\noeil=3 4 16\ncible=0 0 6\nchamp=40\n" + ROUGE;
+        ecrire(ini);
+        ouvrir();
+        Point de = centre();
+        tirer(de, 40, -20);
+        assertEquals(de.x + 40, centre().x, 1);
+        assertEquals(de.y - 20, centre().y, 1);
+        lancer.Point voulu = sphere(0).getCentre();
+        assertTrue(voulu.x < -0.1 && voulu.y > 0.3, "à droite de l'image, c'est vers les x négatifs : " + voulu);
+        banc.imageAchevee();
+        banc.frapperCtrl('e');
+        attendre("écrite", () -> !banc.cadre.getTitle().endsWith("•"));
+        assertEquals(ini.replace("0 0.2 6", SceneLue.ecrire(voulu)), fichier());
     }
 
     @Test

@@ -43,12 +43,12 @@ final class Petites {
      * plus longue qu'un pavé est ignorée.
      */
     private void projeter(Sphere sphere, Camera camera) {
-        Vecteur c = new Vecteur(camera.getOeil(), sphere.getCentre());
+        Vecteur c = camera.depuisLOeil(sphere.getCentre());
         Point vu = camera.projeter(sphere.getCentre());
         double r = sphere.getRayon() * vu.z;
         double x = r * Math.hypot(1, c.x / c.z);
         double y = r * Math.hypot(1, c.y / c.z);
-        if (sphere.getCentre().z > camera.getEcran(0, 0).z && r < MAILLE && Math.max(x, y) < Pave.COTE && vu.x > -1
+        if (c.z > camera.depuisLOeil(camera.getEcran(0, 0)).z && r < MAILLE && Math.max(x, y) < Pave.COTE && vu.x > -1
                 && vu.x < largeur + 1 && vu.y > -1 && vu.y < hauteur + 1) {
             double[] ellipse = {vu.x, vu.y, x, y, r * c.z / c.norme()};
             parcourir(vu.x - x, vu.y - y, vu.x + x, vu.y + y, pixel -> {

@@ -7,13 +7,16 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Camera;
+import lancer.CameraPlacee;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Les boules que la méthode {@code partage} ne doit pas manquer sont là où l'œil de la caméra les voit. */
 class OeilDeplacePetitesTest {
@@ -22,9 +25,11 @@ class OeilDeplacePetitesTest {
     private static final int H = 45;
     private static final int FIN = 8;
 
-    @Test
-    void touteBouleQuiPasseEntreLesCoinsDUnPixelPeutYEchapper() {
-        Camera camera = new CameraDeplacee(L, H, new Point(0.3, 0.2, -4.2), 0.1);
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void touteBouleQuiPasseEntreLesCoinsDUnPixelPeutYEchapper(boolean placee) {
+        Camera camera = placee ? new CameraPlacee(L, H, new Point(3, 8, 9), new Vecteur(-2, -5, -3), 30)
+                : new CameraDeplacee(L, H, new Point(0.3, 0.2, -4.2), 0.1);
         Random hasard = new Random(3);
         List<Objet3D> boules = new ArrayList<>();
         for (int k = 0; k < 40; k++) {

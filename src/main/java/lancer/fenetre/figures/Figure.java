@@ -83,18 +83,22 @@ public final class Figure {
     /** La projection d'un point sur l'image, et sa profondeur depuis l'œil. */
     private double[] projeter(Point p) {
         Point vu = camera.projeter(p);
-        return new double[] {vu.x, vu.y, p.z - camera.getOeil().z};
+        return new double[] {vu.x, vu.y, profondeur(p)};
+    }
+
+    private double profondeur(Point p) {
+        return camera.depuisLOeil(p).z;
     }
 
     private void tracer(Point a, Point b, Color couleur, boolean sansFin) {
-        Vecteur ab = new Vecteur(a, b);
-        double pres = camera.getOeil().z + PRES;
-        if (a.z < pres) {
+        double deA = profondeur(a);
+        double deB = profondeur(b);
+        if (deA < PRES) {
             return;
         }
-        boolean derriere = b.z < pres;
+        boolean derriere = deB < PRES;
         double[] de = projeter(a);
-        double[] vers = projeter(derriere ? a.add((pres - a.z) / ab.z, ab) : b);
+        double[] vers = projeter(derriere ? a.add((PRES - deA) / (deB - deA), new Vecteur(a, b)) : b);
         double[] parts = couper(de, vers, new Rectangle(camera.getLargeur(), camera.getHauteur()));
         if (parts[0] < parts[1]) {
             traits.add(new Trait(de, vers, parts, couleur, derriere || sansFin || parts[1] < 1));
@@ -146,7 +150,9 @@ public final class Figure {
         private boolean estDerriere(double xe, double ye, double profondeur) {
             Rayon rayon = camera.getRayon(xe, ye);
             scene.getClosestIntersection(rayon);
-            return rayon.getDistance() < DEVANT * (profondeur + camera.getOeil().z - rayon.getP().z) / rayon.getV().z;
+            double ecran = profondeur(rayon.getP());
+            double pente = profondeur(rayon.getP().add(rayon.getV())) - ecran;
+            return rayon.getDistance() < DEVANT * (profondeur - ecran) / pente;
         }
 
         void peindre(Graphics2D g, Rectangle place, Rectangle vue) {

@@ -17,12 +17,13 @@ import javax.swing.UIManager;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Ecoute.Segment;
 import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 
-/** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
+/** La figure du cours, vue de côté : l'œil, et à sa droite l'écran, les sphères et les rayons. */
 @SuppressWarnings("serial")
 public final class VueDeCote extends JPanel {
 
@@ -39,7 +40,7 @@ public final class VueDeCote extends JPanel {
     public VueDeCote() {
         setName("cote");
         getAccessibleContext().setAccessibleName("vue de côté des rayons");
-        setToolTipText("vue de côté : z vers la droite, y vers le haut");
+        setToolTipText("vue de côté : ce que vise l'œil à droite, le haut de l'image en haut");
     }
 
     public void montrer(Inspection nouvelle) {
@@ -60,11 +61,12 @@ public final class VueDeCote extends JPanel {
 
     /** Choisit l'échelle qui contient l'œil, l'écran et les contacts. */
     private void cadrer() {
-        List<Point> vus = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
+        List<Point> points = pixel.getSegments().stream().map(segment -> segment.contact).filter(Objects::nonNull)
                 .collect(Collectors.toCollection(ArrayList::new));
-        vus.add(pixel.camera.getEcran(0, 0));
-        vus.add(pixel.camera.getEcran(0, pixel.camera.getHauteur()));
-        vus.add(pixel.camera.getOeil());
+        points.add(pixel.camera.getEcran(0, 0));
+        points.add(pixel.camera.getEcran(0, pixel.camera.getHauteur()));
+        points.add(pixel.camera.getOeil());
+        List<Vecteur> vus = points.stream().map(pixel.camera::depuisLOeil).collect(Collectors.toList());
         DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
         DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
         // la marge laisse voir le bord des objets touchés
@@ -76,23 +78,23 @@ public final class VueDeCote extends JPanel {
     }
 
     private Line2D ligne(Point a, Point b) {
-        return new Line2D.Double(h(a.z), v(a.y), h(b.z), v(b.y));
+        return new Line2D.Double(h(a), v(a), h(b), v(b));
     }
 
-    double h(double z) {
-        return MARGE + (z - z0) * echelle;
+    double h(Point p) {
+        return MARGE + (pixel.camera.depuisLOeil(p).z - z0) * echelle;
     }
 
-    double v(double y) {
-        return getHeight() / 2.0 - (y - y0) * echelle;
+    double v(Point p) {
+        return getHeight() / 2.0 - (pixel.camera.depuisLOeil(p).y - y0) * echelle;
     }
 
     private void peindre(Graphics2D g) {
         g.setColor(UIManager.getColor("Tree.textForeground"));
         Point depart = pixel.camera.getOeil();
         g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
-        g.fill(new Ellipse2D.Double(h(depart.z) - 3, v(depart.y) - 3, 6, 6));
-        g.drawString("œil", (float) h(depart.z), (float) v(depart.y) - 6);
+        g.fill(new Ellipse2D.Double(h(depart) - 3, v(depart) - 3, 6, 6));
+        g.drawString("œil", (float) h(depart), (float) v(depart) - 6);
         for (Segment segment : pixel.getSegments()) {
             Point bout = segment.contact == null ? depart.add(2 * getWidth() / echelle, segment.V) : segment.contact;
             entourer(g, segment.contact);
@@ -101,7 +103,7 @@ public final class VueDeCote extends JPanel {
             g.draw(ligne(depart, bout));
             if (segment.contact != null) {
                 g.setColor(UIManager.getColor("Tree.textForeground"));
-                g.drawString("" + segment.numero, (float) h(bout.z) + 4, (float) v(bout.y) - 4);
+                g.drawString("" + segment.numero, (float) h(bout) + 4, (float) v(bout) - 4);
             }
             depart = bout;
         }
@@ -120,8 +122,8 @@ public final class VueDeCote extends JPanel {
     private void entourer(Graphics2D g, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;
-            double x = h(s.getCentre().z);
-            double y = v(s.getCentre().y);
+            double x = h(s.getCentre());
+            double y = v(s.getCentre());
             double r = s.getRayon() * echelle;
             double milieu = Math.toDegrees(Math.atan2(y - getHeight() / 2.0, getWidth() / 2.0 - x));
             double demi = Math.min(180, Math.toDegrees(2 * Math.hypot(getWidth(), getHeight()) / r));

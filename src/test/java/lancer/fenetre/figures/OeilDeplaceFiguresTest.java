@@ -12,11 +12,13 @@ import java.awt.image.BufferedImage;
 import java.util.Collections;
 import javax.swing.UIManager;
 import lancer.Camera;
+import lancer.CameraPlacee;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
 import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
@@ -41,10 +43,18 @@ class OeilDeplaceFiguresTest {
         return pixel;
     }
 
+    /** Une caméra d'un étudiant ou, si le plan de l'écran n'est pas donné, d'une section [Camera]. */
+    private static Camera camera(double x, double y, double z, Double plan) {
+        Point oeil = new Point(x, y, z);
+        return plan != null ? new CameraDeplacee(L, H, oeil, plan)
+                : new CameraPlacee(L, H, oeil, new Vecteur(oeil, new Point(0.3, 0, 4)), 40);
+    }
+
     @ParameterizedTest
-    @CsvSource({"0.3, 0.2, -4.2, 0, 150, 110", "0.3, 0.2, -4.2, 0, 190, 90", "-0.4, 0, -2, 0.5, 150, 130", "0, -0.6, -6, -1, 170, 120"})
-    void lAnneauEstAutourDuPixelEtLeTraitVaVersLaLampeLaOuElleSeVoit(double x, double y, double z, double plan, int i, int j) {
-        Camera camera = new CameraDeplacee(L, H, new Point(x, y, z), plan);
+    @CsvSource({"0.3, 0.2, -4.2, 0, 150, 110", "0.3, 0.2, -4.2, 0, 190, 90", "-0.4, 0, -2, 0.5, 150, 130", "0, -0.6, -6, -1, 170, 120",
+        "3, 1.5, -5, , 150, 110", "-4, 0.5, -3, , 165, 130", "0, 9, -6, , 160, 110"})
+    void lAnneauEstAutourDuPixelEtLeTraitVaVersLaLampeLaOuElleSeVoit(double x, double y, double z, Double plan, int i, int j) {
+        Camera camera = camera(x, y, z, plan);
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
@@ -69,26 +79,29 @@ class OeilDeplaceFiguresTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.3, 0.2, -4.2, 0", "-0.4, 0.7, -2, 0.5", "0, -0.6, -6, -1"})
-    void laVueDeCoteMontreLOeilOuIlEstEtLeRayonParLePointDeLEcran(double x, double y, double z, double plan) {
-        Camera camera = new CameraDeplacee(L, H, new Point(x, y, z), plan);
+    @CsvSource({"0.3, 0.2, -4.2, 0", "-0.4, 0.7, -2, 0.5", "0, -0.6, -6, -1", "3, 1.5, -5, ", "0, 9, -6, "})
+    void laVueDeCoteMontreLOeilOuIlEstEtLeRayonParLePointDeLEcran(double x, double y, double z, Double plan) {
+        Camera camera = camera(x, y, z, plan);
         Inspection pixel = pixel(camera, 165, 100);
         VueDeCote vue = new VueDeCote();
         vue.setSize(500, 240);
         vue.montrer(pixel);
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
-        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(z) - 2, (int) vue.v(y)), "l'œil");
+        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(camera.getOeil()) - 2, (int) vue.v(camera.getOeil())), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
-            assertTrue(new Color(image.getRGB((int) vue.h(bord.z), (int) vue.v(bord.y))).getRed() < BLANC, "l'écran");
+            assertTrue(new Color(image.getRGB((int) vue.h(bord), (int) vue.v(bord))).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
-        for (Point passe : new Point[] {new Point(0, (y + ecran.y) / 2, (z + plan) / 2), ecran,
-            new Point(0, (contact.y + ecran.y) / 2, (contact.z + plan) / 2)}) {
-            assertTrue(voisins(image, vue.h(passe.z), vue.v(passe.y), true), "le rayon en " + passe);
+        for (Point passe : new Point[] {milieu(camera.getOeil(), ecran), ecran, milieu(ecran, contact)}) {
+            assertTrue(voisins(image, vue.h(passe), vue.v(passe), true), "le rayon en " + passe);
         }
+    }
+
+    private static Point milieu(Point a, Point b) {
+        return a.add(0.5, new Vecteur(a, b));
     }
 
     /** Dit s'il y a du bleu, ou du jaune, à un pixel près. */

@@ -34,9 +34,9 @@ class VueDeCoteTest {
         vue.paint(peinte.createGraphics());
         int jugees = 0;
         for (int x = 0; x < L; x++) {
-            double dz = (x + 0.5 - vue.h(z)) / (vue.h(1) - vue.h(0));
+            double dz = (x + 0.5 - vue.h(new Point(0, 0, z))) / (vue.h(new Point(0, 0, 1)) - vue.h(new Point()));
             if (Math.abs(dz) < 0.9 * rayon) {
-                double hauteur = vue.v(sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)));
+                double hauteur = vue.v(new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z));
                 if (hauteur > 1 && hauteur < H - 2) {
                     jugees++;
                     assertTrue(estGris(peinte, x, (int) (hauteur - 0.5)) || estGris(peinte, x, (int) (hauteur + 0.5)),

@@ -7,7 +7,6 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Point;
@@ -80,7 +79,7 @@ final class TraductionPov {
             }
         }
         derriere = derriere();
-        echelle = echelle(scene);
+        echelle = echelle();
     }
 
     /**
@@ -89,9 +88,10 @@ final class TraductionPov {
      * même effet, si aucun rayon de l'écran ne voit cet objet.
      */
     private Set<Objet3D> derriere() {
+        double ecran = camera.depuisLOeil(camera.getEcran(0, 0)).z;
         Set<Objet3D> derriere = scene.getObjets().stream().map(Sphere.class::cast)
-                .filter(s -> s.getCentre().z - s.getRayon() < 0 && rayons().map(Rayon::getP).anyMatch(
-                        p -> s.getIntersectionDistance(new Rayon(Camera.OEIL, new Vecteur(Camera.OEIL, p))) <= distance(p)))
+                .filter(s -> camera.depuisLOeil(s.getCentre()).z - s.getRayon() < ecran && rayons().map(Rayon::getP).anyMatch(
+                        p -> s.getIntersectionDistance(new Rayon(camera.getOeil(), p)) <= distance(p)))
                 .collect(Collectors.toSet());
         Optional<PointContact> vu = derriere.isEmpty() ? Optional.empty()
                 : rayons().map(scene::getClosestIntersection).filter(c -> c != null && derriere.contains(c.objet)).findFirst();
@@ -107,10 +107,10 @@ final class TraductionPov {
         return IntStream.range(0, largeur * camera.getHauteur()).mapToObj(k -> camera.getRayon(k % largeur + 0.5, k / largeur + 0.5));
     }
 
-    private static double echelle(Scene scene) {
+    private double echelle() {
         double etendue = DoubleStream.concat(scene.getLampes().stream().mapToDouble(l -> distance(l.getPosition())),
                 scene.getObjets().stream().map(Sphere.class::cast).mapToDouble(s -> distance(s.getCentre()) + s.getRayon()))
-                .reduce(Camera.FOCALE, Math::max);
+                .reduce(distance(camera.getEcran(0, 0)), Math::max);
         double echelle = ECHELLE_MAX;
         while (echelle > 1 && echelle * etendue > ETENDUE_MAX) {
             echelle /= 2;
@@ -118,8 +118,8 @@ final class TraductionPov {
         return echelle;
     }
 
-    private static double distance(Point p) {
-        return new Vecteur(Camera.OEIL, p).norme();
+    private double distance(Point p) {
+        return new Vecteur(camera.getOeil(), p).norme();
     }
 
     /** Dit si tous les Ks sont gris : un seul dessin suffit alors. */
@@ -129,12 +129,15 @@ final class TraductionPov {
 
     /** @param juste rang, de 0 à 2, de la composante dont les reflets des lampes sont justes ; toutes le sont si les Ks sont gris */
     String texte(int juste) {
+        int largeur = camera.getLargeur();
+        int hauteur = camera.getHauteur();
         String entete = "#version 3.7;\n"
                 + "global_settings { assumed_gamma 1 ambient_light 0 max_trace_level " + (reflets + 1)
                 + " adc_bailout " + scene.getModele().getSeuil() + " }\n"
-                + "camera { perspective location " + position(Camera.OEIL) + " direction <0, 0, " + Camera.FOCALE + ">"
-                + " right <" + Constantes.ECHELLE + ", 0, 0>"
-                + " up <0, " + Constantes.ECHELLE * camera.getHauteur() / camera.getLargeur() + ", 0> }\n";
+                + "camera { perspective location " + position(camera.getOeil())
+                + " direction " + vecteur(camera.getOeil(), camera.getEcran(largeur / 2.0, hauteur / 2.0))
+                + " right " + vecteur(camera.getEcran(0, 0), camera.getEcran(largeur, 0))
+                + " up " + vecteur(camera.getEcran(0, hauteur), camera.getEcran(0, 0)) + " }\n";
         Stream<String> lampes = scene.getLampes().stream()
                 .map(l -> "light_source { " + position(l.getPosition()) + " rgb " + triplet(l.getCouleur()) + " }\n");
         Stream<String> spheres = scene.getObjets().stream().map(objet -> sphere((Sphere) objet, juste));
@@ -152,6 +155,10 @@ final class TraductionPov {
 
     private String position(Point p) {
         return "<" + p.x * echelle + ", " + p.y * echelle + ", " + p.z * echelle + ">";
+    }
+
+    private static String vecteur(Point a, Point b) {
+        return "<" + (b.x - a.x) + ", " + (b.y - a.y) + ", " + (b.z - a.z) + ">";
     }
 
     private static String triplet(Couleur c) {
