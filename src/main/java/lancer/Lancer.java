@@ -128,7 +128,7 @@ public final class Lancer {
     /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. */
     private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         long debut = System.nanoTime();
-        int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+        int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur());
         Compteurs total = new Compteurs();
         List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, nombre))
                 .collect(Collectors.toList());
@@ -145,7 +145,7 @@ public final class Lancer {
         final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                Pave pave = Pave.deRang(rang, camera.getLargeur(), camera.getHauteur());
                 if (brouillon) {
                     TracerBrouillon(pave, toile, profondeur);
                 } else if (choisi == null) {
