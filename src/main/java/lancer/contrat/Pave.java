@@ -1,5 +1,10 @@
 package lancer.contrat;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
 /** Un rectangle de pixels, que dessine un seul fil. Immuable. */
 public final class Pave {
 
@@ -19,14 +24,16 @@ public final class Pave {
         this.j1 = j1;
     }
 
-    /** Nombre de pavés de l'image. */
-    public static int nombre(int largeur, int hauteur) {
-        return entiers(largeur) * entiers(hauteur);
-    }
-
-    /** Pavé de rang {@code k}, ligne par ligne. */
-    public static Pave deRang(int k, int largeur, int hauteur) {
-        return autour(k % entiers(largeur) * COTE, k / entiers(largeur) * COTE, largeur, hauteur);
+    /** Les pavés de l'image, battus toujours pareil : le compilateur de Java voit tôt toutes sortes de pixels. */
+    public static List<Pave> battus(int largeur, int hauteur) {
+        List<Pave> paves = new ArrayList<>();
+        for (int j = 0; j < hauteur; j += COTE) {
+            for (int i = 0; i < largeur; i += COTE) {
+                paves.add(autour(i, j, largeur, hauteur));
+            }
+        }
+        Collections.shuffle(paves, new Random(1));
+        return paves;
     }
 
     /** Pavé du dessin qui contient ce pixel. */
@@ -34,9 +41,5 @@ public final class Pave {
         int i0 = x / COTE * COTE;
         int j0 = y / COTE * COTE;
         return new Pave(i0, j0, Math.min(i0 + COTE, largeur), Math.min(j0 + COTE, hauteur));
-    }
-
-    private static int entiers(int pixels) {
-        return (pixels + COTE - 1) / COTE;
     }
 }

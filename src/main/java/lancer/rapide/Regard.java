@@ -34,7 +34,7 @@ public final class Regard {
             + "questions : ce sont les boucles sur tous les objets qui dessinent";
     private static final String CHANGE = "la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?";
 
-    /** Nombre de rayons avant le dessin, et d'objets que les boucles demandent, à peu près, avant lui, puis après lui. */
+    /** Nombre de rayons avant le dessin, et d'objets demandés, à peu près, avant lui, puis après lui. */
     private static final int RAYONS = 120;
     private static final int EXAMENS = 1 << 17;
 

@@ -29,9 +29,8 @@ class ContratsTest {
         for (int largeur : cotes) {
             for (int hauteur : cotes) {
                 int[] fois = new int[largeur * hauteur];
-                for (int k = 0; k < Pave.nombre(largeur, hauteur); k++) {
-                    Pave p = Pave.deRang(k, largeur, hauteur);
-                    assertTrue(p.i0 < p.i1 && p.j0 < p.j1, "pavé " + k + " vide, " + largeur + " × " + hauteur);
+                for (Pave p : Pave.battus(largeur, hauteur)) {
+                    assertTrue(p.i0 < p.i1 && p.j0 < p.j1, "pavé vide, " + largeur + " × " + hauteur);
                     for (int j = p.j0; j < p.j1; j++) {
                         for (int i = p.i0; i < p.i1; i++) {
                             fois[j * largeur + i]++;

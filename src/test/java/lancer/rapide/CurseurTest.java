@@ -81,7 +81,8 @@ class CurseurTest {
             Compteurs spheres = dessiner(ScenesDEssai.foule(3, taille, 0).scene()).compteurs;
             Compteurs bulles = dessiner(enBulles(ScenesDEssai.foule(3, taille, 0).scene(), true)).compteurs;
             assertEquals(spheres.rayons(), bulles.rayons(), taille + " : rayons");
-            assertTrue(bulles.examens() <= 1.5 * spheres.examens(), taille + " : " + bulles.examens() + " pour " + spheres.examens());
+            assertTrue(ComptesTest.cout(bulles) <= 1.5 * ComptesTest.cout(spheres),
+                    taille + " : " + ComptesTest.cout(bulles) + " pour " + ComptesTest.cout(spheres));
         }
     }
 
