@@ -128,24 +128,24 @@ public final class Lancer {
     /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. */
     private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
         long debut = System.nanoTime();
-        int nombre = Pave.nombre(camera.getLargeur(), camera.getHauteur(), Pave.COTE);
-        Compteurs total = new Compteurs();
-        List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, nombre))
+        List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
+        List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, paves.size()))
                 .collect(Collectors.toList());
-        equipe.faire(nombre, siens.stream().map(sien -> sien.ouvrier(brouillon, choisi, toile, profondeur))
+        equipe.faire(paves.size(), siens.stream().map(sien -> sien.ouvrier(paves, brouillon, choisi, toile, profondeur))
                 .collect(Collectors.toList()));
-        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
-        compteurs = total;
+        compteurs = new Compteurs();
+        siens.forEach(sien -> compteurs.ajouter(sien.scene.getCompteurs()));
         dureeNs = System.nanoTime() - debut;
     }
 
     /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
-    private IntConsumer ouvrier(boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+    private IntConsumer ouvrier(List<Pave> paves, boolean brouillon, Echantillonnage choisi, Toile toile,
+            int profondeur) {
         // une lambda serait nommée comme la cause d'un échec : voir Demande.classes
         final class Ouvrier implements IntConsumer, Vue {
             @Override
             public void accept(int rang) {
-                Pave pave = Pave.eparpille(rang, camera.getLargeur(), camera.getHauteur(), Pave.COTE);
+                Pave pave = paves.get(rang);
                 if (brouillon) {
                     TracerBrouillon(pave, toile, profondeur);
                 } else if (choisi == null) {

@@ -6,6 +6,9 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
@@ -24,51 +27,69 @@ public final class Options {
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
-    /** Les options, dans l'ordre de l'aide. {@link #comprendre} lit leurs valeurs. */
+    /** Les options, dans l'ordre de l'aide : nom, exemple de sa valeur, valeur attendue, aide, et lecture. */
     private static final Entree[] TABLE = {
         new Entree("--image", "FICHIER.png", "un fichier dont le nom finit par .png",
-                "écrit l'image, sans fenêtre ni écran"),
+                "écrit l'image, sans fenêtre ni écran", (o, v) -> o.image = finissant(v, ".png")),
         new Entree("--lineaire", "FICHIER.pfm", "un fichier dont le nom finit par .pfm",
-                "écrit les couleurs non limitées (PFM) ; peut aller avec --image"),
+                "écrit les couleurs non limitées (PFM) ; peut aller avec --image",
+                (o, v) -> o.lineaire = finissant(v, ".pfm")),
         new Entree("--taille", "800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
                 + " chacune, et au plus " + PIXELS_MAX + " pixels",
-                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté"),
+                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté", Options::lireTaille),
         new Entree("--reflets", "5", "un entier de 0 à " + REFLETS_MAX,
-                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
+                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX,
+                (o, v) -> o.reglages = o.reglages.avecReflets(entier(v, 0, REFLETS_MAX))),
         new Entree("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
-                "le cours étape par étape : lambert, phong, ombres, puis reflets"),
+                "le cours étape par étape : lambert, phong, ombres, puis reflets",
+                (o, v) -> o.reglages = o.reglages.avecEtape(choisir(Arrays.asList(Etape.values()), v))),
         new Entree("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
                 "avec --image, en fausses couleurs : normales, distance, lampes,\n"
-                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
+                + "rayons ou difference, qui se compare à 64 rayons par pixel",
+                (o, v) -> o.vue = choisir(VUES, v)),
         new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
-                "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
+                "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
+                (o, v) -> o.reglages = o.reglages.avecSeuil(reel(v, 0, Double.MAX_VALUE))),
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-                "sans ces variantes, même si elles sont dans le chemin des classes"),
+                "sans ces variantes, même si elles sont dans le chemin des classes", Options::lireVariantes),
         new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs"),
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs",
+                (o, v) -> o.fils = entier(v, 1, FILS_MAX)),
         new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
-                "dessine N fois avant d'écrire, pour mesurer"),
-        new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
-        new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image"),
+                "dessine N fois avant d'écrire, pour mesurer", (o, v) -> o.repeter = entier(v, 1, REPETER_MAX)),
+        new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun",
+                o -> o.statistiques = true),
+        new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image",
+                o -> o.reglages = o.reglages.avecLesBoucles()),
         new Entree("--pixel", "421,426",
                 "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
                 "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran"),
+                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", Options::lirePixel),
         new Entree("--auto", "erreur=1", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
                 "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
                 + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire"),
+                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", Options::lireErreur),
         new Entree("--comparer", "REF.png", "une image PNG ou PFM",
                 "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-                + "pareilles, 1 différentes ; --image : l'image des différences"),
+                + "pareilles, 1 différentes ; --image : l'image des différences",
+                (o, v) -> o.comparer = finissant(v, ".png", ".pfm")),
         new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
-                "avec --comparer, l'écart permis, en niveaux sur 255"),
+                "avec --comparer, l'écart permis, en niveaux sur 255",
+                (o, v) -> o.tolerance = reel(v, 0, Double.MAX_VALUE)),
         new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-                "avec --comparer, les pixels qui peuvent dépasser cet écart"),
-        new Entree("--aide", "ce texte, comme --help et -h"),
-        new Entree("--help", null),
-        new Entree("-h", null),
-        new Entree("--version", "la version")};
+                "avec --comparer, les pixels qui peuvent dépasser cet écart", Options::lirePart),
+        new Entree("--aide", "ce texte, comme --help et -h", o -> o.aide = true),
+        new Entree("--help", null, o -> o.aide = true),
+        new Entree("-h", null, o -> o.aide = true),
+        new Entree("--version", "la version", o -> o.version = true)};
+
+    /** Une option, puis celles qui ne vont pas avec elle ; une option, puis celles dont une doit aller avec elle. */
+    private static final String[][] SEPAREES = {
+        {"--pixel", "--image", "--lineaire", "--auto", "--repeter", "--comparer"},
+        {"--comparer", "--taille", "--lineaire", "--repeter", "--statistiques", "--auto"},
+        {"--vue", "--lineaire", "--auto", "--pixel", "--repeter"}};
+    private static final String[][] SERVANTES = {{"--vue", "--image"}, {"--auto", "--image", "--lineaire"},
+        {"--tolerance", "--comparer"}, {"--part", "--comparer"}};
 
     /** Demandes d'un texte seul ; la première l'emporte. */
     public boolean aide;
@@ -82,7 +103,7 @@ public final class Options {
     public int hauteur = Constantes.HAUTEUR_IMAGE;
 
     /** La façon de dessiner, avant la lecture de la scène et de ses variantes. */
-    public Reglages reglages;
+    public Reglages reglages = new Reglages();
 
     /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
     public String vue;
@@ -111,7 +132,6 @@ public final class Options {
     private Options() {
     }
 
-    /** Une option : son nom, un exemple de sa valeur, ce qui est attendu, son aide. */
     private static final class Entree {
 
         final String nom;
@@ -120,16 +140,19 @@ public final class Options {
         final String attendu;
         /** {@code null} si l'aide n'a pas de ligne de cette option. */
         final String aide;
+        /** Lève {@link IllegalArgumentException} si la valeur est refusée. */
+        final BiConsumer<Options, String> lecture;
 
-        Entree(String nom, String exemple, String attendu, String aide) {
+        Entree(String nom, String exemple, String attendu, String aide, BiConsumer<Options, String> lecture) {
             this.nom = nom;
             this.exemple = exemple;
             this.attendu = attendu;
             this.aide = aide;
+            this.lecture = lecture;
         }
 
-        Entree(String nom, String aide) {
-            this(nom, null, null, aide);
+        Entree(String nom, String aide, Consumer<Options> lecture) {
+            this(nom, null, null, aide, (options, rien) -> lecture.accept(options));
         }
 
         String dire() {
@@ -143,7 +166,6 @@ public final class Options {
     public static Options lire(String... arguments) {
         Options options = new Options();
         options.separer(arguments);
-        options.comprendre();
         if (!options.aide && !options.version) {
             options.accorder();
         }
@@ -167,11 +189,7 @@ public final class Options {
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
     public boolean sansFenetre() {
-        return versFichier() || unPixel() || comparer != null;
-    }
-
-    private boolean versFichier() {
-        return image != null || lineaire != null;
+        return image != null || lineaire != null || unPixel() || comparer != null;
     }
 
     /** Dit si un seul pixel est demandé. */
@@ -217,7 +235,8 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            boolean seule = entree(nom).exemple == null;
+            Entree entree = entree(nom);
+            boolean seule = entree.exemple == null;
             if (seule && egal >= 0) {
                 throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
             }
@@ -228,8 +247,14 @@ public final class Options {
             if (donnees.put(nom, valeur) != null) {
                 throw demande("option donnée deux fois : " + nom, "une seule fois chaque option");
             }
-            aide = estDonnee("--aide") || estDonnee("--help") || estDonnee("-h");
-            version = estDonnee("--version");
+            if (!seule && valeur.isEmpty()) {
+                throw demande("option sans sa valeur : " + nom, entree.attendu);
+            }
+            try {
+                entree.lecture.accept(this, valeur);
+            } catch (IllegalArgumentException e) {
+                throw impossible(nom, entree.attendu);
+            }
         }
     }
 
@@ -243,149 +268,93 @@ public final class Options {
         scene = nom;
     }
 
-    private void comprendre() {
-        image = finissant("--image", ".png");
-        lineaire = finissant("--lineaire", ".pfm");
-        if (estDonnee("--taille")) {
-            String[] cotes = deux("--taille", "x");
-            largeur = entier("--taille", cotes[0], 1, COTE_MAX);
-            hauteur = entier("--taille", cotes[1], 1, COTE_MAX);
-            exiger((long) largeur * hauteur <= PIXELS_MAX, "--taille");
-        }
-        vue = valeur("--vue");
-        exiger(vue == null || VUES.contains(vue), "--vue");
-        fils = entier("--fils", fils, 1, FILS_MAX);
-        repeter = entier("--repeter", repeter, 1, REPETER_MAX);
-        statistiques = estDonnee("--statistiques");
-        if (estDonnee("--pixel")) {
-            String[] place = deux("--pixel", ",");
-            pixelX = entier("--pixel", place[0], 0, Constantes.INFINI);
-            pixelY = entier("--pixel", place[1], 0, Constantes.INFINI);
-        }
-        if (estDonnee("--auto")) {
-            exiger(valeur("--auto").startsWith("erreur="), "--auto");
-            erreurVoulue = reel("--auto", valeur("--auto").substring("erreur=".length()), 0.01, 255);
-        }
-        comparer = valeur("--comparer");
-        exiger(comparer == null || estImage(comparer), "--comparer");
-        tolerance = reel("--tolerance", tolerance);
-        if (estDonnee("--part")) {
-            boolean pourCent = valeur("--part").endsWith("%");
-            String nombre = valeur("--part").replaceFirst("%$", "");
-            part = reel("--part", nombre, 0, pourCent ? 100 : 1);
-            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
-            part = pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
-        }
-        reglages = new Reglages().avecReflets(entier("--reflets", Constantes.MAX_REFLETS, 0, REFLETS_MAX))
-                .avecSeuil(reel("--seuil", Constantes.SEUIL)).avecEtape(etape());
-        if (estDonnee("--simple")) {
-            reglages = reglages.avecLesBoucles();
-        }
-        if (estDonnee("--sans")) {
-            List<String> variantes = Arrays.asList(valeur("--sans").split(",", -1));
-            exiger(!variantes.contains(""), "--sans");
-            reglages = reglages.sans(variantes);
-        }
+    private void lireTaille(String valeur) {
+        String[] cotes = deux(valeur, "x");
+        largeur = entier(cotes[0], 1, COTE_MAX);
+        hauteur = entier(cotes[1], 1, COTE_MAX);
+        exiger((long) largeur * hauteur <= PIXELS_MAX);
     }
 
-    private Etape etape() {
-        Etape etape = Etape.REFLETS;
-        String nom = valeur("--etape");
-        for (Etape celle : Etape.values()) {
-            etape = celle.toString().equals(nom) ? celle : etape;
-        }
-        exiger(nom == null || etape.toString().equals(nom), "--etape");
-        return etape;
+    private void lireVariantes(String valeur) {
+        List<String> variantes = Arrays.asList(valeur.split(",", -1));
+        exiger(!variantes.contains(""));
+        reglages = reglages.sans(variantes);
+    }
+
+    private void lirePixel(String valeur) {
+        String[] place = deux(valeur, ",");
+        pixelX = entier(place[0], 0, Constantes.INFINI);
+        pixelY = entier(place[1], 0, Constantes.INFINI);
+    }
+
+    private void lireErreur(String valeur) {
+        exiger(valeur.startsWith("erreur="));
+        erreurVoulue = reel(valeur.substring("erreur=".length()), 0.01, 255);
+    }
+
+    private void lirePart(String valeur) {
+        boolean pourCent = valeur.endsWith("%");
+        String nombre = valeur.replaceFirst("%$", "");
+        part = reel(nombre, 0, pourCent ? 100 : 1);
+        // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
+        part = pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
     }
 
     private void accorder() {
-        if (unPixel()) {
-            refuser("--pixel ne va pas avec %s", "--image", "--lineaire", "--auto", "--repeter", "--comparer");
-            if (pixelX >= largeur || pixelY >= hauteur) {
-                throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
+        for (String[] une : SEPAREES) {
+            for (int k = 1; k < une.length && estDonnee(une[0]); k++) {
+                if (estDonnee(une[k])) {
+                    throw demande(une[0] + " ne va pas avec " + une[k], "l'une ou l'autre");
+                }
             }
         }
-        if (comparer != null) {
-            if (scene == null) {
-                throw demande("rien à comparer à " + Texte.cite(comparer), "une scène, ou une image PNG ou PFM");
-            }
-            refuser("%s ne va pas avec --comparer", "--taille", "--lineaire", "--repeter", "--statistiques", "--auto");
-        }
-        if (vue != null) {
-            refuser("--vue ne va pas avec %s", "--lineaire", "--auto", "--pixel", "--repeter");
-            if (image == null) {
-                throw demande("--vue ne sert pas seule", "avec elle, --image FICHIER.png");
-            }
-            if (comparer != null && !vue.equals("difference")) {
-                throw demande("--vue " + vue + " ne va pas avec --comparer", "--vue difference");
+        for (String[] une : SERVANTES) {
+            if (estDonnee(une[0]) && Arrays.stream(une).skip(1).noneMatch(this::estDonnee)) {
+                throw demande(une[0] + " ne sert pas seule", "avec elle, " + Arrays.stream(une).skip(1)
+                        .map(autre -> autre + " " + entree(autre).exemple).collect(Collectors.joining(" ou ")));
             }
         }
-        for (String nom : new String[] {"--tolerance", "--part"}) {
-            if (comparer == null && estDonnee(nom)) {
-                throw demande(nom + " ne sert pas seule", "avec elle, --comparer REFERENCE.png");
-            }
-        }
-        if ((versFichier() || unPixel()) && scene == null) {
+        if (sansFenetre() && scene == null) {
             throw demande("aucune scène à dessiner", "un fichier, par exemple scenes/scene1.ini");
         }
-        if (auto() && !versFichier()) {
-            throw demande("--auto ne sert pas dans la fenêtre",
-                    "avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm");
+        if (comparer != null && vue != null && !vue.equals("difference")) {
+            throw demande("--vue " + vue + " ne va pas avec --comparer", "--vue difference");
+        }
+        if (unPixel() && (pixelX >= largeur || pixelY >= hauteur)) {
+            throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));
         }
     }
 
-    private void refuser(String faute, String... autres) {
-        for (String autre : autres) {
-            if (estDonnee(autre)) {
-                throw demande(String.format(faute, autre), "l'une ou l'autre");
-            }
-        }
+    private static <T> T choisir(List<T> choix, String valeur) {
+        return choix.stream().filter(un -> un.toString().equals(valeur)).findFirst()
+                .orElseThrow(IllegalArgumentException::new);
     }
 
-    /** La valeur de cette option, {@code null} si l'option n'est pas donnée. */
-    private String valeur(String nom) {
-        String valeur = donnees.get(nom);
-        if (valeur != null && valeur.isEmpty()) {
-            throw demande("option sans sa valeur : " + nom, entree(nom).attendu);
-        }
+    private static String finissant(String valeur, String... fins) {
+        exiger(Arrays.stream(fins).anyMatch(fin -> finit(valeur, fin)));
         return valeur;
     }
 
-    private String finissant(String nom, String fin) {
-        String valeur = valeur(nom);
-        exiger(valeur == null || finit(valeur, fin), nom);
-        return valeur;
-    }
-
-    private String[] deux(String nom, String separateur) {
-        String[] deux = valeur(nom).split(separateur, -1);
-        exiger(deux.length == 2, nom);
+    private static String[] deux(String valeur, String separateur) {
+        String[] deux = valeur.split(separateur, -1);
+        exiger(deux.length == 2);
         return deux;
     }
 
-    private int entier(String nom, int defaut, double min, double max) {
-        return estDonnee(nom) ? entier(nom, valeur(nom), min, max) : defaut;
+    private static int entier(String valeur, double min, double max) {
+        exiger(valeur.matches("[0-9]+"));
+        return (int) reel(valeur, min, max);
     }
 
-    private int entier(String nom, String texte, double min, double max) {
-        exiger(texte.matches("[0-9]+"), nom);
-        return (int) reel(nom, texte, min, max);
-    }
-
-    /** Un nombre fini, positif ou nul. */
-    private double reel(String nom, double defaut) {
-        return estDonnee(nom) ? reel(nom, valeur(nom), 0, Double.MAX_VALUE) : defaut;
-    }
-
-    private double reel(String nom, String texte, double min, double max) {
-        double n = Nombre.lire(texte);
-        exiger(n >= min && n <= max, nom);
+    private static double reel(String valeur, double min, double max) {
+        double n = Nombre.lire(valeur);
+        exiger(n >= min && n <= max);
         return n;
     }
 
-    private void exiger(boolean juste, String nom) {
+    private static void exiger(boolean juste) {
         if (!juste) {
-            throw impossible(nom, entree(nom).attendu);
+            throw new IllegalArgumentException();
         }
     }
 

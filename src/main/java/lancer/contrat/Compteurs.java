@@ -24,11 +24,6 @@ public final class Compteurs {
         pixelsRaffines += autres.pixelsRaffines;
     }
 
-    /** Le nombre d'examens d'objets, de nœuds et de cases. */
-    public long examens() {
-        return testsSpheres + noeudsVisites;
-    }
-
     /** Le nombre de rayons de toutes sortes. */
     public long rayons() {
         return primaires + ombre + reflechis;

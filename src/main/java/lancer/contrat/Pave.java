@@ -1,5 +1,10 @@
 package lancer.contrat;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
 /** Un rectangle de pixels, que dessine un seul fil. Immuable. */
 public final class Pave {
 
@@ -19,39 +24,22 @@ public final class Pave {
         this.j1 = j1;
     }
 
-    /** Nombre de pavés de l'image. @param cote leur côté, en pixels */
-    public static int nombre(int largeur, int hauteur, int cote) {
-        return enColonnes(largeur, cote) * enColonnes(hauteur, cote);
-    }
-
-    /** Pavé de rang {@code k} parmi ceux de ce côté, ligne par ligne. */
-    public static Pave deRang(int k, int largeur, int hauteur, int cote) {
-        int i0 = k % enColonnes(largeur, cote) * cote;
-        int j0 = k / enColonnes(largeur, cote) * cote;
-        return new Pave(i0, j0, Math.min(i0 + cote, largeur), Math.min(j0 + cote, hauteur));
+    /** Les pavés de l'image, battus toujours pareil : le compilateur de Java voit tôt toutes sortes de pixels. */
+    public static List<Pave> battus(int largeur, int hauteur) {
+        List<Pave> paves = new ArrayList<>();
+        for (int j = 0; j < hauteur; j += COTE) {
+            for (int i = 0; i < largeur; i += COTE) {
+                paves.add(autour(i, j, largeur, hauteur));
+            }
+        }
+        Collections.shuffle(paves, new Random(1));
+        return paves;
     }
 
     /** Pavé du dessin qui contient ce pixel. */
     public static Pave autour(int x, int y, int largeur, int hauteur) {
-        return deRang(y / COTE * enColonnes(largeur, COTE) + x / COTE, largeur, hauteur, COTE);
-    }
-
-    /** Le k-ième pavé dans un ordre dispersé : les premiers sont répartis sur toute l'image. */
-    public static Pave eparpille(int k, int largeur, int hauteur, int cote) {
-        int nombre = nombre(largeur, hauteur, cote);
-        // proche du nombre d'or, et premier avec le nombre de pavés : chaque pavé vient une fois
-        int pas = Math.max(1, (int) (nombre * 0.618));
-        while (pgcd(pas, nombre) > 1) {
-            pas++;
-        }
-        return deRang((int) ((long) k * pas % nombre), largeur, hauteur, cote);
-    }
-
-    private static int enColonnes(int largeur, int cote) {
-        return (largeur + cote - 1) / cote;
-    }
-
-    private static int pgcd(int a, int b) {
-        return b == 0 ? a : pgcd(b, a % b);
+        int i0 = x / COTE * COTE;
+        int j0 = y / COTE * COTE;
+        return new Pave(i0, j0, Math.min(i0 + COTE, largeur), Math.min(j0 + COTE, hauteur));
     }
 }

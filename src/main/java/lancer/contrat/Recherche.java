@@ -29,7 +29,9 @@ public interface Recherche {
      * @param distance longueur, depuis P, du segment que l'objet doit couper
      * @param eclaire l'objet du contact
      */
-    void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire);
+    default void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
+        commencer(P, V, eclaire);
+    }
 
     /**
      * L'objet suivant, chacun une fois au plus, dans un ordre quelconque.

@@ -1,6 +1,8 @@
 package lancer.contrat;
 
+import java.util.function.DoubleFunction;
 import lancer.Vecteur;
+import lancer.texte.Nombre;
 
 /** Le reflet d'une lampe (cours, « Éclairement spéculaire »). Tous les fils appellent le même objet, sans état. */
 public interface Specularite {
@@ -13,8 +15,8 @@ public interface Specularite {
         }
 
         @Override
-        public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
-            return R.dot(L);
+        public String dire(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns, DoubleFunction<String> nombre) {
+            return Specularite.puissance("R·L", R.dot(L), ns, nombre);
         }
     };
 
@@ -54,16 +56,13 @@ public interface Specularite {
         return resultat;
     }
 
-    /** Base de la {@link #puissance} ; NaN sans elle. L'inspecteur appelle cette méthode et les deux suivantes. */
-    default double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
-        return Double.NaN;
+    /** Le calcul de l'éclat, pour l'inspecteur. @param nombre écriture d'un nombre calculé */
+    default String dire(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns, DoubleFunction<String> nombre) {
+        return "éclat " + nombre.apply(eclat(V, N, L, R, ns));
     }
 
-    default double exposant(double ns) {
-        return ns;
-    }
-
-    default String nomDeLaBase() {
-        return "R·L";
+    /** Une {@link #puissance(double, double)}, de la forme {@code (R·L 0.98)^40}. @param nom celui du cosinus */
+    static String puissance(String nom, double cosinus, double exposant, DoubleFunction<String> nombre) {
+        return (cosinus < 0 ? "max(0, " : "(") + nom + " " + nombre.apply(cosinus) + ")^" + Nombre.ecrire(exposant);
     }
 }

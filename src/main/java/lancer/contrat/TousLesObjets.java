@@ -1,12 +1,11 @@
 package lancer.contrat;
 
-import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Vecteur;
 
 /** La recherche du cours ({@code --simple}) : elle propose tous les objets, dans l'ordre de la scène. */
-public final class TousLesObjets implements Recherche {
+public class TousLesObjets implements Recherche {
 
     private final int nombre;
     private int suivant;
@@ -18,11 +17,6 @@ public final class TousLesObjets implements Recherche {
 
     @Override
     public void commencer(Point P, Vecteur V, Objet3D depart) {
-        suivant = 0;
-    }
-
-    @Override
-    public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
         suivant = 0;
     }
 

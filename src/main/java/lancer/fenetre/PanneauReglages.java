@@ -149,10 +149,10 @@ final class PanneauReglages extends JScrollPane {
             for (int k = 0; k < COULEURS.length; k++) {
                 glisser(section, parametre.cle + ", " + COULEURS[k], variante, parametre, composante, k);
             }
-        } else if (parametre.mots.isEmpty()) {
+        } else if (parametre.estUnNombre()) {
             glisser(section, parametre.cle, variante, parametre, parametre, 0);
         } else {
-            JComboBox<String> mots = choix(parametre.mots.toArray(new String[0]),
+            JComboBox<String> mots = choix(parametre.valeurs.toArray(new String[0]),
                     mot -> regler(variante.get(), parametre, mot));
             mots.setName(section + parametre.cle);
             poser(parametre.cle, mots, null, () -> {
@@ -170,7 +170,7 @@ final class PanneauReglages extends JScrollPane {
             return valeur == null ? new String[] {"—"} : valeur.trim().split("[ \t]+");
         };
         JLabel nombre = new JLabel();
-        JSlider glissiere = new JSlider(0, echelle.crans, 0);
+        JSlider glissiere = new JSlider(0, echelle.valeurs.size() - 1, 0);
         glissiere.setName(section + nom);
         glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
         // sans cet écart, les flèches du clavier n'auraient pas d'effet
@@ -178,14 +178,14 @@ final class PanneauReglages extends JScrollPane {
         glissiere.setSnapToTicks(true);
         glissiere.addChangeListener(e -> {
             String[] voulus = nombres.get();
-            voulus[rang] = echelle.getValeur(glissiere.getValue());
+            voulus[rang] = echelle.valeurs.get(glissiere.getValue());
             regler(variante.get(), parametre, String.join(" ", voulus));
         });
         poser(nom, glissiere, nombre, () -> {
             nombre.setText(nombres.get()[rang]);
             glissiere.setEnabled(reglages().estBranchee(variante.get()));
             if (!glissiere.getValueIsAdjusting()) {
-                glissiere.setValue(echelle.getCran(nombres.get()[rang]));
+                glissiere.setValue(echelle.getRang(nombres.get()[rang]));
             }
         });
     }

@@ -246,11 +246,9 @@ public final class Recit {
         Couleur Kd = objet.getKd(segment.contact);
         Specularite specularite = pixel.scene.getModele().getSpecularite();
         // sans rayon d'ombre, L n'est pas connu
-        double base = e.L == null ? Double.NaN : specularite.base(segment.V, segment.N, e.L, segment.R);
         double eclat = e.L == null ? e.eclat : specularite.eclat(segment.V, segment.N, e.L, segment.R, objet.getNs());
-        String facteur = Double.isNaN(base) ? "éclat " + ecrire(e.eclat) : (base < 0 ? "max(0, " : "(")
-                + specularite.nomDeLaBase() + " " + ecrire(base) + ")^"
-                + Nombre.ecrire(specularite.exposant(objet.getNs()));
+        String facteur = e.L == null ? "éclat " + ecrire(e.eclat)
+                : specularite.dire(segment.V, segment.N, e.L, segment.R, objet.getNs(), nombre);
         List<Noeud> facteurs = new ArrayList<>();
         if (e.L != null) {
             facteurs.add(dire("L = %s", e.L));

@@ -1,6 +1,5 @@
 package lancer.rapide;
 
-import java.util.stream.IntStream;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
@@ -17,7 +16,6 @@ final class Foule implements Recherche {
 
     private final Enveloppes enveloppes;
     private final int[] libres;
-    private final int[] tous;
     private final Arbre arbre;
     private final Carte oeil;
     private final Lampe[] lampes;
@@ -64,7 +62,6 @@ final class Foule implements Recherche {
         this.lampes = lampes;
         this.compteurs = compteurs;
         libres = enveloppes.libres;
-        tous = IntStream.range(0, enveloppes.objets.length).toArray();
     }
 
     @Override
@@ -111,8 +108,7 @@ final class Foule implements Recherche {
             haut = arbre.feuilles.length == 0 ? 0 : 1;
             premier = ombre ? bloqueur : -1;
         } else {
-            libre = libres.length;
-            lire(tous, 0, tous.length);
+            lire(enveloppes.bornes, 0, enveloppes.bornes.length);
         }
     }
 
@@ -207,10 +203,5 @@ final class Foule implements Recherche {
     @Override
     public Recherche pourUnFil(Compteurs siens) {
         return new Foule(enveloppes, arbre, oeil, lampes, cartes, siens);
-    }
-
-    @Override
-    public String toString() {
-        return "cartes et arbre";
     }
 }

@@ -206,9 +206,4 @@ final class Masques implements Recherche {
     public Recherche pourUnFil(Compteurs siens) {
         return new Masques(this, siens);
     }
-
-    @Override
-    public String toString() {
-        return "masques";
-    }
 }

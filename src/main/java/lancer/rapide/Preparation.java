@@ -3,18 +3,16 @@ package lancer.rapide;
 import java.util.List;
 import lancer.Camera;
 import lancer.Lampe;
-import lancer.Objet3D;
-import lancer.Point;
 import lancer.Scene;
-import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.contrat.TousLesObjets;
 
 /**
  * La recherche choisie pour une scène et une image : des {@link Masques}, ou une {@link Foule}. Elle est construite de
- * nouveau si un objet a bougé quand un fil la demande.
+ * nouveau si un objet a bougé quand un fil la demande. À qui n'est pas un fil, elle propose tous les objets.
  */
-public final class Preparation implements Recherche {
+public final class Preparation extends TousLesObjets {
 
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
     private static final int DEUX = 2;
@@ -43,6 +41,7 @@ public final class Preparation implements Recherche {
 
     /** La recherche de cette scène vue de cette caméra. L'image est la même que si tous les objets sont proposés. */
     public Preparation(Scene scene, Camera camera) {
+        super(scene.getObjets().size());
         this.scene = scene;
         this.camera = camera;
         construire();
@@ -105,25 +104,5 @@ public final class Preparation implements Recherche {
             construire();
         }
         return recherche.pourUnFil(compteurs);
-    }
-
-    @Override
-    public void commencer(Point P, Vecteur V, Objet3D depart) {
-        recherche.commencer(P, V, depart);
-    }
-
-    @Override
-    public void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
-        recherche.commencerOmbre(lampe, P, V, distance, eclaire);
-    }
-
-    @Override
-    public int suivant(double auPlus) {
-        return recherche.suivant(auPlus);
-    }
-
-    @Override
-    public String toString() {
-        return recherche.toString();
     }
 }

@@ -3,9 +3,9 @@ package lancer.rapide;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -15,10 +15,10 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
@@ -43,12 +43,16 @@ public final class Regard {
     private static final int UN_SUR = 100;
 
     private final Random hasard = new Random(1);
+    private final Scene scene;
+    private final Camera camera;
     private String ecart;
 
     /** Compare la recherche de cette scène préparée aux réponses de tous ses objets, et l'ôte si elle en cache une. */
     public Regard(Scene scene, Camera camera) {
-        if (scene.getModele().getRecherche() != null && cache(scene, camera)) {
-            oter(scene);
+        this.scene = scene;
+        this.camera = camera;
+        if (scene.getModele().getRecherche() != null && cache()) {
+            oter(scene.getModele());
         }
     }
 
@@ -57,8 +61,8 @@ public final class Regard {
         return ecart;
     }
 
-    private void oter(Scene scene) {
-        scene.getModele().setRecherche(null);
+    private void oter(Modele modele) {
+        modele.setRecherche(null);
         ecart = CACHE;
     }
 
@@ -68,15 +72,10 @@ public final class Regard {
         return simple;
     }
 
-    private boolean cache(Scene scene, Camera camera) {
+    private boolean cache() {
         // les objets de chaque classe, pour autant de rayons
-        Map<Class<?>, List<Objet3D>> parClasse = new LinkedHashMap<>();
-        for (Objet3D objet : scene.getObjets()) {
-            if (objet.getEnveloppe() != null) {
-                parClasse.computeIfAbsent(objet.getClass(), classe -> new ArrayList<>()).add(objet);
-            }
-        }
-        List<List<Objet3D>> classes = new ArrayList<>(parClasse.values());
+        List<List<Objet3D>> classes = new ArrayList<>(scene.getObjets().stream().filter(o -> o.getEnveloppe() != null)
+                .collect(Collectors.groupingBy(Object::getClass, LinkedHashMap::new, Collectors.toList())).values());
         Scene toutes = scene.avec(sansRecherche(scene.getModele()));
         Scene cherchee = scene.avec(scene.getModele());
         try {
@@ -86,11 +85,9 @@ public final class Regard {
             int rayons = classes.isEmpty() ? 0 : RAYONS;
             for (int k = 0; k < rayons && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
                 List<Objet3D> classe = classes.get(k / 2 % classes.size());
-                Objet3D cible = tirer(classe);
                 Objet3D depart = k % 2 == 0 ? null : tirer(classe);
                 Point P = depart == null ? camera.getOeil() : dans(depart, 1);
-                Rayon rayon = new Rayon(P, dans(cible, hasard.nextDouble()));
-                cache = deborde(cible, rayon) || differe(toutes, cherchee, rayon, depart);
+                cache = cache(toutes, cherchee, new Rayon(P, dans(tirer(classe), hasard.nextDouble())), depart);
             }
             return cache;
         } catch (CancellationException | OutOfMemoryError e) {
@@ -112,23 +109,22 @@ public final class Regard {
         return enveloppe.getCentre().add(part * enveloppe.getRayon(), direction.normalized());
     }
 
-    /** Dit si ce rayon rencontre cet objet hors de son enveloppe. */
-    private static boolean deborde(Objet3D objet, Rayon rayon) {
-        double d = objet.getIntersectionDistance(rayon);
-        if (!(d < Double.POSITIVE_INFINITY)) {
-            return false;
-        }
-        Sphere enveloppe = objet.getEnveloppe();
-        Point c = enveloppe.getCentre();
-        double marge = 1e-6 * (Math.abs(d) + Enveloppes.plusGrande(c.x, c.y, c.z) + enveloppe.getRayon());
-        return new Vecteur(c, rayon.getP().add(d, rayon.getV())).norme() > enveloppe.getRayon() + marge;
+    /** Dit si le contact est hors de son enveloppe, ou si la recherche change une couleur qui, sans elle, se répète. */
+    private static boolean cache(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart) {
+        Couleur cherche = cherchee.getCouleurVue(rayon, depart, 0);
+        Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
+        return deborde(rayon) || !vue.equals(cherche) && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
     }
 
-    /** Dit si la recherche donne à ce rayon une autre couleur que tous les objets, qui donnent deux fois la leur. */
-    private static boolean differe(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart) {
-        Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
-        return !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))
-                && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
+    private static boolean deborde(Rayon rayon) {
+        Sphere enveloppe = rayon.getObjet() == null ? null : rayon.getObjet().getEnveloppe();
+        if (enveloppe == null) {
+            return false;
+        }
+        Point c = enveloppe.getCentre();
+        double r = enveloppe.getRayon();
+        double marge = 1e-6 * (Math.abs(rayon.getDistance()) + Enveloppes.plusGrande(c.x, c.y, c.z) + r);
+        return new Vecteur(c, rayon.getP().add(rayon.getDistance(), rayon.getV())).norme() > r + marge;
     }
 
     /**
@@ -139,38 +135,34 @@ public final class Regard {
      * @return vrai si l'image est à dessiner de nouveau, par les boucles sur tous les objets
      */
     public boolean cachait(Lancer acheve, ImageMemoire image, int profondeur) {
-        Scene scene = acheve.getScene();
-        Modele modele = scene.getModele();
-        if (modele.getRecherche() instanceof Preparation && !((Preparation) modele.getRecherche()).estEnPlace()) {
-            oter(scene);
-            return true;
+        Modele modele = acheve.getScene().getModele();
+        Recherche recherche = modele.getRecherche();
+        boolean cache = recherche instanceof Preparation && !((Preparation) recherche).estEnPlace();
+        if (!cache && acheve.getFautes().getPremiere() == null) {
+            if (differe(modele, image, profondeur)) {
+                ecart = CHANGE;
+                return false;
+            }
+            cache = recherche != null && differe(sansRecherche(modele), image, profondeur);
         }
-        if (acheve.getFautes().getPremiere() != null) {
-            return false;
-        }
-        if (differe(acheve, modele, image, profondeur)) {
-            ecart = CHANGE;
-            return false;
-        }
-        boolean cache = modele.getRecherche() != null && differe(acheve, sansRecherche(modele), image, profondeur);
         if (cache) {
-            oter(scene);
+            oter(modele);
         }
         return cache;
     }
 
     /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
-    private boolean differe(Lancer acheve, Modele modele, ImageMemoire image, int profondeur) {
-        Lancer lancer = new Lancer(acheve.getScene().avec(modele), acheve.getCamera());
+    private boolean differe(Modele modele, ImageMemoire image, int profondeur) {
+        Lancer lancer = new Lancer(scene.avec(modele), camera);
         lancer.getFautes().tolerer();
-        Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
         Echantillonnage choisi = modele.getEchantillonnage() == null ? null
-                : modele.getEchantillonnage().pour(acheve.getScene().getObjets(), acheve.getCamera());
+                : modele.getEchantillonnage().pour(scene.getObjets(), camera);
+        Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
         boolean[] differe = new boolean[1];
         Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
         int combien = Math.min(PIXELS, image.largeur * image.hauteur / UN_SUR);
-        Compteurs compteurs = lancer.getScene().getCompteurs();
-        for (int k = 0; k < combien && !differe[0] && compteurs.examens() < EXAMENS; k++) {
+        for (int k = 0; k < combien && !differe[0]
+                && lancer.getScene().getCompteurs().testsSpheres < EXAMENS; k++) {
             int i = hasard.nextInt(image.largeur);
             int j = hasard.nextInt(image.hauteur);
             if (choisi == null) {

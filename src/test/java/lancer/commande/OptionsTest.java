@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class OptionsTest {
 
     private static final String FENETRE =
-            "| --auto ne sert pas dans la fenêtre ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm";
+            "| --auto ne sert pas seule ; attendu : avec elle, --image FICHIER.png ou --lineaire FICHIER.pfm";
     private static final String SANS_SCENE = "| aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini";
 
     private static final String PNG = " | un fichier dont le nom finit par .png";

@@ -1,9 +1,10 @@
 package lancer.essai;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.contrat.Modele;
@@ -22,17 +23,10 @@ public final class EssaiParametres {
     public static void verifier(Variante variante, String... cles) {
         assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(p -> p.cle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            List<String> valeurs = new ArrayList<>(p.mots);
-            if (p.estUneCouleur()) {
-                valeurs.add(p.defaut);
-            } else if (valeurs.isEmpty()) {
-                int dernier = p.defaut == null ? p.crans : p.getCran(p.defaut);
-                assertEquals(p.defaut, p.defaut == null ? null : p.getValeur(dernier), "un cran est au défaut");
-                for (int cran = 0; cran <= dernier; cran++) {
-                    valeurs.add(p.getValeur(cran));
-                }
-            }
-            for (String valeur : valeurs) {
+            List<String> valeurs = p.estUneCouleur() ? Collections.singletonList(p.defaut) : p.valeurs;
+            int dernier = p.defaut == null || !p.estUnNombre() ? valeurs.size() - 1 : p.getRang(p.defaut);
+            assertTrue(p.defaut == null || valeurs.contains(p.defaut), "une valeur est celle par défaut");
+            for (String valeur : valeurs.subList(0, dernier + 1)) {
                 Section section = new SectionLue(variante.getSection(), p.cle, valeur);
                 variante.installer(section, new Modele());
                 section.verifierCles();

@@ -192,13 +192,13 @@ class ComparaisonTest extends EssaiCommande {
         Path a = dossier.resolve("a.png");
         dessiner("--image", png.toString());
         verifierDemandeFausse("tailles différentes", comparer(a, png));
-        verifierDemandeFausse("--taille ne va pas avec --comparer", comparer(a, SCENE, "--taille", "7x5"));
+        verifierDemandeFausse("--comparer ne va pas avec --taille", comparer(a, SCENE, "--taille", "7x5"));
         verifierDemandeFausse("fichier introuvable", comparer(dossier.resolve("absent.png"), SCENE));
         verifierDemandeFausse("c'est un dossier", comparer(Files.createDirectory(dossier.resolve("dossier.png")), SCENE));
         verifierDemandeFausse("--comparer", comparer(SCENE, a));
         verifierDemandeFausse("--tolerance", comparer(a, a, "--tolerance", "-1"));
         verifierDemandeFausse("--tolerance", Essai.executer("--tolerance", "1", SCENE));
-        verifierDemandeFausse("rien à comparer", Essai.executer("--comparer", a.toString()));
+        verifierDemandeFausse("aucune scène à dessiner", Essai.executer("--comparer", a.toString()));
         verifierDemandeFausse("une des images comparées", comparer(a, a, "--image", a.toString()));
         byte[] octets = Files.readAllBytes(a);
         Path coupe = dossier.resolve("coupe.png");

@@ -95,7 +95,7 @@ class LampesLointainesTest {
         spheres.addAll(Arrays.asList(autour));
         Scene scene = new Scene(spheres, Collections.singletonList(lampe));
         Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
-        scene.getModele().setRecherche(new Preparation(scene, new Camera(80, 60)));
+        scene.getModele().setRecherche(new Preparation(scene, new Camera(80, 60)).pourUnFil(new Compteurs()));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
             Sphere eclairee = spheres.get(k % 3);
@@ -151,7 +151,7 @@ class LampesLointainesTest {
         Lampe seule = new Lampe(lampe, new Couleur(1));
         Scene scene = new Scene(Arrays.asList(dedans, dehors), Collections.singletonList(seule));
         Scene rapide = scene.avec(scene.getModele());
-        rapide.getModele().setRecherche(new Preparation(rapide, new Camera(80, 60)));
+        rapide.getModele().setRecherche(new Preparation(rapide, new Camera(80, 60)).pourUnFil(new Compteurs()));
         int faux = 0;
         for (int k = 0; k < 2 * CONTACTS; k++) {
             Sphere eclairee = k % 2 == 0 ? dehors : dedans;
@@ -197,7 +197,7 @@ class LampesLointainesTest {
             Scene scene = new Scene(fichier.getPath());
             int[] questions = new int[1];
             Camera camera = new Camera(40, 30);
-            Recherche rapide = new Preparation(scene, camera);
+            Recherche rapide = new Preparation(scene, camera).pourUnFil(new Compteurs());
             scene.getModele().setRecherche(new Recherche() {
                 @Override
                 public void commencer(Point P, Vecteur V, Objet3D depart) {

@@ -20,6 +20,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Compteurs;
 import lancer.essai.Ombre;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
@@ -48,7 +49,7 @@ class ProprietesScenesTest {
         while (quittes < RAYONS) {
             Scene scene = tirages.scene(2 + tirages.hasard.nextInt(30));
             Scene[] chemins = {scene, new Scene(scene.getObjets(), scene.getLampes())};
-            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA).pourUnFil(new Compteurs()));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon rayon = new Rayon(tirages.point(), tirages.direction());
                 Objet3D depart = null;
@@ -101,7 +102,7 @@ class ProprietesScenesTest {
         int auCiel = 0;
         for (int n = 0; n < RAYONS; n += RAYONS_PAR_SCENE) {
             Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
-            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA).pourUnFil(new Compteurs()));
             for (int k = 0; k < RAYONS_PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
                 Couleur vue = scene.getCouleurVue(copie(premier), null, 12);

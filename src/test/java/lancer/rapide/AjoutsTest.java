@@ -119,13 +119,13 @@ class AjoutsTest {
         // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
         MOBILE + "Lancer|Echantillonnage prepare =|"
                 + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
-        MOBILE + "Lancer|Pave pave = Pave.eparpille|placer(scene, rang < 7 ? 1 : 0); Pave pave = Pave.eparpille",
+        MOBILE + "Lancer|Pave pave = paves.get|placer(scene, rang < 7 ? 1 : 0); Pave pave = paves.get",
         MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
                 + "|Lancer|equipe.obeir();|placer(scene, 1); equipe.obeir();",
-        MOBILE + "Lancer|equipe.faire(nombre,|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(nombre,",
+        MOBILE + "Lancer|equipe.faire(paves.size(),|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(paves.size(),",
         // une lampe qui bouge, un objet qui n'a pas d'ombre, une ombre qui dépend de la distance
-        "Lampe|private final Point position|public Point position|Lancer|equipe.faire(nombre,|scene.lampes[0].position "
-                + "= scene.lampes[0].position.add(new Vecteur(3, 0, 0)); equipe.faire(nombre,",
+        "Lampe|private final Point position|public Point position|Lancer|equipe.faire(paves.size(),|scene.lampes[0].position "
+                + "= scene.lampes[0].position.add(new Vecteur(3, 0, 0)); equipe.faire(paves.size(),",
         "Scene|objets[k] != objet && demander|objets[k] != objet && objets[k].getKs().r < 0.2 && demander",
         "Scene|demander(objets[k], ombre) < distance|demander(objets[k], ombre) < Math.min(distance, 9)",
         "Scene|objets[k] != objet && demander|demander"})

@@ -81,7 +81,8 @@ class CurseurTest {
             Compteurs spheres = dessiner(ScenesDEssai.foule(3, taille, 0).scene()).compteurs;
             Compteurs bulles = dessiner(enBulles(ScenesDEssai.foule(3, taille, 0).scene(), true)).compteurs;
             assertEquals(spheres.rayons(), bulles.rayons(), taille + " : rayons");
-            assertTrue(bulles.examens() <= 1.5 * spheres.examens(), taille + " : " + bulles.examens() + " pour " + spheres.examens());
+            assertTrue(ComptesTest.cout(bulles) <= 1.5 * ComptesTest.cout(spheres),
+                    taille + " : " + ComptesTest.cout(bulles) + " pour " + ComptesTest.cout(spheres));
         }
     }
 
@@ -110,16 +111,16 @@ class CurseurTest {
         scenes.putAll(ScenesDEssai.extremes(60));
         scenes.forEach((nom, scene) -> {
             Preparation preparation = new Preparation(scene, CAMERA);
-            List<Recherche> recherches = new ArrayList<>();
-            recherches.add(preparation.foule(true));
-            recherches.add(preparation.foule(false));
+            Map<String, Recherche> recherches = new HashMap<>();
+            recherches.put("cartes", preparation.foule(true));
+            recherches.put("arbre", preparation.foule(false));
             if (scene.getObjets().size() <= Long.SIZE) {
-                recherches.add(preparation.masques());
+                recherches.put("masques", preparation.masques());
             }
-            for (Recherche recherche : recherches) {
+            recherches.forEach((sorte, recherche) -> {
                 scene.getModele().setRecherche(recherche);
-                comparer(nom + ", " + recherche, scene);
-            }
+                comparer(nom + ", " + sorte, scene);
+            });
         });
     }
 
@@ -152,7 +153,7 @@ class CurseurTest {
         for (int taille : new int[] {12, 60}) {
             Scene scene = ScenesDEssai.foule(9, taille, 0).scene();
             Scene boucles = new Scene(scene.getObjets(), scene.getLampes());
-            scene.getModele().setRecherche(new Preparation(scene, CAMERA));
+            scene.getModele().setRecherche(new Preparation(scene, CAMERA).pourUnFil(new Compteurs()));
             Sphere etrangere = new Sphere(new Point(0, 0, 8), 0.1);
             boolean[][] reponses = new boolean[2][400];
             for (int k = 0; k < 400; k++) {

@@ -75,7 +75,7 @@ class IdentiteTest {
             double ye = 300 - 50 + k / 50 * 2.5 + 0.5;
             scene.getModele().setRecherche(null);
             Couleur lisible = new Lancer(scene, camera).getCouleurPixel(xe, ye, 5);
-            scene.getModele().setRecherche(new Preparation(scene, camera));
+            scene.getModele().setRecherche(new Preparation(scene, camera).pourUnFil(new Compteurs()));
             assertEquals(lisible, new Lancer(scene, camera).getCouleurPixel(xe, ye, 5), xe + ", " + ye);
         }
     }

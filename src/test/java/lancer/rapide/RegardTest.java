@@ -66,7 +66,7 @@ class RegardTest {
         scenes.forEach((nom, scene) -> {
             Regard regard = preparer(scene, false);
             assertNull(regard.getEcart(), nom);
-            assertEquals(0, scene.getCompteurs().examens(), nom);
+            assertEquals(0, ComptesTest.cout(scene.getCompteurs()), nom);
             if (scene.getLampes().size() < 100) {
                 dessiner(scene, regard, 2);
                 assertNull(regard.getEcart(), nom);

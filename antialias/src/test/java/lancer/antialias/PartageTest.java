@@ -263,7 +263,7 @@ class PartageTest {
         for (int k = 0; k < L * H; k += 37) {
             int i = k % L;
             int j = k / L;
-            Pave pave = Pave.deRang(j / Pave.COTE * (L / Pave.COTE) + i / Pave.COTE, L, H, Pave.COTE);
+            Pave pave = Pave.autour(i, j, L, H);
             partage.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, (couleur, x, y) -> assertEquals(entiere[L * y + x], couleur));
         }
     }

@@ -2,6 +2,7 @@ package lancer.blinn;
 
 import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleFunction;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
@@ -43,24 +44,18 @@ public final class Blinn implements Variante, Specularite {
 
     @Override
     public double eclat(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns) {
-        double base = base(V, N, L, R);
-        // si L = V, la bissectrice n'existe pas, et le reflet est nul
-        return Double.isNaN(base) ? 0 : Specularite.puissance(base, exposant(ns));
+        double cosinus = cosinus(V, N, L);
+        return Double.isNaN(cosinus) ? 0 : Specularite.puissance(cosinus, facteur * ns);
     }
 
-    @Override
-    public double base(Vecteur V, Vecteur N, Vecteur L, Vecteur R) {
+    /** N·H ; NaN si L = V : la bissectrice n'existe pas, et le reflet est nul. */
+    private static double cosinus(Vecteur V, Vecteur N, Vecteur L) {
         Vecteur H = L.sub(V);
         return N.dot(H) / H.norme();
     }
 
     @Override
-    public double exposant(double ns) {
-        return facteur * ns;
-    }
-
-    @Override
-    public String nomDeLaBase() {
-        return "N·H";
+    public String dire(Vecteur V, Vecteur N, Vecteur L, Vecteur R, double ns, DoubleFunction<String> nombre) {
+        return Specularite.puissance("N·H", cosinus(V, N, L), facteur * ns, nombre);
     }
 }

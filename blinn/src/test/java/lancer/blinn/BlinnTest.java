@@ -45,8 +45,7 @@ class BlinnTest {
         Vecteur N = new Vecteur(0, 0, -1);
         Vecteur L = new Vecteur(0, 0.6, -0.8);
         double base = L.add(N).normalized().dot(N);
-        assertEquals(base, blinn.base(V, N, L, N));
-        assertEquals(60, blinn.exposant(20));
+        assertEquals("(N·H " + base + ")^60", blinn.dire(V, N, L, N, 20, Double::toString));
         assertEquals(Math.pow(base, 60), blinn.eclat(V, N, L, N, 20), 1e-12);
     }
 
