@@ -145,6 +145,8 @@ final class Controleur implements Travail.Suite {
 
     void terminer() {
         arreter();
+        // ce que ce travail a publié n'est plus attendu
+        travail = null;
         surveillance.terminer();
     }
 

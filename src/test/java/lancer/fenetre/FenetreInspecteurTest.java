@@ -29,6 +29,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Essai;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** L'inspecteur : la chaîne du pixel où l'on a cliqué, à côté de l'image. */
@@ -223,10 +224,16 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         assertTrue(banc.controleur.enCours);
     }
 
+    private final AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
+
+    @AfterEach
+    void lacher() {
+        lenteur.get().countDown();
+    }
+
     @Test
     void pendantUnLongPixelLeTexteDAvantResteEnGrisEtCalculSeDit() throws Exception {
-        AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
-        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Lent(lenteur))));
+        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Lent())));
         banc.imageAchevee();
         lenteur.set(new CountDownLatch(1));
         cliquer(150, 100);
@@ -294,13 +301,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     }
 
     /** Un objet que rien ne touche, et dont l'intersection attend ce qu'on veut. */
-    private static final class Lent extends Objet3D {
-
-        private final AtomicReference<CountDownLatch> lenteur;
-
-        Lent(AtomicReference<CountDownLatch> lenteur) {
-            this.lenteur = lenteur;
-        }
+    private final class Lent extends Objet3D {
 
         @Override
         public double getIntersectionDistance(Rayon incident) {
