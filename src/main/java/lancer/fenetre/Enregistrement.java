@@ -29,9 +29,8 @@ final class Enregistrement {
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    /** Valeurs proposées par le prochain dialogue : dernier dossier, ou fichier dont l'écriture a échoué. */
+    /** Le dossier que propose le prochain dialogue. */
     private File dossier = new File("").getAbsoluteFile();
-    private File echoue;
 
     Enregistrement(Controleur controleur, Prise prise) {
         this.controleur = controleur;
@@ -93,16 +92,12 @@ final class Enregistrement {
         }
         String scene = controleur.montre.demande.lecture.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(controleur.panneau, echoue != null ? echoue : new File(dossier, nom));
+        File cible = Dialogues.choisirImage(controleur.panneau, new File(dossier, nom));
         if (cible == null) {
             return;
         }
         dossier = cible.getParentFile();
-        echoue = cible;
-        confier(() -> ecrire(image, cible, scene), () -> {
-            echoue = null;
-            return "enregistrée : " + Texte.echappe(cible.getName());
-        });
+        confier(() -> ecrire(image, cible, scene), () -> "enregistrée : " + Texte.echappe(cible.getName()));
     }
 
     private static void ecrire(ImageMemoire image, File cible, String scene) {

@@ -22,6 +22,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
+import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
@@ -154,7 +155,7 @@ final class Fenetre {
 
     /** Montre l'image d'avant, tant que sa touche est tenue. */
     void tenir(boolean tenue) {
-        panneau.tenue = tenue ? controleur.avant : null;
+        panneau.tenue = tenue && controleur.avant != null ? controleur.avant.image : null;
         panneau.repaint();
         decrire();
     }
@@ -216,11 +217,10 @@ final class Fenetre {
 
     /** Dit le coût de l'image montrée, si elle est achevée, et le pixel sous la souris. */
     private void decrire() {
-        ImageMemoire image = panneau.tenue != null ? panneau.tenue
-                : controleur.enCours ? null : controleur.getImageEntiere();
-        if (image != null) {
-            String resume = (panneau.tenue != null ? "avant : " : "")
-                    + BarreEtat.resume(image, panneau.getReduction(image)) + ", " + controleur.legendes.get(image);
+        Dessin dessin = panneau.tenue != null ? controleur.avant : controleur.montre;
+        if (panneau.tenue != null || controleur.entiere && !controleur.enCours) {
+            String resume = (panneau.tenue != null ? "avant : " : "") + BarreEtat.resume(dessin.image,
+                    panneau.getReduction(dessin.image)) + ", " + Controleur.decrire(dessin);
             barre.resumer(resume);
             panneau.getAccessibleContext().setAccessibleDescription(resume);
         }
@@ -229,6 +229,6 @@ final class Fenetre {
 
     private void direPixel() {
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, !controleur.legendes.containsKey(image));
+        barre.montrerPixel(panneau.getPixelSouris(image), image, panneau.tenue == null && !controleur.entiere);
     }
 }

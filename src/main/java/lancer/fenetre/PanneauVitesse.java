@@ -70,7 +70,7 @@ final class PanneauVitesse extends JPanel {
         addHierarchyListener(e -> suivre());
     }
 
-    /** Dessine les réglages à tour de rôle, donc dans les mêmes conditions ; publie leurs essais après chaque dessin. */
+    /** Dessine les réglages à tour de rôle, donc dans les mêmes conditions, et publie leurs essais. */
     private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
         private final Dessin montre = controleur.montre;

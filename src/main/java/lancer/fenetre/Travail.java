@@ -15,19 +15,6 @@ import lancer.scene.FichierScene;
  */
 final class Travail extends SwingWorker<Void, Runnable> {
 
-    /** Ce que ce travail fait faire dans le fil des événements. */
-    interface Suite {
-
-        /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
-        void lue(Travail celui);
-
-        /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
-        void montrer(Travail celui);
-
-        /** Ce travail est achevé, arrêté, ou a échoué. */
-        void finir(Travail celui);
-    }
-
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
@@ -46,7 +33,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
     private long fin;
-    private Suite suite;
+    /** Celui qui montre ce travail. Le premier commence avant que la fenêtre soit faite. */
+    Controleur controleur;
 
     /** Dessine cette scène lue. @param reference l'image à laquelle une vue se compare, ou {@code null} */
     Travail(Moteur moteur, Demande demande, ImageMemoire reference) {
@@ -69,10 +57,6 @@ final class Travail extends SwingWorker<Void, Runnable> {
         lue = !lit;
     }
 
-    void avertir(Suite celle) {
-        suite = celle;
-    }
-
     @Override
     protected Void doInBackground() {
         if (lit) {
@@ -80,7 +64,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
             Demande initiale = moteur.lire(fichier, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;
-            publish(() -> suite.lue(this));
+            publish(() -> controleur.lue(this));
         }
         if (demande.vue == null) {
             moteur.programme.accept(demande, this::suivre);
@@ -94,7 +78,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private void suivre(Dessin celui) {
         dessin = celui;
         debutDuDessin = System.nanoTime();
-        publish(() -> suite.montrer(this));
+        publish(() -> controleur.montrer(this));
     }
 
     @Override
@@ -105,7 +89,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     @Override
     protected void done() {
         fin = System.nanoTime();
-        suite.finir(this);
+        controleur.finir(this);
     }
 
     Demande getDemande() {

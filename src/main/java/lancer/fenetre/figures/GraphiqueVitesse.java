@@ -31,7 +31,7 @@ public final class GraphiqueVitesse extends JPanel {
     private static final int RAYON = 5;
     private static final Color POINT = new Color(0x2675BF);
 
-    /** Les réglages dessinés, du plus rapide au plus lent, et l'intervalle de temps au milieu duquel chacun est placé. */
+    /** Les réglages dessinés, du plus rapide au plus lent, et l'intervalle au milieu duquel chacun est placé. */
     private final Map<Essai, double[]> places = new LinkedHashMap<>();
     private Reglages present;
     private double xMin;
