@@ -80,7 +80,7 @@ final class Controleur {
     void ouvrir(Travail premier, String version) {
         fichier = premier.fichier;
         surveillance.suivre(fichier, version);
-        adopter(premier.getDemande());
+        adopter(premier.demande);
         commencer(premier);
     }
 
@@ -167,7 +167,7 @@ final class Controleur {
 
     /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
     private void dessiner() {
-        if (enCours ? !demande.equals(travail.getDemande()) : !entiere || !demande.equals(montre.demande)) {
+        if (enCours ? !demande.equals(travail.demande) : !entiere || !demande.equals(montre.demande)) {
             commencer(new Travail(moteur, demande, avant == null ? null : avant.image));
         }
     }
@@ -184,7 +184,7 @@ final class Controleur {
     /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
     void lue(Travail celui) {
         if (celui == travail) {
-            surveillance.suivre(fichier, celui.getVersion());
+            surveillance.suivre(fichier, celui.version);
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
     }
@@ -195,11 +195,11 @@ final class Controleur {
             return;
         }
         // sans image, un brouillon se montre dès son début
-        if (montre != celui.getDessin() && (montre == null || celui.aSonBrouillon())) {
+        if (montre != celui.dessin && (montre == null || celui.aSonBrouillon())) {
             if (celui.lit) {
-                adopter(celui.getDemande());
+                adopter(celui.demande);
             }
-            montre = celui.getDessin();
+            montre = celui.dessin;
             entiere = false;
             panneau.montree = montre.image;
             avertir();
@@ -228,10 +228,10 @@ final class Controleur {
             return;
         }
         enCours = false;
-        if (!celui.estLue()) {
-            surveillance.suivre(fichier, celui.getVersion());
+        if (!celui.lue) {
+            surveillance.suivre(fichier, celui.version);
         }
-        Dessin dessin = celui.getDessin();
+        Dessin dessin = celui.dessin;
         Throwable echec = celui.getEchec();
         String fautes = dessin == null ? null : dessin.lancer.getFautes().enMots();
         if (celui.estAcheve()) {
@@ -240,7 +240,7 @@ final class Controleur {
                 panneau.bandeau.dire(Sujet.AVIS, dessin.getEcart());
             }
         }
-        if (echec instanceof SceneFautive && !celui.estLue()) {
+        if (echec instanceof SceneFautive && !celui.lue) {
             refuser(Messages.message(echec));
         } else if (fautes != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
@@ -248,7 +248,7 @@ final class Controleur {
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
-        if (echec != null && celui.estLue() && !demande.equals(celui.getDemande())) {
+        if (echec != null && celui.lue && !demande.equals(celui.demande)) {
             // autre chose a été demandé avant cet échec
             dessiner();
         }

@@ -17,14 +17,12 @@ import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
-import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
 final class Enregistrement {
 
     private final Controleur controleur;
-    private final Prise prise;
     private final Bandeau bandeau;
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
@@ -32,9 +30,8 @@ final class Enregistrement {
     /** Le dossier que propose le prochain dialogue. */
     private File dossier = new File("").getAbsoluteFile();
 
-    Enregistrement(Controleur controleur, Prise prise) {
+    Enregistrement(Controleur controleur) {
         this.controleur = controleur;
-        this.prise = prise;
         bandeau = controleur.panneau.bandeau;
     }
 
@@ -110,19 +107,8 @@ final class Enregistrement {
         ecriture.ecrire(image, new FichierPng());
     }
 
-    /** Écrit dans le fichier de la scène la place de ce qui y a été déplacé ; la surveillance le relit ensuite. */
-    void ecrireDansLaScene() {
-        String scene = controleur.demande.lecture.fichier;
-        SceneLue ecrite = prise.getDeplacee();
-        confier(prise.getEcriture(), () -> {
-            prise.garder(ecrite);
-            controleur.avertir();
-            return "écrit dans " + Texte.echappe(new File(scene).getName());
-        });
-    }
-
     /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */
-    private void confier(Runnable ecriture, Supplier<String> reussite) {
+    void confier(Runnable ecriture, Supplier<String> reussite) {
         disque.execute(() -> {
             String faute = null;
             try {

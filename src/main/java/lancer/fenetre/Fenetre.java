@@ -21,6 +21,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
@@ -56,14 +57,14 @@ final class Fenetre {
         this.fin = fin;
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         controleur = new Controleur(moteur, panneau, this::getTaille);
-        prise = new Prise(controleur, panneau);
-        enregistrement = new Enregistrement(controleur, prise);
+        enregistrement = new Enregistrement(controleur);
+        prise = new Prise(controleur, enregistrement);
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         bord.add(panneau);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e ->
-                bord.setBackground(panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight")
+                bord.setBackground(panneau.isFocusOwner() ? UIManager.getColor("Component.focusColor")
                         : cadre.getBackground()));
         onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
         controleur.prevenir(this::suivre);

@@ -9,6 +9,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
+import java.io.File;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;
@@ -27,6 +28,7 @@ import lancer.fenetre.figures.Figure;
 import lancer.image.Ecriture;
 import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
+import lancer.texte.Texte;
 
 /**
  * Ce que Maj et la souris déplacent, dans le plan parallèle à l'écran : une sphère, ou l'étoile d'une lampe. Le
@@ -40,6 +42,7 @@ final class Prise extends MouseAdapter {
     private static final Color LAMPE = new Color(0xFFE040);
 
     private final Controleur controleur;
+    private final Enregistrement disque;
     private final PanneauImage panneau;
     /** La scène telle que le fichier la donne, et avec ses déplacements. */
     private SceneLue lue;
@@ -52,9 +55,10 @@ final class Prise extends MouseAdapter {
     private SceneLue debut;
     private boolean etoiles;
 
-    Prise(Controleur controleur, PanneauImage panneau) {
+    Prise(Controleur controleur, Enregistrement disque) {
         this.controleur = controleur;
-        this.panneau = panneau;
+        this.disque = disque;
+        panneau = controleur.panneau;
         panneau.addMouseListener(this);
         panneau.addMouseMotionListener(this);
         panneau.prises = this::peindre;
@@ -75,16 +79,6 @@ final class Prise extends MouseAdapter {
         return deplacee != lue;
     }
 
-    SceneLue getDeplacee() {
-        return deplacee;
-    }
-
-    /** Cette scène est écrite dans le fichier : rien n'y est plus à écrire. */
-    void garder(SceneLue ecrite) {
-        lue = ecrite;
-        avant.clear();
-    }
-
     boolean peutDefaire() {
         return !avant.isEmpty();
     }
@@ -92,15 +86,22 @@ final class Prise extends MouseAdapter {
     /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
     void defaire() {
         deplacee = avant.pop();
+        dire("");
         controleur.deplacer(deplacee);
     }
 
-    /** Ce qui écrit les déplacements dans le fichier. */
-    Runnable getEcriture() {
+    /** Écrit les déplacements dans le fichier de la scène ; la surveillance le relit ensuite. */
+    void ecrire() {
         SceneLue celle = lue;
         SceneLue voulue = deplacee;
         String fichier = controleur.demande.lecture.fichier;
-        return () -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue));
+        disque.confier(() -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue)),
+                () -> {
+                    lue = voulue;
+                    avant.clear();
+                    controleur.avertir();
+                    return "écrit dans " + Texte.echappe(new File(fichier).getName());
+                });
     }
 
     private Camera getCamera() {
@@ -132,13 +133,11 @@ final class Prise extends MouseAdapter {
         Scene montree = controleur.montre.lancer.getScene();
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        if (contact == null || deplacee.getOrigine(contact.objet) == null) {
-            dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
-        } else if (contact.objet.getClass() != Sphere.class || estTropGrande((Sphere) contact.objet)) {
-            dire(deplacee.getOrigine(contact.objet) + " ne se tire pas : une sphère moins large que l'image se tire");
-        } else {
+        if (contact != null && contact.objet.getClass() == Sphere.class && !estTropGrande((Sphere) contact.objet)
+                && deplacee.getOrigine(contact.objet) != null) {
             return contact.objet;
         }
+        dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et l'étoile d'une lampe");
         return null;
     }
 

@@ -23,13 +23,15 @@ final class Travail extends SwingWorker<Void, Runnable> {
     final boolean lit;
     private final Moteur moteur;
     /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
-    private volatile Demande demande;
+    volatile Demande demande;
     /** Le dessin ; {@code null} avant la préparation. */
-    private volatile Dessin dessin;
+    volatile Dessin dessin;
     private final ImageMemoire reference;
     private volatile double partLue;
-    private volatile boolean lue;
-    private volatile String version;
+    /** Vrai quand la scène est lue. */
+    volatile boolean lue;
+    /** La version du fichier avant sa lecture, même si elle a échoué ; {@code null} s'il n'existait pas. */
+    volatile String version;
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
     private long fin;
@@ -90,24 +92,6 @@ final class Travail extends SwingWorker<Void, Runnable> {
     protected void done() {
         fin = System.nanoTime();
         controleur.finir(this);
-    }
-
-    Demande getDemande() {
-        return demande;
-    }
-
-    Dessin getDessin() {
-        return dessin;
-    }
-
-    /** La version du fichier avant sa lecture, même si elle a échoué ; {@code null} s'il n'existait pas. */
-    String getVersion() {
-        return version;
-    }
-
-    /** Vrai quand la scène est lue. */
-    boolean estLue() {
-        return lue;
     }
 
     boolean aSonBrouillon() {

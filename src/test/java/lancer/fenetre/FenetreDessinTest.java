@@ -271,7 +271,7 @@ class FenetreDessinTest extends EssaiFenetre {
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.getDessin());
+        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.dessin);
         double avancement = surFilEvenements(() -> banc.controleur.travail.getAvancement());
         suite.countDown();
         assertNull(dAvant);
