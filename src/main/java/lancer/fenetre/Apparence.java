@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Color;
 import java.awt.Toolkit;
 import java.util.Locale;
 import javax.swing.UIManager;
@@ -35,11 +34,5 @@ final class Apparence {
     private static boolean estSombre() {
         Object theme = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");
         return theme != null && theme.toString().toLowerCase(Locale.ROOT).contains("dark");
-    }
-
-    /** La couleur {@code nom} de FlatLaf ou, à défaut, la couleur {@code partout}, que toute apparence définit. */
-    static Color couleur(String nom, String partout) {
-        Color couleur = UIManager.getColor(nom);
-        return couleur == null ? UIManager.getColor(partout) : couleur;
     }
 }

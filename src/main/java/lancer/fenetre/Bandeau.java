@@ -78,8 +78,8 @@ final class Bandeau extends JTextArea {
         setBackground(UIManager.getColor("ToolTip.background"));
         setForeground(UIManager.getColor("ToolTip.foreground"));
         setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE_V, 0, 0, grave
-                ? Apparence.couleur("Component.error.focusedBorderColor", "ToolTip.foreground")
-                : Apparence.couleur("Component.warning.focusedBorderColor", "ToolTip.background")), MARGES));
+                ? UIManager.getColor("Component.error.focusedBorderColor")
+                : UIManager.getColor("Component.warning.focusedBorderColor")), MARGES));
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

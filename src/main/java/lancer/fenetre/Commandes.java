@@ -66,7 +66,7 @@ final class Commandes {
         return menu("Fichier",
                 commande("Ouvrir une scène…", "ctrl O", toujours, f::choisirScene),
                 commande("Relire la scène et redessiner", "F5", () -> c.fichier != null, c::relire),
-                commande("Écrire dans la scène", "ctrl E", f.prise::estDeplace, f.enregistrement::ecrireDansLaScene),
+                commande("Écrire dans la scène", "ctrl E", f.prise::estDeplace, f.prise::ecrire),
                 commande("Enregistrer l'image…", "ctrl S", scene, f.enregistrement::enregistrer),
                 commande("Copier l'image", "ctrl C", scene, f.enregistrement::copier),
                 commande("Copier les réglages", "ctrl shift C", scene, f.enregistrement::copierReglages),
@@ -159,14 +159,8 @@ final class Commandes {
         return menu;
     }
 
-    /** Ajoute un article. Sa lettre, si possible, est une que les autres articles de son menu n'ont pas. */
     private static void ajouter(JMenu menu, Commande commande) {
-        JMenuItem article = commande.seCoche() ? new JCheckBoxMenuItem(commande) : new JMenuItem(commande);
-        article.setMnemonic(article.getText().chars().filter(lettre -> lettre < 128 && Character.isLetter(lettre))
-                .map(KeyEvent::getExtendedKeyCodeForChar)
-                .filter(lettre -> Arrays.stream(menu.getMenuComponents()).noneMatch(autre -> autre instanceof JMenuItem
-                        && ((JMenuItem) autre).getMnemonic() == lettre)).findFirst().orElse(KeyEvent.VK_UNDEFINED));
-        menu.add(article);
+        menu.add(commande.seCoche() ? new JCheckBoxMenuItem(commande) : new JMenuItem(commande));
     }
 
     private JMenuItem article(File scene) {

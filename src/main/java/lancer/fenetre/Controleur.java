@@ -5,8 +5,6 @@ import java.awt.EventQueue;
 import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.WeakHashMap;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
@@ -24,7 +22,7 @@ import lancer.scene.Surveillance;
  * L'état de la fenêtre, et la suite de ses dessins. Tout y est appelé dans le fil des événements ; {@link Travail}
  * calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
-final class Controleur implements Travail.Suite {
+final class Controleur {
 
     /** La plus grande image « avant » gardée, en pixels. */
     private static final int PIXELS_GARDES = 16_000_000;
@@ -45,10 +43,8 @@ final class Controleur implements Travail.Suite {
     /** Le dessin dont l'image ou le brouillon est montré, ou {@code null}, et vrai si cette image est achevée. */
     Dessin montre;
     boolean entiere;
-    /** L'image achevée avant le dernier changement ; {@code null} s'il n'y en a pas, ou si elle est trop grande. */
-    ImageMemoire avant;
-    /** Texte qui décrit chaque image achevée : son coût, ses réglages. */
-    final Map<ImageMemoire, String> legendes = new WeakHashMap<>();
+    /** Le dessin achevé avant le dernier changement ; {@code null} s'il n'y en a pas, ou s'il est trop grand. */
+    Dessin avant;
     /** Reçoit chaque scène lue, et dit si ce qui était déplacé sans être écrit est perdu. */
     Predicate<SceneLue> oubli = lue -> false;
 
@@ -84,7 +80,7 @@ final class Controleur implements Travail.Suite {
     void ouvrir(Travail premier, String version) {
         fichier = premier.fichier;
         surveillance.suivre(fichier, version);
-        adopter(premier.getDemande());
+        adopter(premier.demande);
         commencer(premier);
     }
 
@@ -145,6 +141,8 @@ final class Controleur implements Travail.Suite {
 
     void terminer() {
         arreter();
+        // ce que ce travail a publié n'est plus attendu
+        travail = null;
         surveillance.terminer();
     }
 
@@ -152,7 +150,7 @@ final class Controleur implements Travail.Suite {
     private void retenir() {
         ImageMemoire image = getImageEntiere();
         if (image != null && image.sens.equals(ImageMemoire.COULEUR)) {
-            avant = image.codes.length <= PIXELS_GARDES ? image : null;
+            avant = image.codes.length <= PIXELS_GARDES ? montre : null;
         }
     }
 
@@ -169,8 +167,8 @@ final class Controleur implements Travail.Suite {
 
     /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
     private void dessiner() {
-        if (enCours ? !demande.equals(travail.getDemande()) : !entiere || !demande.equals(montre.demande)) {
-            commencer(new Travail(moteur, demande, avant));
+        if (enCours ? !demande.equals(travail.demande) : !entiere || !demande.equals(montre.demande)) {
+            commencer(new Travail(moteur, demande, avant == null ? null : avant.image));
         }
     }
 
@@ -178,30 +176,30 @@ final class Controleur implements Travail.Suite {
         arreter();
         travail = nouveau;
         enCours = true;
-        nouveau.avertir(this);
+        nouveau.controleur = this;
         nouveau.execute();
         avertir();
     }
 
-    @Override
-    public void lue(Travail celui) {
+    /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
+    void lue(Travail celui) {
         if (celui == travail) {
-            surveillance.suivre(fichier, celui.getVersion());
+            surveillance.suivre(fichier, celui.version);
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
     }
 
-    @Override
-    public void montrer(Travail celui) {
+    /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
+    void montrer(Travail celui) {
         if (celui != travail || celui.isCancelled() && montre != null) {
             return;
         }
         // sans image, un brouillon se montre dès son début
-        if (montre != celui.getDessin() && (montre == null || celui.aSonBrouillon())) {
+        if (montre != celui.dessin && (montre == null || celui.aSonBrouillon())) {
             if (celui.lit) {
-                adopter(celui.getDemande());
+                adopter(celui.demande);
             }
-            montre = celui.getDessin();
+            montre = celui.dessin;
             entiere = false;
             panneau.montree = montre.image;
             avertir();
@@ -224,26 +222,25 @@ final class Controleur implements Travail.Suite {
         }
     }
 
-    @Override
-    public void finir(Travail celui) {
+    /** Ce travail est achevé, arrêté, ou a échoué. */
+    void finir(Travail celui) {
         if (celui != travail) {
             return;
         }
         enCours = false;
-        if (!celui.estLue()) {
-            surveillance.suivre(fichier, celui.getVersion());
+        if (!celui.lue) {
+            surveillance.suivre(fichier, celui.version);
         }
-        Dessin dessin = celui.getDessin();
+        Dessin dessin = celui.dessin;
         Throwable echec = celui.getEchec();
         String fautes = dessin == null ? null : dessin.lancer.getFautes().enMots();
         if (celui.estAcheve()) {
             entiere = true;
-            legendes.put(dessin.image, decrire(dessin));
             if (dessin.getEcart() != null) {
                 panneau.bandeau.dire(Sujet.AVIS, dessin.getEcart());
             }
         }
-        if (echec instanceof SceneFautive && !celui.estLue()) {
+        if (echec instanceof SceneFautive && !celui.lue) {
             refuser(Messages.message(echec));
         } else if (fautes != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
@@ -251,7 +248,7 @@ final class Controleur implements Travail.Suite {
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
-        if (echec != null && celui.estLue() && !demande.equals(celui.getDemande())) {
+        if (echec != null && celui.lue && !demande.equals(celui.demande)) {
             // autre chose a été demandé avant cet échec
             dessiner();
         }
@@ -259,7 +256,7 @@ final class Controleur implements Travail.Suite {
     }
 
     /** Le coût d'un dessin achevé, ses réglages, ses fautes. */
-    private static String decrire(Dessin dessin) {
+    static String decrire(Dessin dessin) {
         String fautes = dessin.lancer.getFautes().enMots();
         return dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
     }

@@ -17,25 +17,21 @@ import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.scene.FichierScene;
-import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
 final class Enregistrement {
 
     private final Controleur controleur;
-    private final Prise prise;
     private final Bandeau bandeau;
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
-    /** Valeurs proposées par le prochain dialogue : dernier dossier, ou fichier dont l'écriture a échoué. */
+    /** Le dossier que propose le prochain dialogue. */
     private File dossier = new File("").getAbsoluteFile();
-    private File echoue;
 
-    Enregistrement(Controleur controleur, Prise prise) {
+    Enregistrement(Controleur controleur) {
         this.controleur = controleur;
-        this.prise = prise;
         bandeau = controleur.panneau.bandeau;
     }
 
@@ -93,16 +89,12 @@ final class Enregistrement {
         }
         String scene = controleur.montre.demande.lecture.fichier;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
-        File cible = Dialogues.choisirImage(controleur.panneau, echoue != null ? echoue : new File(dossier, nom));
+        File cible = Dialogues.choisirImage(controleur.panneau, new File(dossier, nom));
         if (cible == null) {
             return;
         }
         dossier = cible.getParentFile();
-        echoue = cible;
-        confier(() -> ecrire(image, cible, scene), () -> {
-            echoue = null;
-            return "enregistrée : " + Texte.echappe(cible.getName());
-        });
+        confier(() -> ecrire(image, cible, scene), () -> "enregistrée : " + Texte.echappe(cible.getName()));
     }
 
     private static void ecrire(ImageMemoire image, File cible, String scene) {
@@ -115,19 +107,8 @@ final class Enregistrement {
         ecriture.ecrire(image, new FichierPng());
     }
 
-    /** Écrit dans le fichier de la scène la place de ce qui y a été déplacé ; la surveillance le relit ensuite. */
-    void ecrireDansLaScene() {
-        String scene = controleur.demande.lecture.fichier;
-        SceneLue ecrite = prise.getDeplacee();
-        confier(prise.getEcriture(), () -> {
-            prise.garder(ecrite);
-            controleur.avertir();
-            return "écrit dans " + Texte.echappe(new File(scene).getName());
-        });
-    }
-
     /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */
-    private void confier(Runnable ecriture, Supplier<String> reussite) {
+    void confier(Runnable ecriture, Supplier<String> reussite) {
         disque.execute(() -> {
             String faute = null;
             try {

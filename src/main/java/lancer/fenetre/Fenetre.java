@@ -21,7 +21,9 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import javax.swing.UIManager;
 import javax.swing.WindowConstants;
+import lancer.dessin.Dessin;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
@@ -55,14 +57,14 @@ final class Fenetre {
         this.fin = fin;
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         controleur = new Controleur(moteur, panneau, this::getTaille);
-        prise = new Prise(controleur, panneau);
-        enregistrement = new Enregistrement(controleur, prise);
+        enregistrement = new Enregistrement(controleur);
+        prise = new Prise(controleur, enregistrement);
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         bord.add(panneau);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e ->
-                bord.setBackground(panneau.isFocusOwner() ? Apparence.couleur("Component.focusColor", "textHighlight")
+                bord.setBackground(panneau.isFocusOwner() ? UIManager.getColor("Component.focusColor")
                         : cadre.getBackground()));
         onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
         controleur.prevenir(this::suivre);
@@ -154,7 +156,7 @@ final class Fenetre {
 
     /** Montre l'image d'avant, tant que sa touche est tenue. */
     void tenir(boolean tenue) {
-        panneau.tenue = tenue ? controleur.avant : null;
+        panneau.tenue = tenue && controleur.avant != null ? controleur.avant.image : null;
         panneau.repaint();
         decrire();
     }
@@ -216,11 +218,10 @@ final class Fenetre {
 
     /** Dit le coût de l'image montrée, si elle est achevée, et le pixel sous la souris. */
     private void decrire() {
-        ImageMemoire image = panneau.tenue != null ? panneau.tenue
-                : controleur.enCours ? null : controleur.getImageEntiere();
-        if (image != null) {
-            String resume = (panneau.tenue != null ? "avant : " : "")
-                    + BarreEtat.resume(image, panneau.getReduction(image)) + ", " + controleur.legendes.get(image);
+        Dessin dessin = panneau.tenue != null ? controleur.avant : controleur.montre;
+        if (panneau.tenue != null || controleur.entiere && !controleur.enCours) {
+            String resume = (panneau.tenue != null ? "avant : " : "") + BarreEtat.resume(dessin.image,
+                    panneau.getReduction(dessin.image)) + ", " + Controleur.decrire(dessin);
             barre.resumer(resume);
             panneau.getAccessibleContext().setAccessibleDescription(resume);
         }
@@ -229,6 +230,6 @@ final class Fenetre {
 
     private void direPixel() {
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, !controleur.legendes.containsKey(image));
+        barre.montrerPixel(panneau.getPixelSouris(image), image, panneau.tenue == null && !controleur.entiere);
     }
 }

@@ -22,7 +22,6 @@ import javax.swing.UIManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreeCellRenderer;
-import lancer.Camera;
 import lancer.Couleur;
 import lancer.commande.Messages;
 import lancer.dessin.Dessin;
@@ -30,7 +29,6 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.VueDeCote;
 import lancer.image.ImageMemoire;
-import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 import lancer.inspection.Noeud;
 import lancer.inspection.Recit;
@@ -57,8 +55,6 @@ final class Inspecteur extends JPanel {
     private Explication enCours;
     private Inspection montree;
     private Point pixel;
-    /** Caméra de l'image où le pixel a été choisi ; {@code null} : celle de l'image montrée. */
-    private Camera camera;
     private int rang = Inspection.AU_CENTRE;
     /** Vrai si le détail est déplié. */
     private boolean tout;
@@ -112,7 +108,6 @@ final class Inspecteur extends JPanel {
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
     void montrer(Point voulu) {
         pixel = voulu;
-        camera = null;
         rang = Inspection.AU_CENTRE;
         paraitreOuNon();
     }
@@ -163,11 +158,8 @@ final class Inspecteur extends JPanel {
                 montree = nouvelle;
                 arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
-                boolean connue = nouvelle.getSegments().stream()
-                        .allMatch(segment -> Apports.inconnue(segment).estNoire());
-                verdict.setText((nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
-                        : comparer(nouvelle.getCouleur()))
-                        + (connue ? "" : "\nLe récit ne connaît pas tous les termes de cette couleur."));
+                verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
+                        : comparer(nouvelle.getCouleur()));
                 vue.montrer(nouvelle);
                 controleur.panneau.superposer(figure);
             } catch (ExecutionException e) {
@@ -188,13 +180,10 @@ final class Inspecteur extends JPanel {
         if (!isShowing() || montre == null || pixel == null) {
             return;
         }
-        // même endroit dans une image d'une autre taille
-        double fois = camera == null ? 1 : (double) montre.image.largeur / camera.getLargeur();
-        camera = montre.lancer.getCamera();
-        pixel = new Point(Math.max(0, Math.min(camera.getLargeur() - 1, (int) (fois * (pixel.x + 0.5)))),
-                Math.max(0, Math.min(camera.getHauteur() - 1, (int) (fois * (pixel.y + 0.5)))));
+        pixel = new Point(Math.max(0, Math.min(montre.image.largeur - 1, pixel.x)),
+                Math.max(0, Math.min(montre.image.hauteur - 1, pixel.y)));
         enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue::getOrigine,
-                camera, montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
+                montre.lancer.getCamera(), montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();
         enCours.execute();

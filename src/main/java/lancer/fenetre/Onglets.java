@@ -5,8 +5,6 @@ import java.awt.Frame;
 import java.awt.Rectangle;
 import java.util.Map;
 import java.util.function.Supplier;
-import javax.swing.Box;
-import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
@@ -45,16 +43,6 @@ final class Onglets extends JSplitPane {
         setDividerSize(0);
         onglets.setName("panneau");
         onglets.setFocusable(false);
-        JButton fermer = new JButton("×");
-        fermer.setToolTipText("fermer le panneau (Échap)");
-        fermer.setFocusable(false);
-        fermer.addActionListener(e -> fermer());
-        fermer.putClientProperty("JButton.buttonType", "toolBarButton");
-        Box bout = Box.createHorizontalBox();
-        bout.add(Box.createHorizontalGlue());
-        bout.add(fermer);
-        // FlatLaf place ce composant au bout des onglets
-        onglets.putClientProperty("JTabbedPane.trailingComponent", bout);
     }
 
     boolean estOuvert() {

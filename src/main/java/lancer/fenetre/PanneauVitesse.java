@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
-import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingWorker;
@@ -25,42 +24,35 @@ import lancer.dessin.Dessin;
 import lancer.dessin.Durees;
 import lancer.fenetre.figures.Essai;
 import lancer.fenetre.figures.GraphiqueVitesse;
-import lancer.image.ImageMemoire;
 
 /** Le temps et l'erreur de chaque réglage de l'échelle, mesurés si cet onglet est visible et que rien ne se dessine. */
 @SuppressWarnings("serial")
 final class PanneauVitesse extends JPanel {
 
-    /** Nombre de pixels au-delà duquel l'échelle est dessinée en plus petit. */
-    private static final double PIXELS = 2_000_000;
     /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
     private static final double VOULUE = 0.125;
-    private static final int MARGE = 8;
-    private static final int LIGNES = 4;
 
     private final Controleur controleur;
-    final GraphiqueVitesse graphique = new GraphiqueVitesse();
+    private final GraphiqueVitesse graphique = new GraphiqueVitesse();
     private final JTextArea texte = Bandeau.etiquette("vitesse.etat");
-    /** Le premier dessin de l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première image. */
-    private Demande premier;
+    /** Ce que demande l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première. */
+    private Demande base;
     private List<Essai> essais = new ArrayList<>();
     private Mesureur mesureur;
-    /** Pourquoi la mesure a échoué ; vide si elle continue. */
-    private String panne = "";
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
         setName("vitesse");
         this.controleur = controleur;
-        texte.setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE, MARGE));
         // la place du texte est fixe : le graphique ne bouge pas sous la souris
-        texte.setRows(LIGNES);
+        texte.setRows(4);
         add(graphique, BorderLayout.CENTER);
         add(texte, BorderLayout.PAGE_END);
         MouseAdapter souris = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                dire(graphique.sous(e.getPoint()));
+                Essai vise = graphique.sous(e.getPoint());
+                texte.setText(vise == null ? etat() : Echelle.dire(vise.reglages) + " : " + vise.dire());
             }
 
             @Override
@@ -78,28 +70,19 @@ final class PanneauVitesse extends JPanel {
         addHierarchyListener(e -> suivre());
     }
 
-    /** Dessine l'échelle et le réglage présent à tour de rôle, donc tous dans les mêmes conditions. */
+    /** Dessine les réglages à tour de rôle, donc dans les mêmes conditions, et publie leurs essais. */
     private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
-        private final Demande demande;
-        /** L'image de cette demande, dont l'échantillon cherche les bords ; {@code null} si une vue est montrée. */
-        private final ImageMemoire montree;
+        private final Dessin montre = controleur.montre;
+        private final Demande demande = montre.demande.avecVue(null);
         private final List<Essai> siens = new ArrayList<>(essais);
-
-        Mesureur(Demande demande, ImageMemoire montree) {
-            this.demande = demande;
-            this.montree = montree;
-        }
 
         @Override
         protected Void doInBackground() {
-            double part = Math.min(1, Math.sqrt(PIXELS / demande.largeur / demande.hauteur));
-            Dessin prepare = new Dessin(demande.avecTaille((int) Math.ceil(part * demande.largeur),
-                    (int) Math.ceil(part * demande.hauteur)));
-            boolean enEntier = prepare.image.largeur == demande.largeur && montree != null;
-            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(),
-                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1),
-                    new BitSet());
+            Dessin prepare = new Dessin(demande);
+            // les bords se cherchent dans l'image, et non dans une vue
+            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), montre.demande.vue == null
+                    ? montre.image::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
@@ -127,7 +110,7 @@ final class PanneauVitesse extends JPanel {
             if (this == mesureur) {
                 essais = publies.get(publies.size() - 1);
                 graphique.montrer(essais, demande.reglages);
-                dire(null);
+                texte.setText(etat());
             }
         }
 
@@ -136,8 +119,7 @@ final class PanneauVitesse extends JPanel {
             try {
                 get();
             } catch (ExecutionException e) {
-                panne = "Mesure impossible : " + Messages.message(e.getCause());
-                dire(null);
+                texte.setText("Mesure impossible : " + Messages.message(e.getCause()));
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
             }
@@ -152,40 +134,33 @@ final class PanneauVitesse extends JPanel {
             mesureur = null;
         }
         if (libre && mesureur == null && controleur.direFautes() == null) {
-            Demande demande = controleur.montre.demande.avecVue(null);
-            List<Reglages> echelle = Echelle.de(demande.reglages, false, false);
-            Demande autre = demande.avecReglages(echelle.get(0));
-            if (!autre.equals(premier)) {
-                premier = autre;
-                essais.clear();
-                echelle.forEach(reglages -> essais.add(nouveau(reglages)));
-            }
-            essais.removeIf(essai -> !echelle.contains(essai.reglages));
-            if (!echelle.contains(demande.reglages)) {
-                essais.add(nouveau(demande.reglages));
-            }
-            panne = "";
-            Dessin montre = controleur.montre;
-            mesureur = new Mesureur(demande, montre.demande.equals(demande) ? montre.image : null);
+            choisir(controleur.montre.demande.avecVue(null));
+            mesureur = new Mesureur();
             mesureur.execute();
         }
-        dire(null);
+        texte.setText(etat());
     }
 
-    private static Essai nouveau(Reglages reglages) {
-        return new Essai(reglages, new Durees(), 0, 0);
-    }
-
-    /** @param vise le réglage sous la souris, ou {@code null} */
-    private void dire(Essai vise) {
-        long faits = essais.stream().filter(Essai::suffit).count();
-        String etat = faits > 0 && faits == essais.size() ? "La souris dit un point, et un clic montre son image."
-                : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
-        if (vise != null) {
-            etat = Echelle.dire(vise.reglages) + " : " + vise.dire();
-        } else if (controleur.enCours) {
-            etat = "Les mesures reprendront après ce dessin.";
+    /** Choisit les réglages à mesurer : l'échelle, et celui de l'image. Les essais d'une même échelle restent. */
+    private void choisir(Demande demande) {
+        List<Reglages> echelle = new ArrayList<>(Echelle.de(demande.reglages, false, false));
+        Demande celle = demande.avecReglages(echelle.get(0));
+        if (!celle.equals(base)) {
+            base = celle;
+            essais.clear();
         }
-        texte.setText(panne.isEmpty() ? etat : panne);
+        echelle.add(demande.reglages);
+        essais.removeIf(essai -> !echelle.contains(essai.reglages));
+        echelle.stream().distinct().filter(voulu -> essais.stream().noneMatch(essai -> essai.reglages.equals(voulu)))
+                .forEach(voulu -> essais.add(new Essai(voulu, new Durees(), 0, 0)));
+    }
+
+    private String etat() {
+        if (controleur.enCours) {
+            return "Les mesures reprendront après ce dessin.";
+        }
+        long faits = essais.stream().filter(Essai::suffit).count();
+        return faits > 0 && faits == essais.size() ? "La souris dit un point, et un clic montre son image."
+                : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
     }
 }

@@ -9,13 +9,10 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.math.BigDecimal;
-import java.math.RoundingMode;
+import java.io.File;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.List;
 import java.util.Objects;
-import java.util.stream.DoubleStream;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
@@ -31,6 +28,7 @@ import lancer.fenetre.figures.Figure;
 import lancer.image.Ecriture;
 import lancer.scene.FichierScene;
 import lancer.scene.SceneLue;
+import lancer.texte.Texte;
 
 /**
  * Ce que Maj et la souris déplacent, dans le plan parallèle à l'écran : une sphère, ou l'étoile d'une lampe. Le
@@ -42,26 +40,25 @@ final class Prise extends MouseAdapter {
     private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
             new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
     private static final Color LAMPE = new Color(0xFFE040);
-    /** Écart permis entre la position voulue et la position écrite, en pixels. */
-    private static final double ECART = 0.1;
 
     private final Controleur controleur;
+    private final Enregistrement disque;
     private final PanneauImage panneau;
     /** La scène telle que le fichier la donne, et avec ses déplacements. */
     private SceneLue lue;
     private SceneLue deplacee;
     /** La scène avant chaque déplacement, le dernier en tête. */
     private final Deque<SceneLue> avant = new ArrayDeque<>();
-    /** Ce qui est tiré, ou {@code null} ; sa place, le point de l'image et la scène au début du geste. */
+    /** Au début du geste : ce qui est tiré, ou {@code null}, le point de l'image, et la scène. */
     private Object prise;
-    private Point origine;
     private Point2D depart;
     private SceneLue debut;
     private boolean etoiles;
 
-    Prise(Controleur controleur, PanneauImage panneau) {
+    Prise(Controleur controleur, Enregistrement disque) {
         this.controleur = controleur;
-        this.panneau = panneau;
+        this.disque = disque;
+        panneau = controleur.panneau;
         panneau.addMouseListener(this);
         panneau.addMouseMotionListener(this);
         panneau.prises = this::peindre;
@@ -82,16 +79,6 @@ final class Prise extends MouseAdapter {
         return deplacee != lue;
     }
 
-    SceneLue getDeplacee() {
-        return deplacee;
-    }
-
-    /** Cette scène est écrite dans le fichier : rien n'y est plus à écrire. */
-    void garder(SceneLue ecrite) {
-        lue = ecrite;
-        avant.clear();
-    }
-
     boolean peutDefaire() {
         return !avant.isEmpty();
     }
@@ -99,19 +86,22 @@ final class Prise extends MouseAdapter {
     /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
     void defaire() {
         deplacee = avant.pop();
+        dire("");
         controleur.deplacer(deplacee);
     }
 
-    /** Ce qui écrit les déplacements dans le fichier. */
-    Runnable getEcriture() {
+    /** Écrit les déplacements dans le fichier de la scène ; la surveillance le relit ensuite. */
+    void ecrire() {
         SceneLue celle = lue;
         SceneLue voulue = deplacee;
         String fichier = controleur.demande.lecture.fichier;
-        return () -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue));
-    }
-
-    private static Point place(Object chose) {
-        return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
+        disque.confier(() -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue)),
+                () -> {
+                    lue = voulue;
+                    avant.clear();
+                    controleur.avertir();
+                    return "écrit dans " + Texte.echappe(new File(fichier).getName());
+                });
     }
 
     private Camera getCamera() {
@@ -125,7 +115,6 @@ final class Prise extends MouseAdapter {
             debut = deplacee;
             try {
                 prise = viser();
-                origine = prise == null ? null : place(prise);
             } catch (RuntimeException panne) {
                 dire(Messages.message(panne));
             }
@@ -144,13 +133,11 @@ final class Prise extends MouseAdapter {
         Scene montree = controleur.montre.lancer.getScene();
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        if (contact == null || deplacee.getOrigine(contact.objet) == null) {
-            dire("rien à prendre ici : aucun objet du fichier ne s'y voit");
-        } else if (contact.objet.getClass() != Sphere.class || estTropGrande((Sphere) contact.objet)) {
-            dire(deplacee.getOrigine(contact.objet) + " ne se tire pas : une sphère moins large que l'image se tire");
-        } else {
+        if (contact != null && contact.objet.getClass() == Sphere.class && !estTropGrande((Sphere) contact.objet)
+                && deplacee.getOrigine(contact.objet) != null) {
             return contact.objet;
         }
+        dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et l'étoile d'une lampe");
         return null;
     }
 
@@ -169,6 +156,7 @@ final class Prise extends MouseAdapter {
         if (prise != null) {
             Point2D ici = panneau.pointDe(e);
             Camera camera = getCamera();
+            Point origine = SceneLue.place(prise);
             double pixels = camera.projeter(origine).z;
             // un pixel de l'écran, agrandi comme l'est le plan de ce qui est pris
             double fois = camera.getLargeur() / Constantes.ECHELLE / pixels;
@@ -181,22 +169,15 @@ final class Prise extends MouseAdapter {
 
     /** Ce point, à un dixième de pixel : la valeur à écrire est courte. @param pixels nombre de pixels d'une unité */
     private static Point arrondir(Point p, double pixels) {
-        int decimales = (int) Math.ceil(Math.log10(pixels / (2 * ECART)));
-        double[] xyz = DoubleStream.of(p.x, p.y, p.z).map(x ->
-                new BigDecimal(x).setScale(decimales, RoundingMode.HALF_EVEN).doubleValue()).toArray();
-        return new Point(xyz[0], xyz[1], xyz[2]);
+        double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
+        return new Point(Math.rint(p.x * fois) / fois, Math.rint(p.y * fois) / fois, Math.rint(p.z * fois) / fois);
     }
 
     private void tirer(Point ou) {
-        List<?> siennes = prise instanceof Lampe ? deplacee.lampes : deplacee.objets;
-        int rang = siennes.indexOf(prise);
-        if (!ou.equals(place(prise))) {
-            deplacee = prise instanceof Lampe ? deplacee.avec((Lampe) prise, ou) : deplacee.avec((Sphere) prise, ou);
-            prise = (prise instanceof Lampe ? deplacee.lampes : deplacee.objets).get(rang);
-            dire(deplacee.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
-                    + SceneLue.ecrire(ou) + " ; Ctrl+E l'écrit dans la scène");
-            controleur.deplacer(deplacee);
-        }
+        deplacee = debut.avec(prise, ou);
+        dire(debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+                + SceneLue.ecrire(ou) + " ; Ctrl+E l'écrit dans la scène");
+        controleur.deplacer(deplacee);
     }
 
     @Override

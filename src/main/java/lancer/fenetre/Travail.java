@@ -15,19 +15,6 @@ import lancer.scene.FichierScene;
  */
 final class Travail extends SwingWorker<Void, Runnable> {
 
-    /** Ce que ce travail fait faire dans le fil des événements. */
-    interface Suite {
-
-        /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
-        void lue(Travail celui);
-
-        /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
-        void montrer(Travail celui);
-
-        /** Ce travail est achevé, arrêté, ou a échoué. */
-        void finir(Travail celui);
-    }
-
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
@@ -36,17 +23,20 @@ final class Travail extends SwingWorker<Void, Runnable> {
     final boolean lit;
     private final Moteur moteur;
     /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
-    private volatile Demande demande;
+    volatile Demande demande;
     /** Le dessin ; {@code null} avant la préparation. */
-    private volatile Dessin dessin;
+    volatile Dessin dessin;
     private final ImageMemoire reference;
     private volatile double partLue;
-    private volatile boolean lue;
-    private volatile String version;
+    /** Vrai quand la scène est lue. */
+    volatile boolean lue;
+    /** La version du fichier avant sa lecture, même si elle a échoué ; {@code null} s'il n'existait pas. */
+    volatile String version;
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
     private long fin;
-    private Suite suite;
+    /** Celui qui montre ce travail. Le premier commence avant que la fenêtre soit faite. */
+    Controleur controleur;
 
     /** Dessine cette scène lue. @param reference l'image à laquelle une vue se compare, ou {@code null} */
     Travail(Moteur moteur, Demande demande, ImageMemoire reference) {
@@ -69,10 +59,6 @@ final class Travail extends SwingWorker<Void, Runnable> {
         lue = !lit;
     }
 
-    void avertir(Suite celle) {
-        suite = celle;
-    }
-
     @Override
     protected Void doInBackground() {
         if (lit) {
@@ -80,7 +66,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
             Demande initiale = moteur.lire(fichier, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;
-            publish(() -> suite.lue(this));
+            publish(() -> controleur.lue(this));
         }
         if (demande.vue == null) {
             moteur.programme.accept(demande, this::suivre);
@@ -94,7 +80,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private void suivre(Dessin celui) {
         dessin = celui;
         debutDuDessin = System.nanoTime();
-        publish(() -> suite.montrer(this));
+        publish(() -> controleur.montrer(this));
     }
 
     @Override
@@ -105,25 +91,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     @Override
     protected void done() {
         fin = System.nanoTime();
-        suite.finir(this);
-    }
-
-    Demande getDemande() {
-        return demande;
-    }
-
-    Dessin getDessin() {
-        return dessin;
-    }
-
-    /** La version du fichier avant sa lecture, même si elle a échoué ; {@code null} s'il n'existait pas. */
-    String getVersion() {
-        return version;
-    }
-
-    /** Vrai quand la scène est lue. */
-    boolean estLue() {
-        return lue;
+        controleur.finir(this);
     }
 
     boolean aSonBrouillon() {

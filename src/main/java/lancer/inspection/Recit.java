@@ -24,9 +24,6 @@ import lancer.texte.Pile;
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
 
-    /** Nombre de lampes sans effet au-delà duquel elles ne sont montrées qu'à la demande. */
-    private static final int LAMPES = 3;
-
     private final Inspection pixel;
     private final DoubleFunction<String> nombre;
     private final DoubleFunction<String> composante;
@@ -122,9 +119,9 @@ public final class Recit {
         Noeud titre = segment.somme == null ? dire("%d  %s", segment.numero, nom)
                 : teinter(segment.somme, "%d  %s  %s%s", segment.numero, nom, segment.somme, resume(segment));
         List<Noeud> lignes = new ArrayList<>();
-        if (segment.contact == null) {
-            direLeVide(lignes, segment);
-        } else {
+        if (segment.contact == null && pixel.scene.getObjets().isEmpty()) {
+            lignes.add(dire("aucun objet dans la scène"));
+        } else if (segment.contact != null) {
             if (segment.N != null) {
                 direLesTermes(lignes, segment);
             }
@@ -176,30 +173,13 @@ public final class Recit {
         return (aTraversLAir(segment) ? "vue " : "somme ") + segment.numero;
     }
 
-    /** Explique le ciel, si aucun rayon de l'écran ne peut rencontrer d'objet. */
-    private void direLeVide(List<Noeud> lignes, Segment segment) {
-        List<Objet3D> objets = pixel.scene.getObjets();
-        if (objets.isEmpty()) {
-            lignes.add(dire("aucun objet dans la scène"));
-        } else if (segment.numero == 1 && objets.stream().allMatch(objet -> objet instanceof Sphere
-                && ((Sphere) objet).getCentre().z + ((Sphere) objet).getRayon() <= 0)) {
-            lignes.add(dire("aucun objet devant l'écran : tous sont en z ≤ 0, et les rayons partent de z = 0"));
-        }
-    }
-
     private void direLesTermes(List<Noeud> lignes, Segment segment) {
         if (segment.lampes.isEmpty()) {
             lignes.add(dire(pixel.scene.getLampes().isEmpty() ? "aucune lampe dans la scène : rien ne l'éclaire"
                     : "aucune lampe demandée"));
         }
-        List<Noeud> muettes = segment.lampes.stream().filter(lampe -> !Apports.eclaire(lampe) && lampe.ajouts.isEmpty())
-                .map(lampe -> lampe(segment, lampe)).collect(Collectors.toList());
-        boolean nombreuses = muettes.size() > LAMPES;
-        if (nombreuses) {
-            lignes.add(dire("%d lampes n'apportent rien", muettes.size()).sur(muettes, true));
-        }
         for (Terme terme : segment.termes) {
-            if (terme.lampe != null && !Apports.eclaire(terme) && !(nombreuses && terme.ajouts.isEmpty())) {
+            if (terme.lampe != null && !Apports.eclaire(terme)) {
                 lignes.add(lampe(segment, terme));
             } else if (terme.suite != null && !Apports.eclaire(terme)) {
                 lignes.add(dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));

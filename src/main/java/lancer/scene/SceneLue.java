@@ -93,18 +93,15 @@ public final class SceneLue {
                 .map(lue -> "[" + lue.nom + "] ligne " + lue.ligne).orElse(null);
     }
 
-    /** La même scène, où cette lampe a cette place. */
-    public SceneLue avec(Lampe lampe, Point place) {
-        return remplacer(lampe, new Lampe(place, lampe.getCouleur()));
+    /** La position de cette lampe, ou le centre de cette sphère. */
+    public static Point place(Object chose) {
+        return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
     }
 
-    /** La même scène, où cette sphère, qui n'est pas d'une autre classe, a ce centre. */
-    public SceneLue avec(Sphere sphere, Point centre) {
-        Sphere deplacee = new Sphere(centre, sphere.getRayon());
-        deplacee.setKd(sphere.getKd());
-        deplacee.setKs(sphere.getKs());
-        deplacee.setNs(sphere.getNs());
-        return remplacer(sphere, deplacee);
+    /** La même scène, où cette lampe, ou cette sphère, a cette place. */
+    public SceneLue avec(Object chose, Point place) {
+        return remplacer(chose, chose instanceof Lampe ? new Lampe(place, ((Lampe) chose).getCouleur())
+                : ((Sphere) chose).avecCentre(place));
     }
 
     private SceneLue remplacer(Object ancienne, Object nouvelle) {
@@ -161,8 +158,7 @@ public final class SceneLue {
         for (int k = 0; k < origines.size(); k++) {
             Object chose = deplacee.origines.get(k).chose;
             if (chose != origines.get(k).chose) {
-                places.put(origines.get(k).lignePlace, chose instanceof Lampe ? ((Lampe) chose).getPosition()
-                        : ((Sphere) chose).getCentre());
+                places.put(origines.get(k).lignePlace, place(chose));
             }
         }
         // un octet, un caractère : ceux que rien ne change restent les mêmes

@@ -42,6 +42,8 @@ abstract class EssaiFenetre {
     Path dossier;
     Path scene;
     BancFenetre banc;
+    /** Ce que l'essai retient repart avec elle, et au plus tard à sa fin : aucun fil ne reste aux essais suivants. */
+    final CountDownLatch suite = new CountDownLatch(1);
 
     @BeforeEach
     void ecrireLaScene() throws Exception {
@@ -51,6 +53,7 @@ abstract class EssaiFenetre {
 
     @AfterEach
     void fermer() throws Exception {
+        suite.countDown();
         if (banc != null) {
             banc.fermer();
         }
@@ -148,13 +151,18 @@ abstract class EssaiFenetre {
         throw new AssertionError("pas d'article " + nom);
     }
 
+    /** Attend la suite sans être interrompu, comme un disque lent ou une boucle sans fin. */
+    void retenir() {
+        attendreSansEtreInterrompu(suite);
+    }
+
     static void attendreSansEtreInterrompu(CountDownLatch loquet) {
         while (true) {
             try {
                 loquet.await();
                 return;
             } catch (InterruptedException e) {
-                // un disque lent ne s'interrompt pas
+                // Échap n'arrête pas ce fil
             }
         }
     }

@@ -58,14 +58,13 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void lAncienneImageResteJusquAuBrouillonDeLaSuivante() throws Exception {
-        CountDownLatch dessin = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             private boolean premiere = true;
 
             @Override
             void peindre(int ye, Runnable peindre) {
                 if (!premiere) {
-                    attendreSansEtreInterrompu(dessin);
+                    retenir();
                 }
                 super.peindre(ye, peindre);
             }
@@ -83,7 +82,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("le dessin suivant a commencé", () -> banc.controleur.enCours && banc.main.getDessin() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
-        dessin.countDown();
+        suite.countDown();
         banc.attendreImage("elle la remplace", avant);
     }
 
@@ -133,11 +132,10 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void leFilDesEvenementsNAttendNiLaLectureNiLeDessin() throws Exception {
-        CountDownLatch lecture = new CountDownLatch(1);
         AtomicBoolean premiere = new AtomicBoolean(true);
         banc = new BancFenetre(lente().lent().avantLecture((fichier, suivi) -> {
             if (!premiere.getAndSet(false)) {
-                attendreSansEtreInterrompu(lecture);
+                retenir();
             }
         }));
         attendre("le dessin a commencé", () -> banc.main.getDessin() != null);
@@ -149,8 +147,8 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("arrêté", () -> !banc.controleur.enCours);
         repondA(50);
-        assertEquals(1, lecture.getCount(), "la lecture n'a pas eu à finir pour cela");
-        lecture.countDown();
+        assertEquals(1, suite.getCount(), "la lecture n'a pas eu à finir pour cela");
+        suite.countDown();
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("et tout se remet en marche", attendue(L, H));
@@ -164,13 +162,12 @@ class FenetreDessinTest extends EssaiFenetre {
 
     @Test
     void ouEnSontLaLectureEtLaPreparationSeDit() throws Exception {
-        CountDownLatch lecture = new CountDownLatch(1);
         DoubleConsumer[] suivis = new DoubleConsumer[1];
         banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
             if (banc != null) {
                 suivis[0] = suivi;
                 suivi.accept(0.42);
-                attendreSansEtreInterrompu(lecture);
+                retenir();
             }
         }));
         banc.imageAchevee();
@@ -178,18 +175,17 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("la part lue", () -> banc.resume.getText().startsWith("lecture 42 % — ") && banc.avancement.getValue() == 420);
         suivis[0].accept(0.73);
         attendre("elle avance", () -> banc.resume.getText().startsWith("lecture 73 % — "));
-        lecture.countDown();
+        suite.countDown();
         banc.imageAchevee();
     }
 
     @Test
     void echapPendantUneLectureLaisseLImageEtF5EstALaSceneDemandee() throws Exception {
-        CountDownLatch lecture = new CountDownLatch(1);
         Path longue = dossier.resolve("longue.ini");
         Files.write(longue, BLEUE.getBytes(StandardCharsets.UTF_8));
         banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> {
             if (fichier.equals(longue.toString())) {
-                attendreSansEtreInterrompu(lecture);
+                retenir();
             }
         }));
         banc.imageAchevee();
@@ -200,7 +196,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la lecture est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
-        lecture.countDown();
+        suite.countDown();
         banc.frapper(KeyEvent.VK_F5);
         scene = longue;
         banc.attendreImage("F5 est à la scène demandée", attendue(L, H));
@@ -217,7 +213,6 @@ class FenetreDessinTest extends EssaiFenetre {
 
     /** Un programme dont la préparation ne finit pas d'elle-même, une fois retenue. */
     private final class PreparationRetenue extends MainLent {
-        private final CountDownLatch suite = new CountDownLatch(1);
         private volatile boolean retenue;
 
         PreparationRetenue() {
@@ -227,7 +222,7 @@ class FenetreDessinTest extends EssaiFenetre {
         @Override
         void tracer(Runnable dessiner) {
             if (retenue) {
-                attendreSansEtreInterrompu(suite);
+                retenir();
             }
             super.tracer(dessiner);
         }
@@ -248,7 +243,7 @@ class FenetreDessinTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("la préparation est arrêtée", () -> !banc.controleur.enCours);
         inspecter();
-        programme.suite.countDown();
+        suite.countDown();
         assertEquals("lancer — longue.ini", banc.cadre.getTitle());
         assertEquals(avant, surFilEvenements(banc.resume::getText));
     }
@@ -270,15 +265,15 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("le suivant se fait", attendue("--reflets=10"));
-        programme.suite.countDown();
+        suite.countDown();
     }
 
     @Test
     void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
         PreparationRetenue programme = retenirUnReglage();
-        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.getDessin());
+        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.dessin);
         double avancement = surFilEvenements(() -> banc.controleur.travail.getAvancement());
-        programme.suite.countDown();
+        suite.countDown();
         assertNull(dAvant);
         assertEquals(0, avancement);
     }

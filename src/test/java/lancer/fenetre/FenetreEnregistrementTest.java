@@ -108,20 +108,6 @@ class FenetreEnregistrementTest extends EssaiFenetre {
     }
 
     @Test
-    void apresUnEchecLeDossierEtLeNomSontProposesDeNouveau() throws Exception {
-        ouvrir();
-        Path dossierOccupe = Files.createDirectories(dossier.resolve("sous/vue.png"));
-        assertEquals("boule.png", enregistrerSous(dossierOccupe));
-        banc.attendreMessage(dossierOccupe + " : écriture impossible, c'est un dossier");
-        banc.frapperCtrl('S');
-        JFileChooser choix = composant(null, JFileChooser.class);
-        assertEquals(dossierOccupe.toFile(), surFilEvenements(choix::getSelectedFile));
-        choisir(dossier.resolve("sous/autre.png"));
-        banc.attendreMessage("enregistrée : autre.png");
-        assertEquals("boule.png", enregistrerSous(dossier.resolve("fin.png")));
-    }
-
-    @Test
     void ctrlCCopieLImage() throws Exception {
         ouvrir();
         banc.frapperCtrl('c');

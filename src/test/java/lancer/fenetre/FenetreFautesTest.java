@@ -11,7 +11,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JTextArea;
@@ -89,20 +88,20 @@ class FenetreFautesTest extends EssaiInspecteur {
     /** Les pixels qui sont là restent, et le dessin suivant se fait. */
     @Test
     void unObjetQuiNeRendJamaisLaMainSArreteParEchapEtLeDessinSuivantSeFait() throws Exception {
-        CountDownLatch fin = new CountDownLatch(1);
+        MainLent main = lente("--fils=2");
         AtomicBoolean retenu = new AtomicBoolean(true);
         AtomicInteger retenus = new AtomicInteger();
-        banc = new BancFenetre(lente().apresLecture(lue -> lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
+        banc = new BancFenetre(main.apresLecture(lue -> lue.objets.add(new Sphere(new lancer.Point(0, 0.2, 9), 3) {
             @Override
             public Vecteur getNormale(lancer.Point contact) {
-                if (retenu.get()) {
+                if (retenu.get() && main.brouillonFait()) {
                     retenus.incrementAndGet();
-                    attendreSansEtreInterrompu(fin);
+                    retenir();
                 }
                 return super.getNormale(contact);
             }
         })));
-        attendre("le dessin est retenu", () -> retenus.get() > 1);
+        attendre("le brouillon est montré, et l'image retenue", () -> banc.panneau.montree != null && retenus.get() > 1);
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap l'arrête", () -> !banc.controleur.enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
@@ -110,7 +109,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F5);
         int[] codes = banc.imageAchevee().codes.clone();
         banc.attendreMessage("");
-        fin.countDown();
+        suite.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
         assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }

@@ -19,7 +19,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Collections;
-import java.util.concurrent.CountDownLatch;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
@@ -70,12 +69,11 @@ class FenetreFichiersTest extends EssaiFenetre {
 
     @Test
     void uneFauteCorrigeeNeSeLitPlusMemeSiLImageSeFaitAttendre() throws Exception {
-        CountDownLatch dessin = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
             void peindre(int ye, Runnable peindre) {
                 if (lent) {
-                    attendreSansEtreInterrompu(dessin);
+                    retenir();
                 }
                 super.peindre(ye, peindre);
             }
@@ -88,7 +86,7 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.attendreMessage("");
         assertArrayEquals(avant, banc.panneau.montree.codes, "elle n'est pas encore dessinée");
         banc.main.lent = false;
-        dessin.countDown();
+        suite.countDown();
         banc.attendreImage("l'image suit", attendue(L, H));
     }
 

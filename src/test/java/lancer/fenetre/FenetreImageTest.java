@@ -18,7 +18,6 @@ import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.util.Arrays;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JTree;
 import lancer.image.ImageMemoire;
@@ -177,13 +176,12 @@ class FenetreImageTest extends EssaiFenetre {
 
     @Test
     void seuleLaCouleurDUnPixelDessineSeDitEtCelleDUnBrouillonEstDiteTelle() throws Exception {
-        CountDownLatch bas = new CountDownLatch(1);
         banc = new BancFenetre(new MainLent(args()) {
             @Override
             void peindre(int ye, Runnable peindre) {
                 // le brouillon attend avant le bas de l'image
                 if (ye >= H / 2 && !brouillonFait()) {
-                    attendreSansEtreInterrompu(bas);
+                    retenir();
                 }
                 super.peindre(ye, peindre);
             }
@@ -196,7 +194,7 @@ class FenetreImageTest extends EssaiFenetre {
             survoler(10, H - 10);
             return banc.pixel.getText().isEmpty();
         });
-        bas.countDown();
+        suite.countDown();
         attendre("le bas du brouillon se dit", () -> banc.pixel.getText().matches("pixel 10, " + (H - 10) + " \\(brouillon\\) : #.*"));
         banc.main.lent = false;
         attendre("puis sa dernière couleur", () -> banc.pixel.getText().startsWith("pixel 10, " + (H - 10) + " : #"));

@@ -152,7 +152,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ecrire("[Sphere sol]\ncentre=0 -19892.188 2099.569\nrayon=20000\nKd=0.5 0.5 0.5\n" + ROUGE);
         ouvrir();
         tirer(new Point((banc.panneau.getWidth() - L) / 2 + 300, (banc.panneau.getHeight() - H) / 2 + 235), 10, 0);
-        banc.attendreMessage("[Sphere sol] ligne 1 ne se tire pas");
+        banc.attendreMessage("rien ne se tire ici");
         assertFalse(banc.cadre.getTitle().contains("•"), "rien n'est déplacé");
     }
 
@@ -181,7 +181,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ouvrir();
         saisir(new Point(30, 20));
         // cet avis s'efface au bout de quelques secondes
-        banc.attendreMessage("rien à prendre ici");
+        banc.attendreMessage("rien ne se tire ici");
         glisser(new Point(30, 20), 30, 30);
         assertFalse(banc.cadre.getTitle().contains("•"), "rien n'est déplacé");
     }

@@ -127,8 +127,7 @@ class InspectionTest {
         "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 | 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "
             + "| aucune lampe dans la scène : rien ne l'éclaire",
         "[Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | aucun objet dans la scène",
-        "[Sphere] centre=0,0,-9 rayon=1 [Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | aucun objet devant l'écran : tous sont en z ≤ 0, "
-            + "et les rayons partent de z = 0",
+        "[Sphere] centre=0,0,-9 rayon=1 [Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | arrêt : ciel",
         "[Sphere] centre=9,0,9 rayon=1 | 1  ciel  | arrêt : ciel",
         "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 [Lampe] position=0,0,99 couleur=1,1,1 "
             + "| 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "

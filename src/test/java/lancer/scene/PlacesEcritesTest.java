@@ -71,8 +71,8 @@ class PlacesEcritesTest {
                 SceneLue lue = lire(scene(modele, "0 0.2 6", "-4 6 -3", "1  1\t7"));
                 SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
                 verifier(scene(modele, "0 0.2 6", "3 3 0", "1  1\t7"), lue.deplacer(voulue));
-                voulue = voulue.avec((Sphere) lue.objets.get(1), new Point(1e-7, -2, .5))
-                        .avec((Sphere) lue.objets.get(0), new Point(0.25, 0.2, 6));
+                voulue = voulue.avec(lue.objets.get(1), new Point(1e-7, -2, .5))
+                        .avec(lue.objets.get(0), new Point(0.25, 0.2, 6));
                 byte[] ecrits = lue.deplacer(voulue);
                 verifier(scene(modele, "0.25 0.2 6", "3 3 0", SceneLue.ecrire(new Point(1e-7, -2, .5))), ecrits);
                 SceneLue relue = lire(ecrits);
@@ -88,7 +88,7 @@ class PlacesEcritesTest {
         String modele = "\n\r\n\r[Sphere 1]\r\r\ncentre=@1\rrayon=1\n[Lampe 1]\r\nposition=@2\r\ncouleur=1 1 1";
         SceneLue lue = lire(scene(modele, "0 0 6", "1 2 3"));
         SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(4, 5, 6))
-                .avec((Sphere) lue.objets.get(0), new Point(1, 0, 6));
+                .avec(lue.objets.get(0), new Point(1, 0, 6));
         verifier(scene(modele, "1 0 6", "4 5 6"), lue.deplacer(voulue));
     }
 
@@ -113,14 +113,35 @@ class PlacesEcritesTest {
             Object chose = choses(lue).get(rang);
             if (chose instanceof Lampe || chose.getClass() == Sphere.class) {
                 Point place = new Point(1, 2, 3);
-                byte[] ecrits = lue.deplacer(chose instanceof Lampe ? lue.avec((Lampe) chose, place)
-                        : lue.avec((Sphere) chose, place));
+                byte[] ecrits = lue.deplacer(lue.avec(chose, place));
                 Object deplacee = choses(lire(ecrits)).get(rang);
-                assertEquals(place, chose instanceof Lampe ? ((Lampe) deplacee).getPosition()
-                        : ((Sphere) deplacee).getCentre());
+                assertEquals(place, SceneLue.place(deplacee));
                 Files.write(fichier, avant);
             }
         }
+    }
+
+    /** Une matière à laquelle un étudiant ajoute une clé. */
+    private static final class Verre extends Sphere {
+
+        private double indice;
+
+        Verre() {
+            super(new Point(0, 0, 6), 1);
+        }
+    }
+
+    @Test
+    void uneBouleDeplaceeGardeToutCeQuUnEtudiantAAjouteASaMatiere() throws IOException {
+        SceneLue lue = lire(scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7"));
+        Verre boule = new Verre();
+        boule.indice = 1.5;
+        lue.ajouter(boule, "Sphere verre", 1, 2);
+        SceneLue voulue = lue.avec(boule, new Point(1, 2, 3));
+        Verre deplacee = (Verre) voulue.objets.get(voulue.objets.size() - 1);
+        assertEquals(new Point(1, 2, 3), deplacee.getCentre());
+        assertEquals(1.5, deplacee.indice);
+        assertEquals(new Point(0, 0, 6), boule.getCentre(), "celle d'avant reste à sa place");
     }
 
     @Test

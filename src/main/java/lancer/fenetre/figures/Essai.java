@@ -8,9 +8,8 @@ import lancer.dessin.Durees;
 /** Un réglage, l'erreur de son image, et les durées de ses dessins. Immuable. */
 public final class Essai {
 
-    /** Temps de dessin qui suffit, en nanosecondes, puis celui qui suffit sans le nombre minimal de dessins. */
+    /** Temps de dessin et nombre de dessins qui suffisent, ou nombre qui suffit quel que soit ce temps. */
     private static final double ASSEZ_NS = 1.5e9;
-    private static final double LONGTEMPS_NS = 10e9;
     private static final int MOINS = 3;
     private static final int PLUS = 40;
 
@@ -32,16 +31,14 @@ public final class Essai {
 
     /** Dit si ce réglage a été assez dessiné. */
     public boolean suffit() {
-        return durees.getNombre() >= PLUS || durees.getNombre() >= MOINS && durees.getSomme() >= ASSEZ_NS
-                || durees.getSomme() >= LONGTEMPS_NS;
+        return durees.getNombre() >= PLUS || durees.getNombre() >= MOINS && durees.getSomme() >= ASSEZ_NS;
     }
 
     /** Le temps et l'erreur, avec leurs intervalles. */
     public String dire() {
-        boolean vue = erreur >= ARRONDI;
-        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + (vue ? "erreur de %.2f ± %.2f niveaux"
-                : "aucun écart vu"), durees.getMediane() / 1e9, durees.getMin() / 1e9, durees.getMax() / 1e9, erreur,
-                incertitude);
+        String ecart = erreur < ARRONDI ? "aucun écart vu" : "erreur de %.2f ± %.2f niveaux";
+        return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + ecart, durees.getMediane() / 1e9,
+                durees.getMin() / 1e9, durees.getMax() / 1e9, erreur, incertitude);
     }
 
     /** Le nom court de ce réglage. */

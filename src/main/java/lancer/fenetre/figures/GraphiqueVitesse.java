@@ -10,30 +10,29 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import lancer.commande.Reglages;
+import lancer.texte.Nombre;
 
 /** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
     private static final double Y_MIN = 0.1;
-    private static final int GAUCHE = 52;
-    private static final int DROITE = 14;
-    private static final int HAUT = 26;
-    private static final int BAS = 42;
+    private static final int MARGE = 50;
+    private static final int BORD = 20;
     private static final int RAYON = 5;
-    private static final int PORTEE = 12;
+    private static final Color POINT = new Color(0x2675BF);
 
-    /** Ceux qui sont dessinés, du plus rapide au plus lent, et l'intervalle où chacun est placé. */
-    private List<Essai> points = new ArrayList<>();
-    private final List<double[]> places = new ArrayList<>();
+    /** Les réglages dessinés, du plus rapide au plus lent, et l'intervalle au milieu duquel chacun est placé. */
+    private final Map<Essai, double[]> places = new LinkedHashMap<>();
     private Reglages present;
     private double xMin;
     private double xMax;
@@ -46,67 +45,48 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** @param celui le réglage de l'image montrée */
     public void montrer(List<Essai> essais, Reglages celui) {
-        points = essais.stream().filter(essai -> essai.durees.getNombre() > 0)
-                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
         present = celui;
-        placer();
-        // les bornes sont des graduations : elles changent rarement quand un point s'ajoute
-        xMin = graduation(points.stream().mapToDouble(GraphiqueVitesse::min).min().orElse(1) / 2.5);
-        xMax = graduation(points.stream().mapToDouble(GraphiqueVitesse::max).max().orElse(1) * 1.1);
-        yMax = graduation(points.stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) * 1.1);
-        repaint();
-    }
-
-    /** Donne le même temps à des réglages qui se suivent, tant que leurs intervalles ont un temps commun. */
-    private void placer() {
         places.clear();
-        double[] commun = {0, 0};
-        for (Essai p : points) {
-            if (min(p) > commun[1] || max(p) < commun[0]) {
-                commun = new double[] {min(p), max(p)};
+        double[] commun = {0, Double.MAX_VALUE};
+        for (Essai p : essais.stream().filter(essai -> essai.durees.getNombre() > 0)
+                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList())) {
+            // des réglages qui se suivent ont la même place tant que leurs intervalles ont un temps commun
+            if (p.durees.getMin() > commun[1] || p.durees.getMax() < commun[0]) {
+                commun = new double[] {0, Double.MAX_VALUE};
             }
-            commun[0] = Math.max(commun[0], min(p));
-            commun[1] = Math.min(commun[1], max(p));
-            places.add(commun);
+            commun[0] = Math.max(commun[0], p.durees.getMin());
+            commun[1] = Math.min(commun[1], p.durees.getMax());
+            places.put(p, commun);
         }
-    }
-
-    private static double min(Essai p) {
-        return p.durees.getMin() / 1e9;
-    }
-
-    private static double max(Essai p) {
-        return p.durees.getMax() / 1e9;
+        xMin = places.keySet().stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / 2.5;
+        xMax = places.keySet().stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * 1.5;
+        yMax = places.keySet().stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) + 2 * Y_MIN;
+        repaint();
     }
 
     /** Le réglage sous ce point, ou {@code null}. */
     public Essai sous(Point ou) {
-        return points.stream().filter(p -> ou.distance(x(p), y(p.erreur)) < PORTEE)
+        return places.keySet().stream().filter(p -> ou.distance(x(p), y(p.erreur)) < 2 * RAYON)
                 .min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p.erreur)))).orElse(null);
-    }
-
-    private static double graduation(double min) {
-        return graduations(min, Double.MAX_VALUE).findFirst().orElse(min);
     }
 
     /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
     private static DoubleStream graduations(double min, double max) {
         return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
-                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= 1.001 * max);
+                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= max);
     }
 
     private double x(Essai p) {
-        double[] place = places.get(points.indexOf(p));
-        return x((place[0] + place[1]) / 2);
+        return x((places.get(p)[0] + places.get(p)[1]) / 2);
     }
 
-    private double x(double secondes) {
-        return GAUCHE + (getWidth() - GAUCHE - DROITE) * Math.log(secondes / xMin) / Math.log(xMax / xMin);
+    private double x(double ns) {
+        return MARGE + (getWidth() - MARGE - BORD) * Math.log(ns / xMin) / Math.log(xMax / xMin);
     }
 
     private double y(double erreur) {
         double part = Math.log(Math.max(erreur, Y_MIN) / Y_MIN) / Math.log(yMax / Y_MIN);
-        return getHeight() - BAS - (getHeight() - HAUT - BAS) * part;
+        return getHeight() - MARGE - (getHeight() - MARGE - BORD) * part;
     }
 
     @Override
@@ -115,27 +95,27 @@ public final class GraphiqueVitesse extends JPanel {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        if (!points.isEmpty()) {
-            peindreAxes(g, getWidth() - DROITE, getHeight() - BAS);
+        if (!places.isEmpty()) {
+            peindreAxes(g, getWidth() - BORD, getHeight() - MARGE);
             List<Rectangle2D> noms = new ArrayList<>();
-            points.stream().sorted(Comparator.comparing(p -> !p.reglages.equals(present)))
+            places.keySet().stream().sorted(Comparator.comparing(p -> !p.reglages.equals(present)))
                     .forEach(p -> peindre(g, p, noms));
         }
     }
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
         Color trame = UIManager.getColor("Panel.background");
-        graduations(xMin, xMax).forEach(t -> {
+        graduations(xMin / 1e9, xMax / 1e9).forEach(t -> {
             g.setColor(trame);
-            g.draw(new Line2D.Double(x(t), HAUT, x(t), bas));
-            ecrire(g, nombre(t), x(t), bas + 15, 0.5);
+            g.draw(new Line2D.Double(x(t * 1e9), BORD, x(t * 1e9), bas));
+            ecrire(g, nombre(t), x(t * 1e9), bas + 15, 0.5);
         });
-        graduations(Y_MIN, yMax).forEach(t -> {
+        graduations(Y_MIN, yMax).forEach(e -> {
             g.setColor(trame);
-            g.draw(new Line2D.Double(GAUCHE, y(t), droite, y(t)));
-            ecrire(g, nombre(t), GAUCHE - 6, y(t) + 4, 1);
+            g.draw(new Line2D.Double(MARGE, y(e), droite, y(e)));
+            ecrire(g, nombre(e), MARGE - 6, y(e) + 4, 1);
         });
-        ecrire(g, "temps du dessin, en secondes", (GAUCHE + droite) / 2, bas + 33, 0.5);
+        ecrire(g, "temps du dessin, en secondes", (MARGE + droite) / 2, bas + 33, 0.5);
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
@@ -143,9 +123,9 @@ public final class GraphiqueVitesse extends JPanel {
     private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
         double x = x(p);
         double y = y(p.erreur);
-        g.setColor(new Color(0x2675BF));
+        g.setColor(POINT);
         g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-        g.draw(new Line2D.Double(x(min(p)), y, x(max(p)), y));
+        g.draw(new Line2D.Double(x(p.durees.getMin()), y, x(p.durees.getMax()), y));
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
         // à droite, s'il y a la place
@@ -159,8 +139,7 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     private static String nombre(double t) {
-        return t >= 10 ? String.format(Locale.FRANCE, "%.0f", t)
-                : String.format(Locale.FRANCE, "%.3f", t).replaceAll(",?0+$", "");
+        return Nombre.ecrire(t).replace('.', ',');
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
