@@ -92,14 +92,16 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         commencer(vu, patience(qui));
         try {
             limiter(etape::proceed, patience(qui), vu);
-        } catch (TestAbortedException e) {
-            throw e;
         } catch (Throwable faute) {
-            String cause = qui.getTags().contains(Repetition.ETAPE) ? null : cause(vu, rang, qui);
+            boolean abandonnee = faute instanceof TestAbortedException;
+            String cause = qui.getTags().contains(Repetition.ETAPE) ? null
+                    : abandonnee ? cause(vu.bilan, rang) : cause(vu, rang, qui);
             if (cause != null) {
                 throw new TestAbortedException(NON_EVALUABLE + cause);
             }
-            vu.echecs.putIfAbsent(rang, qui.getDisplayName());
+            if (!abandonnee) {
+                vu.echecs.putIfAbsent(rang, qui.getDisplayName());
+            }
             throw faute;
         }
     }
@@ -109,13 +111,14 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (patience > 0 && !vu.commence) {
             vu.commence = true;
             PrintStream sortie = System.out;
+            Repetition.Ecoute ecoute = new Repetition.Ecoute();
+            System.setOut(ecoute);
             try {
-                limiter(() -> vu.bilan = new Repetition.Bilan(true), patience, new Vu());
+                limiter(() -> vu.bilan = new Repetition.Bilan(ecoute), patience, new Vu());
             } catch (Throwable sansFin) {
                 // les vérifications le disent
                 vu.bilan = new Repetition.Bilan();
             } finally {
-                // les répétitions l'écoutent
                 System.setOut(sortie);
             }
         }
@@ -131,9 +134,9 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (vu.rangSansFin < ORDRE.size()) {
             return null;
         }
-        Repetition.Bilan bilan = bilan(qui);
-        if (bilan.classe != null && rang(Arrays.asList(bilan.classe, bilan.methode)) <= rang) {
-            return bilan.dit;
+        String garde = cause(bilan(qui), rang);
+        if (garde != null) {
+            return garde;
         }
         if (!qui.getTags().contains("Objet3D") || qui.getRequiredTestMethod().getName().equals(Tests.OMBRE_DE_SOI)) {
             return null;
@@ -146,10 +149,16 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         return vu.ombre.isEmpty() ? null : vu.ombre;
     }
 
+    /** Ce que garde une méthode d'un appel à l'autre, si cela peut expliquer un échec de ce rang ; {@code null} sinon. */
+    private static String cause(Repetition.Bilan bilan, int rang) {
+        return bilan != null && bilan.classe != null && rang(Arrays.asList(bilan.classe.getSimpleName(), bilan.methode)) <= rang
+                ? bilan.dit : null;
+    }
+
     private static Repetition.Bilan bilan(ExtensionContext qui) {
         Vu vu = vu(qui);
         if (vu.bilan == null) {
-            vu.bilan = new Repetition.Bilan(false);
+            vu.bilan = new Repetition.Bilan(null);
         }
         return vu.bilan;
     }

@@ -8,14 +8,16 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Tag;
@@ -35,42 +37,42 @@ abstract class Repetition {
 
     @Test @Order(1) @Tag("Vecteur") @DisplayName("un vecteur répond toujours de même")
     void unVecteurNeGardeRien() {
-        bilan.get().verifier("Vecteur");
+        bilan.get().verifier(Vecteur.class);
     }
 
     @Test @Order(2) @Tag("Point") @DisplayName("un point répond toujours de même")
     void unPointNeGardeRien() {
-        bilan.get().verifier("Point");
+        bilan.get().verifier(Point.class);
     }
 
     @Test @Order(3) @Tag("Rayon") @DisplayName("un rayon répond toujours de même")
     void unRayonNeGardeRien() {
-        bilan.get().verifier("Rayon");
+        bilan.get().verifier(Rayon.class);
     }
 
     @Test @Order(4) @Tag("Camera") @DisplayName("la caméra répond toujours de même")
     void laCameraNeGardeRien() {
-        bilan.get().verifier("Camera");
+        bilan.get().verifier(Camera.class);
     }
 
     @Test @Order(5) @Tag("Sphere") @DisplayName("une sphère répond toujours de même")
     void uneSphereNeGardeRien() {
-        bilan.get().verifier("Sphere");
+        bilan.get().verifier(Sphere.class);
     }
 
     @Test @Order(6) @Tag("Scene") @DisplayName("une scène répond toujours de même")
     void laSceneNeGardeRien() {
-        bilan.get().verifier("Scene");
+        bilan.get().verifier(Scene.class);
     }
 
     @Test @Order(7) @Tag("Objet3D") @DisplayName("un objet répond toujours de même")
     void unObjetNeGardeRien() {
-        bilan.get().verifier("Objet3D");
+        bilan.get().verifier(Objet3D.class);
     }
 
     @Test @Order(8) @Tag("Lancer") @DisplayName("un pixel répond toujours de même")
     void unLancerNeGardeRien() {
-        bilan.get().verifier("Lancer");
+        bilan.get().verifier(Lancer.class);
     }
 
     @Test @Order(9) @Tag("Lancer") @DisplayName("un pixel n'affiche rien dans la console")
@@ -89,12 +91,12 @@ abstract class Repetition {
 
         private static final String ECHEC = "échec : ";
 
-        final String classe;
+        final Class<?> classe;
         final String methode;
         final Reponse reponse;
         String premiere;
 
-        Question(String classe, String methode, Reponse reponse) {
+        Question(Class<?> classe, String methode, Reponse reponse) {
             this.classe = classe;
             this.methode = methode;
             this.reponse = reponse;
@@ -141,6 +143,7 @@ abstract class Repetition {
         private final Camera camera;
         private final Scene scene;
         private final Lancer lancer;
+        private Rayon rayon;
         /** Ce qu'un autre fil fera au milieu du prochain calcul d'une couleur, {@code null} s'il ne fait rien. */
         private Runnable pendant;
 
@@ -157,6 +160,17 @@ abstract class Repetition {
 
         Monde pourUnFil() {
             return new Monde(boules, camera);
+        }
+
+        /** Tous ses objets, dont les champs pourraient garder quelque chose. */
+        Stream<Object> objets() {
+            return Stream.concat(boules.stream(), Stream.of(camera, scene, lancer));
+        }
+
+        /** D'autres objets : ceux d'un monde n'en savent rien. */
+        static void autres() {
+            Scene scene = new Scene(Arrays.asList(new Sphere(Q, 3)), Arrays.asList(new Lampe(P, new Couleur(1, 0, 0))));
+            new Lancer(scene, new Camera(64, 48));
         }
 
         /** Une lampe qui, avant de dire où elle est, laisse un autre fil faire ce qu'il a à faire. */
@@ -187,6 +201,12 @@ abstract class Repetition {
             return boule;
         }
 
+        /** Un rayon qui ne sert à rien d'autre, fait une fois pour toutes. */
+        Rayon rayon() {
+            rayon = rayon == null ? new Rayon(P, W) : rayon;
+            return rayon;
+        }
+
         /** Un rayon neuf, vers la boule de ce rang ou un peu à côté. */
         Rayon rayon(int k) {
             double[] centre = CENTRES[k % 3];
@@ -202,189 +222,188 @@ abstract class Repetition {
 
     private static List<Question> questions() {
         List<Question> toutes = new ArrayList<>(Arrays.asList(
-                new Question("Vecteur", "Vecteur", m -> new Vecteur(Monde.P, Monde.Q)),
-                new Question("Vecteur", "sub", m -> Monde.U.sub(Monde.W)),
-                new Question("Vecteur", "dot", m -> Monde.U.dot(Monde.W)),
-                new Question("Vecteur", "norme2", m -> Monde.W.norme2()),
-                new Question("Vecteur", "normalized", m -> Monde.W.normalized()),
-                new Question("Vecteur", "normalize", m -> Vecteur.normalize(Monde.W)),
-                new Question("Point", "sub", m -> Monde.P.sub(Monde.U)),
-                new Question("Point", "sub", m -> Monde.P.sub(Monde.Q)),
-                new Question("Rayon", "<init>", m -> new Rayon(Monde.P, Monde.Q)),
-                new Question("Rayon", "<init>", m -> new Rayon(Monde.P, Monde.W)),
-                new Question("Rayon", "getSkyColor", m -> m.rayon(0).getSkyColor()),
-                new Question("Camera", "getRayon", m -> m.camera.getRayon(10.5, 20.25)),
-                new Question("Camera", "getRayon", m -> m.camera.getRayon(3, 4))));
+                new Question(Vecteur.class, "Vecteur", m -> new Vecteur(Monde.P, Monde.Q)),
+                new Question(Vecteur.class, "sub", m -> Monde.U.sub(Monde.W)),
+                new Question(Vecteur.class, "dot", m -> Monde.U.dot(Monde.W)),
+                new Question(Vecteur.class, "norme2", m -> Monde.W.norme2()),
+                new Question(Vecteur.class, "normalized", m -> Monde.W.normalized()),
+                new Question(Vecteur.class, "normalize", m -> Vecteur.normalize(Monde.W)),
+                new Question(Point.class, "sub", m -> Monde.P.sub(Monde.U)),
+                new Question(Point.class, "sub", m -> Monde.P.sub(Monde.Q)),
+                new Question(Rayon.class, "<init>", m -> m.rayon()),
+                new Question(Rayon.class, "calcContact", m -> m.rayon().calcContact()),
+                new Question(Rayon.class, "<init>", m -> new Rayon(Monde.P, Monde.Q)),
+                new Question(Rayon.class, "getSkyColor", m -> m.rayon(0).getSkyColor()),
+                new Question(Camera.class, "getRayon", m -> m.camera.getRayon(10.5, 20.25)),
+                new Question(Camera.class, "getRayon", m -> m.camera.getRayon(3, 4))));
         for (int k = 0; k < 3; k++) {
             int q = k;
-            toutes.add(new Question("Sphere", "getIntersectionDistance", m -> m.boules.get(q).getIntersectionDistance(m.rayon(q))));
-            toutes.add(new Question("Sphere", "getIntersectionDistance", m -> m.boules.get(q).getIntersectionDistance(m.rayon(q + 1))));
-            toutes.add(new Question("Rayon", "calcContact", m -> {
+            toutes.add(new Question(Sphere.class, "getIntersectionDistance", m -> m.boules.get(q).getIntersectionDistance(m.rayon(q))));
+            toutes.add(new Question(Sphere.class, "getIntersectionDistance",
+                    m -> m.boules.get(q).getIntersectionDistance(m.rayon(q + 1))));
+            toutes.add(new Question(Rayon.class, "calcContact", m -> {
                 Rayon rayon = m.rayon(q);
                 m.boules.get(q).getIntersectionDistance(rayon);
                 return rayon.calcContact();
             }));
-            toutes.add(new Question("Scene", "getClosestIntersection", m -> m.scene.getClosestIntersection(m.rayon(q), null)));
-            toutes.add(new Question("Sphere", "getNormale", m -> m.boules.get(q).getNormale(Monde.Q)));
-            toutes.add(new Question("Objet3D", "getColor", m -> m.couleur(q, 3)));
-            toutes.add(new Question("Objet3D", "getColor", m -> m.couleur(q, 0)));
-            toutes.add(new Question("Lancer", "getCouleurPixel", m -> m.lancer.getCouleurPixel(10 + 7 * q, 14, 2)));
+            toutes.add(new Question(Scene.class, "getClosestIntersection", m -> m.scene.getClosestIntersection(m.rayon(q), null)));
+            toutes.add(new Question(Scene.class, "getClosestIntersection",
+                    m -> m.scene.getClosestIntersection(m.rayon(q), m.boules.get(q))));
+            toutes.add(new Question(Sphere.class, "getNormale", m -> m.boules.get(q).getNormale(Monde.Q)));
+            toutes.add(new Question(Objet3D.class, "getColor", m -> m.couleur(q, 3)));
+            toutes.add(new Question(Objet3D.class, "getColor", m -> m.couleur(q, 0)));
+            toutes.add(new Question(Lancer.class, "getCouleurPixel", m -> m.lancer.getCouleurPixel(10 + 7 * q, 14, 2)));
         }
+        toutes.add(new Question(Lancer.class, "getCouleurPixel", m -> m.lancer.getCouleurPixel(1, 1, 1)));
         return toutes;
     }
 
     /** Ce que les répétitions ont montré. */
     static final class Bilan {
 
-        /** Les classes du cours, les causes d'abord, et leurs champs qui changent. */
-        private static final List<String> CLASSES =
-                Arrays.asList("Vecteur", "Point", "Rayon", "Camera", "Sphere", "Scene", "Objet3D", "Lancer");
-        private static final List<String> DU_COURS =
-                Arrays.asList("Objet3D.Kd", "Objet3D.Ks", "Objet3D.ns", "Rayon.distance", "Rayon.objet");
+        /** Les classes du cours, les causes d'abord. */
+        private static final List<Class<?>> CLASSES = Arrays.asList(Vecteur.class, Point.class, Rayon.class, Camera.class,
+                Sphere.class, Scene.class, Objet3D.class, Lancer.class);
 
-        /** Combien de fois chaque question est posée, selon qu'un champ peut changer ou non. */
-        private static final int FOIS = 200;
+        /** Combien de fois chaque question est posée, selon qu'un champ change ou non. */
+        private static final int FOIS = 400;
         private static final int FOIS_SANS_CHAMP = 3;
 
         /** La classe et la méthode dont une réponse change, {@code null} si aucune ne change. */
-        final String classe;
-        final String methode;
-        final String dit;
+        Class<?> classe;
+        String methode;
+        String dit;
         /** La ligne qui affiche quelque chose dans un pixel, {@code null} si aucune ne le fait. */
         Error affiche;
 
         /** Rien n'a pu être demandé. */
         Bilan() {
-            classe = null;
-            methode = null;
-            dit = null;
         }
 
-        /** @param ici faux si chaque appel est long, et passe par un autre programme */
-        Bilan(boolean ici) {
-            Question fautive = null;
-            String quand = "";
-            Monde monde = new Monde();
+        /** @param ecoute où va ce qui s'affiche ; {@code null} si chaque appel est long, et passe par un autre programme */
+        Bilan(Ecoute ecoute) {
+            // ce qu'une méthode garde de son premier appel n'est pas la même chose dans ces deux mondes, où l'ordre est autre
+            Monde[] mondes = {new Monde(), new Monde()};
+            Map<Class<?>, Map<String, String>> avant = gardes(mondes);
+            Map<Class<?>, Map<String, String>> apres = new HashMap<>(avant);
             List<Question> questions = questions();
-            questions.forEach(q -> q.premiere = q.poser(monde));
+            if (ecoute != null) {
+                ecoute.ou = null;
+            }
+            questions.forEach(q -> q.premiere = q.poser(mondes[0]));
+            affiche = ecoute == null ? null : ecoute.erreur();
             // d'autres vérifications le disent
             questions.removeIf(q -> q.premiere.startsWith(Question.ECHEC));
-            boolean champ = ici && CLASSES.stream().anyMatch(Bilan::peutChanger);
-            for (int fois = 1; fois < (champ ? FOIS : FOIS_SANS_CHAMP) && fautive == null; fois++) {
-                Collections.reverse(questions);
-                fautive = fautive(questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList()));
-            }
-            if (champ && fautive == null) {
-                fautive = aDeux(monde);
-                quand = ", quand deux fils la demandent à la fois";
-            }
-            if (ici) {
-                ecouter(monde);
-            }
-            classe = fautive == null ? null : fautive.classe;
-            methode = fautive == null ? null : fautive.methode;
-            dit = fautive == null ? null : classe + "." + methode.replace("<init>", "Rayon")
-                    + " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ" + champs();
-        }
-
-        /**
-         * La faute de ces changements : la première, dans l'ordre des causes, dont la classe a un champ qui puisse
-         * changer, ou une classe qui a un tel champ ; à défaut, la première.
-         */
-        private static Question fautive(List<Question> changees) {
-            if (changees.isEmpty()) {
-                return null;
-            }
-            List<Question> candidates = new ArrayList<>(changees);
-            candidates.addAll(questions());
-            for (String classe : CLASSES) {
-                for (Question q : candidates) {
-                    if (q.classe.equals(classe) && !champs(classe).isEmpty()) {
-                        return q;
-                    }
+            List<Question> changees = new ArrayList<>();
+            for (int fois = 1; fois < (apres.equals(avant) ? FOIS_SANS_CHAMP : FOIS) && changees.isEmpty(); fois++) {
+                changees.addAll(changees(questions, mondes[fois % 2]));
+                if (ecoute != null && fois < FOIS_SANS_CHAMP) {
+                    apres.putAll(gardes(mondes));
                 }
             }
-            return changees.stream().min(Comparator.comparing(q -> CLASSES.indexOf(q.classe))).get();
+            if (!changees.isEmpty()) {
+                // celles qui étaient posées quand rien n'avait encore changé
+                changees.addAll(changees(questions, mondes[0]));
+            }
+            String quand = "";
+            if (!apres.equals(avant) && changees.isEmpty()) {
+                aDeux(mondes[0], changees);
+                quand = ", quand deux fils la demandent à la fois";
+            }
+            if (!changees.isEmpty()) {
+                // la première dont la classe a un champ qui change, ou une classe qui en a un ; à défaut, la première
+                changees.sort(Comparator.comparing(q -> CLASSES.indexOf(q.classe)));
+                Question fautive = Stream.concat(changees.stream(), questions().stream())
+                        .filter(q -> !apres.get(q.classe).equals(avant.get(q.classe))).findFirst().orElse(changees.get(0));
+                classe = fautive.classe;
+                methode = fautive.methode;
+                dit = classe.getSimpleName() + "." + methode.replace("<init>", "Rayon")
+                        + " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ"
+                        + noms(avant.get(classe), apres.get(classe));
+            }
+        }
+
+        /** Les champs dont le contenu change. */
+        private static String noms(Map<String, String> avant, Map<String, String> apres) {
+            List<String> noms = avant.keySet().stream().filter(c -> !avant.get(c).equals(apres.get(c))).collect(Collectors.toList());
+            return noms.isEmpty() ? "" : " : " + String.join(", ", noms);
+        }
+
+        /** Les questions dont la réponse change, posées dans l'autre ordre. */
+        private static List<Question> changees(List<Question> questions, Monde monde) {
+            Collections.reverse(questions);
+            Monde.autres();
+            return questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList());
         }
 
         /** Au milieu du calcul d'une couleur, un autre fil en calcule une autre, de la même boule. */
-        private static Question aDeux(Monde monde) {
-            List<Question> changees = new ArrayList<>();
+        private static void aDeux(Monde monde, List<Question> changees) {
             for (int k = 0; k < 3; k++) {
                 int q = k;
-                Question couleur = new Question("Objet3D", "getColor", m -> m.couleur(q, 0));
-                Question autre = new Question("Objet3D", "getColor", m -> m.couleur(q + 3, 0));
+                Question couleur = new Question(Objet3D.class, "getColor", m -> m.couleur(q, 0));
+                Question autre = new Question(Objet3D.class, "getColor", m -> m.couleur(q + 3, 0));
                 couleur.premiere = couleur.poser(monde);
                 monde.pendant = () -> autre.poser(monde.pourUnFil());
                 if (!couleur.premiere.equals(couleur.poser(monde))) {
                     changees.add(couleur);
                 }
             }
-            return fautive(changees);
         }
 
-        /** Dessine quelques pixels en écoutant la sortie. */
-        private void ecouter(Monde monde) {
-            PrintStream sortie = System.out;
-            Throwable[] ou = new Throwable[1];
-            System.setOut(new PrintStream(new ByteArrayOutputStream()) {
-                @Override
-                public void write(byte[] octets, int debut, int combien) {
-                    ou[0] = ou[0] == null ? new Throwable() : ou[0];
+        /** Ce que contiennent les champs de chaque classe du cours, et ceux des objets de ces mondes. */
+        private static Map<Class<?>, Map<String, String>> gardes(Monde... mondes) {
+            List<Object> objets = Arrays.stream(mondes).flatMap(Monde::objets).collect(Collectors.toList());
+            Map<Class<?>, Map<String, String>> gardes = new HashMap<>();
+            for (Class<?> classe : CLASSES) {
+                Map<String, String> champs = new TreeMap<>();
+                for (Field champ : classe.getDeclaredFields()) {
+                    champ.setAccessible(true);
+                    champs.put(champ.getName(), Modifier.isStatic(champ.getModifiers()) ? contenu(champ, null)
+                            : objets.stream().filter(classe::isInstance).map(o -> contenu(champ, o)).collect(Collectors.joining(" ")));
                 }
-            });
-            try {
-                for (int xe = 0; xe < 40; xe += 3) {
-                    monde.lancer.getCouleurPixel(xe, 15, 1);
-                }
-            } catch (RuntimeException | StackOverflowError e) {
-                // d'autres vérifications le disent
-            } finally {
-                System.setOut(sortie);
+                gardes.put(classe, champs);
             }
-            if (ou[0] != null) {
-                affiche = new Error("dessiner un pixel affiche du texte dans la console : une image en a 480 000");
-                affiche.setStackTrace(Arrays.stream(ou[0].getStackTrace()).filter(Causes::deLEtudiant).toArray(StackTraceElement[]::new));
-            }
+            return gardes;
         }
 
-        /** Les champs de cette classe qui peuvent changer, sans ceux du cours. */
-        private static List<String> champs(String classe) {
-            List<String> noms = new ArrayList<>();
+        private static String contenu(Field champ, Object objet) {
             try {
-                for (Field champ : Class.forName("lancer." + classe, false, Bilan.class.getClassLoader()).getDeclaredFields()) {
-                    if (!Modifier.isFinal(champ.getModifiers()) && !champ.isSynthetic()
-                            && !DU_COURS.contains(classe + "." + champ.getName())) {
-                        noms.add(champ.getName());
-                    }
-                }
-            } catch (ClassNotFoundException e) {
-                // une classe renommée ne se compilerait pas avec Tests
+                return Arrays.deepToString(new Object[] {champ.get(objet)});
+            } catch (IllegalAccessException | RuntimeException | StackOverflowError e) {
+                // ce qu'un champ ne sait pas dire
+                return "";
             }
-            return noms;
-        }
-
-        /** Dit si cette classe a un champ qui puisse changer, même si son nom désigne toujours le même tableau. */
-        private static boolean peutChanger(String classe) {
-            try {
-                return !champs(classe).isEmpty() || Arrays.stream(Class.forName("lancer." + classe, false, Bilan.class.getClassLoader())
-                        .getDeclaredFields()).anyMatch(c -> c.getType().isArray() || Modifier.isStatic(c.getModifiers())
-                        && (Collection.class.isAssignableFrom(c.getType()) || Map.class.isAssignableFrom(c.getType())));
-            } catch (ClassNotFoundException e) {
-                return false;
-            }
-        }
-
-        private String champs() {
-            List<String> noms = champs(classe);
-            return noms.isEmpty() ? "" : " : " + String.join(", ", noms);
         }
 
         /** Échoue si une réponse de cette classe change. */
-        void verifier(String laquelle) {
-            if (laquelle.equals(classe)) {
+        void verifier(Class<?> laquelle) {
+            if (laquelle == classe) {
                 fail(dit);
             }
+        }
+    }
+
+    /** Ce qui s'affiche n'y va pas : la ligne qui, la première, a affiché quelque chose est gardée. */
+    static final class Ecoute extends PrintStream {
+
+        private Throwable ou;
+
+        Ecoute() {
+            super(new ByteArrayOutputStream());
+        }
+
+        @Override
+        public void write(byte[] octets, int debut, int combien) {
+            ou = ou == null ? new Throwable() : ou;
+        }
+
+        private Error erreur() {
+            if (ou == null) {
+                return null;
+            }
+            Error erreur = new Error("dessiner un pixel affiche du texte dans la console : une image en a 480 000");
+            erreur.setStackTrace(Arrays.stream(ou.getStackTrace()).filter(Causes::deLEtudiant).toArray(StackTraceElement[]::new));
+            return erreur;
         }
     }
 }

@@ -69,7 +69,7 @@ abstract class Valeurs {
     }
 
     static double arrondi(double x) {
-        return Math.rint(x * 1e9) / 1e9;
+        return Math.abs(x) < 1e6 ? Math.rint(x * 1e9) / 1e9 : x;
     }
 
     /** La scène reste où elle est écrite : devant l'écran. */

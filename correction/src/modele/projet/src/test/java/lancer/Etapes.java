@@ -125,7 +125,8 @@ public class Etapes implements TestExecutionListener {
                 lieu = lieu("Objet3D", "getColor");
             } else {
                 // une exception : elle est née dans une des classes de l'étudiant
-                dit = cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
+                dit = cause instanceof StackOverflowError ? "des appels sans fin : une méthode s'appelle elle-même, ou par une autre"
+                        : cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
                 lieu = premiere(cause, Causes::deLEtudiant)
                         .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu(classe, intitule));
             }
@@ -173,12 +174,12 @@ public class Etapes implements TestExecutionListener {
     /** La place d'une méthode dans un texte, de son FIXME s'il y est encore ; -1 si elle n'y est pas. */
     private static int methode(String texte, String nom, String parametres) {
         int ou = -1;
-        int meilleur = -1;
+        int meilleur = Integer.MIN_VALUE;
         Matcher m = Pattern.compile("(?m)^    (?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\n    }")
                 .matcher(texte);
         while (m.find()) {
-            // de deux méthodes de ce nom, celle qui a ces paramètres ; puis celle qui a le plus à dire
-            int accord = m.group().length();
+            // de deux méthodes de ce nom, celle qui a ces paramètres, et aucun autre ; puis celle qui a le plus à dire
+            int accord = m.group().length() - (parametres.isEmpty() ? 0 : 5_000 * m.group(1).split(",").length);
             for (String parametre : parametres.split("\\W+")) {
                 accord += m.group(1).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
             }
