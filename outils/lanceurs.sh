@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 MVN=${MVN:-mvn -B -ntp}
 JAVA=${JAVA:-java}
-VERSIONS="1.9.3 1.10.2 1.11.4 1.12.2 1.13.4 1.14.4"
+VERSIONS=${VERSIONS:-1.9.3 1.10.2 1.11.4 1.12.2 1.13.4 1.14.4}
 jars=target/lanceurs
 mkdir -p $jars
 

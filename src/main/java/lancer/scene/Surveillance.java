@@ -11,6 +11,7 @@ public final class Surveillance {
     /** Nombre d'absences avant de dire le fichier effacé : un éditeur qui renomme l'efface un instant. */
     private static final int ABSENCES = 4;
 
+    private final int periodeMs;
     private final Timer veille = new Timer("lancer-surveillance", true);
     private final Runnable siChange;
     private final Runnable siEfface;
@@ -18,6 +19,12 @@ public final class Surveillance {
 
     /** @param siChange appelé à chaque changement, dans un autre fil @param siEfface appelé si le fichier disparaît */
     public Surveillance(Runnable siChange, Runnable siEfface) {
+        this(PERIODE_MS, siChange, siEfface);
+    }
+
+    /** @param periodeMs temps d'une observation à l'autre, en millisecondes */
+    Surveillance(int periodeMs, Runnable siChange, Runnable siEfface) {
+        this.periodeMs = periodeMs;
         this.siChange = siChange;
         this.siEfface = siEfface;
     }
@@ -32,7 +39,7 @@ public final class Surveillance {
             suivi.cancel();
         }
         suivi = new Suivi(fichier, lue);
-        veille.schedule(suivi, PERIODE_MS, PERIODE_MS);
+        veille.schedule(suivi, periodeMs, periodeMs);
     }
 
     private final class Suivi extends TimerTask {

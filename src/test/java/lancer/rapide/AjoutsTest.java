@@ -17,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,8 +53,10 @@ class AjoutsTest {
     private int changeantes;
     private final List<String> pasVues = new ArrayList<>();
 
+    private static final String TAILLE = System.getProperty("tests.longs") != null ? "200x150" : "80x60";
+
     private static float[] dessiner(Essai.Isole programme, Path dossier, Path scene, String... options) throws IOException {
-        List<String> args = new ArrayList<>(Arrays.asList("--taille=200x150", "--fils=1",
+        List<String> args = new ArrayList<>(Arrays.asList("--taille=" + TAILLE, "--fils=1",
                 "--lineaire", dossier.resolve("i.pfm").toString(), scene.toString()));
         args.addAll(Arrays.asList(options));
         Essai essai = programme.executer(args.toArray(new String[0]));
@@ -81,6 +84,7 @@ class AjoutsTest {
         return n;
     }
 
+    @Tag("long")
     @Test
     void leVerreDeChaqueBouleDeCinqScenesSeVoitDansNeufCasSurDix() throws IOException {
         try (Essai.Isole verre = Modification.de(dossier, VERRE)) {
@@ -99,6 +103,7 @@ class AjoutsTest {
     }
 
     /** Une barre sépare la classe, l'ancien texte et le nouveau ; des changements se suivent. */
+    @Tag("long")
     @ParameterizedTest
     @ValueSource(strings = {
         // un champ de la scène, copié de fil en fil, ou donné à la scène de chaque fil

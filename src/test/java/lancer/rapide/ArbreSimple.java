@@ -1,6 +1,8 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.Lampe;
@@ -96,24 +98,23 @@ final class ArbreSimple implements Recherche {
                 min = Math.min(min, geometrie[k][a]);
                 max = Math.max(max, geometrie[k][a]);
             }
-            List<List<Integer>> tranches = new ArrayList<>();
-            for (int t = 0; t < TRANCHES; t++) {
-                tranches.add(new ArrayList<>());
-            }
+            Noeud[] tranches = new Noeud[TRANCHES];
+            int[] nombres = new int[TRANCHES];
+            Arrays.setAll(tranches, t -> new Noeud());
             double pas = (max - min) / TRANCHES;
             for (int k : lesquels) {
-                tranches.get(pas > 0 ? Math.min(TRANCHES - 1, (int) ((geometrie[k][a] - min) / pas)) : 0).add(k);
+                int t = pas > 0 ? Math.min(TRANCHES - 1, (int) ((geometrie[k][a] - min) / pas)) : 0;
+                tranches[t].unir(boite(Collections.singletonList(k)));
+                nombres[t]++;
             }
             for (int t = 1; t < TRANCHES; t++) {
                 double cout = 0;
                 for (int cote = 0; cote < 2; cote++) {
                     Noeud moitie = new Noeud();
                     int nombre = 0;
-                    for (List<Integer> tranche : cote == 0 ? tranches.subList(0, t) : tranches.subList(t, TRANCHES)) {
-                        if (!tranche.isEmpty()) {
-                            moitie.unir(boite(tranche));
-                            nombre += tranche.size();
-                        }
+                    for (int u = cote == 0 ? 0 : t; u < (cote == 0 ? t : TRANCHES); u++) {
+                        moitie.unir(tranches[u]);
+                        nombre += nombres[u];
                     }
                     cout += nombre == 0 ? Constantes.INFINI : moitie.aire() * nombre;
                 }

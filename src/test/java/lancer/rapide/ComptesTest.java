@@ -19,6 +19,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -73,9 +74,11 @@ class ComptesTest {
     }
 
     /** Un examen : une case, une entrée, une boîte, un masque ou une sphère regardés pour un rayon. */
+    @Tag("long")
     @ParameterizedTest
-    @ValueSource(ints = {1000, 10_000})
-    void aucuneSceneHostileNeCouteTroisFoisCeQueCouteUnArbreSimpleOuLesBoucles(int taille) {
+    @ValueSource(ints = {1, 10})
+    void aucuneSceneHostileNeCouteTroisFoisCeQueCouteUnArbreSimpleOuLesBoucles(int milliers) {
+        int taille = System.getProperty("tests.longs") != null ? 1000 * milliers : 300 * milliers;
         List<String> fautes = new ArrayList<>();
         for (Map.Entry<String, Scene> e : ScenesDEssai.hostiles(taille).entrySet()) {
             Scene scene = e.getValue();

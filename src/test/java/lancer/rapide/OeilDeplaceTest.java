@@ -143,7 +143,7 @@ class OeilDeplaceTest {
     @Test
     void deCentCinquanteYeuxAuHasardAussi() {
         Random hasard = new Random(42);
-        for (int k = 0; k < 500; k++) {
+        for (int k = 0; k < 150; k++) {
             double cote = k % 4 == 0 ? 1 : 0;
             Point oeil = new Point(cote * hasard.nextGaussian(), cote * hasard.nextGaussian(),
                     -Math.pow(10, 3 * hasard.nextDouble() - 1.5));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -22,7 +23,7 @@ class SurveillanceTest {
     @TempDir
     Path dossier;
     private final LinkedBlockingQueue<String> dits = new LinkedBlockingQueue<>();
-    private final Surveillance veille = new Surveillance(() -> dits.add("change"), () -> dits.add("efface"));
+    private final Surveillance veille = new Surveillance(20, () -> dits.add("change"), () -> dits.add("efface"));
     private Path fichier;
 
     @BeforeEach
@@ -38,13 +39,15 @@ class SurveillanceTest {
     }
 
     private void ecrire(String texte, int date) throws IOException {
-        Files.write(fichier, texte.getBytes());
-        Files.setLastModifiedTime(fichier, FileTime.from(date, TimeUnit.HOURS));
+        // d'un coup : de deux versions, deux seraient annoncées
+        Path neuf = Files.write(dossier.resolve("neuf"), texte.getBytes());
+        Files.setLastModifiedTime(neuf, FileTime.from(date, TimeUnit.HOURS));
+        Files.move(neuf, fichier, StandardCopyOption.ATOMIC_MOVE);
     }
 
     private void attendre(String attendu) throws InterruptedException {
         assertEquals(attendu, dits.poll(40, TimeUnit.SECONDS));
-        assertNull(dits.poll(1, TimeUnit.SECONDS), "cela ne se dit qu'une fois");
+        assertNull(dits.poll(200, TimeUnit.MILLISECONDS), "cela ne se dit qu'une fois");
     }
 
     @Test
@@ -69,7 +72,7 @@ class SurveillanceTest {
         veille.suivre(autre.toString(), FichierScene.version(autre.toString()));
         ecrire("un", 2);
         Files.delete(fichier);
-        assertNull(dits.poll(2, TimeUnit.SECONDS));
+        assertNull(dits.poll(400, TimeUnit.MILLISECONDS));
         Files.delete(autre);
         attendre("efface");
     }

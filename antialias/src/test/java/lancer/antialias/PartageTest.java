@@ -236,7 +236,7 @@ class PartageTest {
 
     /** Loin de l'axe, une boule se voit comme une ellipse, dont le bout passe entre des points que son milieu ne manque pas. */
     @ParameterizedTest
-    @CsvSource({"40, 1600", "1600, 40", "100, 1200"})
+    @CsvSource({"20, 800", "800, 20", "40, 480"})
     void dansUneImageToutEnLongueurLesPetitesBoulesSontVuesCommeParLaGrilleComplete(int largeur, int hauteur) {
         Camera camera = new Camera(largeur, hauteur);
         Scene scene = poussiere(camera, largeur * hauteur / 150, 0.2, 0.4, 0.6);

@@ -21,9 +21,9 @@ public final class Nombres {
         return chiffres(valeur, 2);
     }
 
-    /** L'erreur d'une image : « 0,29 niveau ». */
+    /** L'erreur d'une image : « 0,29 niveau ». Le pluriel est celui du nombre écrit : 1,98 s'écrit « 2 niveaux ». */
     public static String niveaux(double erreur) {
-        return arrondi(erreur) + (erreur < 2 ? " niveau" : " niveaux");
+        return arrondi(erreur) + (erreur < 1.95 ? " niveau" : " niveaux");
     }
 
     /** Un nombre d'un fichier CSV, à cinq chiffres significatifs ; vide s'il manque. */

@@ -19,7 +19,7 @@ class GabaritTest {
     private static final int LARGEUR = 160;
     private static final int HAUTEUR = 120;
 
-    /** Celles dont la vérité se calcule aussi par 1024 rayons par pixel. */
+    /** Celles dont la vérité coûte plus : 1024 rayons par pixel, ou mille réflexions. */
     private static final int L = 56;
     private static final int H = 42;
 
@@ -43,10 +43,10 @@ class GabaritTest {
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
         Scene miroirs = Scenes.lire(FichierScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
-        Gabarit gabarit = new Gabarit(miroirs, LARGEUR, HAUTEUR, 4);
-        double cinq = erreur(gabarit, image(miroirs, LARGEUR, HAUTEUR, 5));
-        double cent = erreur(gabarit, image(miroirs, LARGEUR, HAUTEUR, 100));
-        assertTrue(cent < cinq / 2, cent + " contre " + cinq);
+        Gabarit gabarit = new Gabarit(miroirs, L, H, 2);
+        double cinq = erreur(gabarit, image(miroirs, L, H, 5));
+        double cent = erreur(gabarit, image(miroirs, L, H, 100));
+        assertTrue(cent < 0.7 * cinq, cent + " contre " + cinq);
     }
 
     /** En niveaux, de couleurs limitées à [0, 1]. */

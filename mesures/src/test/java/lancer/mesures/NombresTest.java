@@ -26,7 +26,8 @@ class NombresTest {
         assertEquals("24", Nombres.arrondi(23.7));
         assertEquals("1", Nombres.arrondi(0.999));
         assertEquals("0,83 niveau", Nombres.niveaux(0.832));
-        assertEquals("2 niveaux", Nombres.niveaux(2.01));
+        assertEquals("1,9 niveau", Nombres.niveaux(1.94));
+        assertEquals("2 niveaux", Nombres.niveaux(1.96));
     }
 
     @Test

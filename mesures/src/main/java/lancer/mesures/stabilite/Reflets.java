@@ -84,8 +84,9 @@ final class Reflets {
             rayon = reflechir(rayon, centre, PRECIS);
             justes.add(rayon[0]);
         }
-        facons().forEach((nom, arrondi) -> {
-            boolean attend = nom.equals("compensee");
+        for (Map.Entry<String, UnaryOperator<BigDecimal>> facon : facons().entrySet()) {
+            UnaryOperator<BigDecimal> arrondi = facon.getValue();
+            boolean attend = facon.getKey().equals("compensee");
             UnaryOperator<BigDecimal> sien = attend ? PRECIS : arrondi;
             BigDecimal[][] suivi = {arrondir(depart, arrondi), arrondir(direction, arrondi)};
             for (int k = 0; k <= MAX; k++) {
@@ -95,10 +96,10 @@ final class Reflets {
                 }
                 if (k > 0) {
                     // le premier contact n'est pas un reflet ; une sphère manquée compte pour une erreur de 1
-                    erreurs.get(nom)[k - 1][c] = suivi == null ? 1 : Math.min(1, distance(suivi[0], justes.get(k)));
+                    erreurs.get(facon.getKey())[k - 1][c] = suivi == null ? 1 : Math.min(1, distance(suivi[0], justes.get(k)));
                 }
             }
-        });
+        }
     }
 
     private static BigDecimal[] arrondir(BigDecimal[] v, UnaryOperator<BigDecimal> arrondi) {

@@ -143,9 +143,11 @@ final class Mesureur {
             commandes.add(commande(essai, fichier));
         }
         sortie.println(groupe.volet + ", " + groupe.scene + " : " + commandes.size() + " commandes, " + manches + " manches");
-        // un premier passage charge le cache du disque
-        for (Commande c : commandes) {
-            c.prendre();
+        if (manches > 1) {
+            // un premier passage charge le cache du disque
+            for (Commande c : commandes) {
+                c.prendre();
+            }
         }
         double[][][] pris = new double[commandes.size()][manches][];
         for (int manche = 0; manche < manches; manche++) {

@@ -21,6 +21,7 @@ import lancer.Constantes;
 import lancer.mesures.Nombres;
 import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.scenes.Scenes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,7 +32,7 @@ class ResultatsTest {
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
     /** Nombre de réglages que le test compte de nouveau, et rayons que chacun ne dépasse pas. */
-    private static final int ESSAYES = 4;
+    private static final int ESSAYES = System.getProperty("tests.longs") != null ? 4 : 2;
     private static final double RAYONS_MAX = 5e6;
 
     @TempDir
@@ -45,6 +46,7 @@ class ResultatsTest {
         return new Mesureur(dossier, null, new PrintStream(System.out), TAILLE, true, VitesseTest::programme);
     }
 
+    @Tag("long")
     @Test
     void lesRayonsPubliesSontEncoreCeuxDuProgramme() throws IOException {
         List<Mesure> possibles = publies().volet(Catalogue.CHOIX)

@@ -14,12 +14,16 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,7 +63,7 @@ class VitesseTest {
     static List<String> programme(Reglage reglage) {
         String sans = Stream.of("Brume", "Antialias", "Blinn").filter(v -> !v.equalsIgnoreCase(reglage.module))
                 .collect(Collectors.joining(","));
-        return Arrays.asList("-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=" + sans);
+        return Arrays.asList("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "lancer.Main", "--sans=" + sans);
     }
 
     private Mesureur mesureur() {
@@ -79,13 +83,15 @@ class VitesseTest {
         assertTrue(resultats.de(Reglage.auto(4)).get().rayons > grille.rayons, "les rayons des essais comptent");
     }
 
+    /** De tous les paramètres d'une méthode, le premier. */
+    @Tag("long")
     @Test
     void toutReglageDuCatalogueSeLanceEtSeChronometre() throws IOException {
-        List<Groupe> groupes = new Catalogue(true).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES))
-                .collect(Collectors.toList());
-        Groupe tous = new Groupe(Catalogue.CHOIX, "miroirs", Catalogue.COURS);
-        groupes.forEach(g -> g.essais.stream().filter(e -> tous.essais.stream().noneMatch(a -> a.reglage.nom().equals(e.reglage.nom())))
-                .forEach(e -> tous.avec(e.reglage, 0, PETITE)));
+        Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.methode;
+        Set<String> deja = new HashSet<>();
+        Groupe tous = new Groupe(Catalogue.CHOIX, "bowling", Catalogue.COURS);
+        new Catalogue(true).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
+                .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0, PETITE));
         mesureur().chronometrer(tous, resultats);
         assertEquals(tous.essais.size(), resultats.toutes.size());
         for (Mesure m : resultats.toutes) {
