@@ -107,7 +107,7 @@ class OeilDeplaceTest {
                 Lancer traceur = new Lancer(scene, camera);
                 images[k] = new Ressources.Image(LARGEUR, HAUTEUR);
                 traceur.TracerPixels(images[k], 3, 1 + 2 * k);
-                examens[k] = traceur.getCompteurs().examens();
+                examens[k] = ComptesTest.cout(traceur.getCompteurs());
             }
             for (int k = 0; k < images[0].composantes.length; k++) {
                 assertEquals(Math.min(1, images[0].composantes[k]), Math.min(1, images[1].composantes[k]), 1 / 255.0);
