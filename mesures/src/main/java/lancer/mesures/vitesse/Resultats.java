@@ -88,15 +88,4 @@ final class Resultats {
         return scene(scene).toutes.stream().filter(m -> m.rapport.valeur > 0 && pire(m).filter(p -> p.erreur.max <= erreur).isPresent())
                 .min(Comparator.comparingDouble(m -> m.rapport.valeur));
     }
-
-    /** Le réglage dont la pire erreur est la plus petite, de ceux qui ne prennent pas plus de tant de fois l'unité sur cette scène. */
-    Optional<Mesure> lePlusJuste(String scene, double temps) {
-        return scene(scene).toutes.stream().filter(m -> m.rapport.valeur <= temps && pire(m).isPresent())
-                .min(Comparator.comparingDouble(m -> pire(m).get().erreur.valeur));
-    }
-
-    /** Le plus rapide des réglages qui battent celui-ci sur sa scène. */
-    Optional<Mesure> vainqueur(Mesure m) {
-        return scene(m.scene).toutes.stream().filter(a -> a.bat(m)).min(Comparator.comparingDouble(a -> a.rapport.valeur));
-    }
 }
