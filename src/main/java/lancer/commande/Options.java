@@ -45,7 +45,7 @@ public final class Options {
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
                 "sans ces variantes, même si elles sont dans le chemin des classes"),
         new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs"),
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur"),
         new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
                 "dessine N fois avant d'écrire, pour mesurer"),
         new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
