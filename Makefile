@@ -28,6 +28,8 @@ application: $(JARS)
 	    --jlink-options "--strip-debug --no-man-pages --no-header-files --include-locales=fr" \
 	    $(OPTIONS_IMAGE:%=--java-options %)
 	@$(APPLICATION)/lib/runtime/bin/java -Xshare:dump >/dev/null && rm -r $(APPLICATION)/lib/runtime/bin
+	@mv $(APPLICATION)/lib/app/lancer.cfg $(APPLICATION)/lib/app/lanceur.cfg && mv $(APPLICATION)/bin/lancer $(APPLICATION)/bin/lanceur
+	@cp outils/lancer.sh $(APPLICATION)/bin/lancer && chmod +x $(APPLICATION)/bin/lancer
 	@echo "$(APPLICATION)/bin/lancer : le programme et sa machine virtuelle, $$(du -sh $(APPLICATION) | cut -f1)"
 
 # La Javadoc de chaque module, dans son dossier target/reports/apidocs.
@@ -110,7 +112,7 @@ aide:
 	@echo "make corriger UN=…         un seul rendu ; NEUF=1, avec RENDUS ou UN, met de côté ce qui a été jugé avant"
 	@echo "make noter                 refait les notes : bareme.ini ou ajustements.csv a changé ; NOTES=feuille.csv de Moodle"
 	@echo "make propre                efface ce qui est construit"
-	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures, images, toutes les cibles : docs/construire.md"
+	@echo "Options du programme : docs/options.md. Classe : docs/classe.md. Mesures : mesures/README.md. Sans make : docs/construire.md"
 
 propre: outils
 	@$(MVN) -q clean

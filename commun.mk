@@ -19,7 +19,7 @@ JARS := $(or $(foreach v,$(VARIANTES),$(RACINE)/$(v)/target/$(v).jar),$(BASE))
 vide :=
 CHEMIN := $(subst $(vide) $(vide),:,$(strip $(JARS)))
 PROGRAMME := -cp $(CHEMIN) lancer.Main
-# La machine virtuelle d'une image par processus : docs/etendre.md dit ce que ces options épargnent. Une fenêtre, qui dure, va plus vite
+# La machine virtuelle d'une image par processus : docs/vitesse-et-precision.md dit ce que ces options épargnent. Une fenêtre, qui dure, va plus vite
 # sans elles. JAVA_OPTIONS les remplace toutes.
 OPTIONS_IMAGE := $(if $(filter undefined,$(origin JAVA_OPTIONS)),-XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m,$(JAVA_OPTIONS))
 JAVA_IMAGE := $(JAVA) $(OPTIONS_IMAGE)

@@ -4,7 +4,7 @@ import lancer.contrat.Ecoute;
 
 /**
  * La somme des lumières qu'un contact renvoie vers le rayon. Si la scène a une {@link Ecoute}, une copie de chaque
- * terme y est notée (pourquoi une copie : docs/etendre.md).
+ * terme y est notée : le terme lui-même, que rien ne garde, n'est alors pas alloué.
  */
 final class Lumiere {
 

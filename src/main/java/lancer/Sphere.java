@@ -75,7 +75,7 @@ public class Sphere extends Objet3D implements Cloneable {
         double carre = x * x + y * y + z * z;
         if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
             double e = distance < rayon ? 0 : Norme.ecart(carre, rayon);
-            // choisir entre deux points les allouerait tous deux : voir docs/etendre.md
+            // choisir entre deux points les allouerait tous deux
             return new Point(contact.x - e * x, contact.y - e * y, contact.z - e * z);
         }
         double norme = new Vecteur(centre, contact).norme();

@@ -53,7 +53,7 @@ public final class Options {
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
                 "sans ces variantes, même si elles sont dans le chemin des classes", Options::lireVariantes),
         new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, tous les cœurs",
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur",
                 (o, v) -> o.fils = entier(v, 1, FILS_MAX)),
         new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
                 "dessine N fois avant d'écrire, pour mesurer", (o, v) -> o.repeter = entier(v, 1, REPETER_MAX)),

@@ -11,7 +11,7 @@ import lancer.Vecteur;
 /**
  * Détail du calcul d'un point de l'écran, que les classes du cours notent pour l'inspecteur. Pendant un dessin,
  * {@code e} est {@code null}. Un rayon note dans l'ordre son contact, les lampes, le rayon réfléchi en entier, puis la
- * couleur qu'il voit. Une valeur qui n'a pas été calculée reste {@code null}. Voir docs/etendre.md.
+ * couleur qu'il voit. Une valeur qui n'a pas été calculée reste {@code null}.
  */
 public final class Ecoute {
 

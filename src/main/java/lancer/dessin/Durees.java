@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * Les durées des dessins d'une même image, dans leur ordre. La première moitié s'exécute avant la fin de la
- * compilation, et ne compte pas : voir docs/etendre.md. Immuable.
+ * compilation, et ne compte pas. Immuable.
  */
 public final class Durees {
 

@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.Toolkit;
+import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
@@ -20,6 +21,7 @@ import lancer.dessin.Dessin;
 import lancer.dessin.Lecture;
 import lancer.scene.FichierScene;
 import lancer.scene.LecteurSections;
+import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
@@ -79,15 +81,17 @@ public final class Ouverture {
 
     /** Ce qui manque pour ouvrir une fenêtre, ou {@code null}. */
     private static String getManque() {
+        if (!new File(System.getProperty("user.home")).isDirectory()) {
+            // « ? » pour un utilisateur sans nom : Java y écrirait ses polices, dans un dossier de ce nom
+            System.setProperty("user.home", System.getProperty("java.io.tmpdir"));
+        }
         // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
         boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
                 && System.getProperty("java.awt.headless") == null;
         try {
             if (!GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
-                // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-                Toolkit.getDefaultToolkit();
-                return null;
+                return getManqueDeJava();
             }
         } catch (HeadlessException | AWTError e) {
             // DISPLAY sans serveur
@@ -98,5 +102,18 @@ public final class Ouverture {
         return nomme ? "ce Java ne sait pas ouvrir de fenêtre : " + System.getProperty("java.home")
                 + " ; attendu : un JDK complet, par exemple le paquet default-jdk"
                 : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran";
+    }
+
+    /** Ce qui manque à Java, sur un écran qui répond. */
+    private static String getManqueDeJava() {
+        try {
+            // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
+            Toolkit.getDefaultToolkit();
+            return null;
+        } catch (AWTError e) {
+            // une classe d'accessibilité que nomme accessibility.properties, et qui manque
+            return "ce Java ne sait pas ouvrir de fenêtre : " + Texte.echappe(e.getMessage())
+                    + " ; attendu : -Djavax.accessibility.assistive_technologies= devant -jar";
+        }
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Paths;
@@ -46,6 +47,12 @@ class OptionsTest {
         Echec e = assertThrows(Echec.class, () -> Options.lire(arguments(ligne)), ligne);
         assertEquals(Echec.DEMANDE, e.code);
         assertEquals(message, e.getMessage());
+    }
+
+    /** La console d'un Windows français, où « œ » n'existe pas. */
+    @Test
+    void lAideSEcritDansUneConsoleCp850() {
+        assertTrue(Charset.forName("IBM850").newEncoder().canEncode(Options.getAide()));
     }
 
     @Test

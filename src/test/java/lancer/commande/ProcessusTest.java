@@ -152,7 +152,7 @@ class ProcessusTest extends EssaiProcessus {
     void sansLangueLeProgrammeMarcheEtRefuseEnUneLigne() throws Exception {
         Path scene = dossier.resolve("s.ini");
         Files.write(scene, "[Sphère]\n".getBytes(StandardCharsets.UTF_8));
-        ProcessBuilder p = preparer(java("", "--image=a.png", scene.toString()));
+        ProcessBuilder p = preparer(sansAccents(java("", "--image=a.png", scene.toString())));
         Map<String, String> environnement = p.environment();
         environnement.keySet().removeIf(nom -> nom.startsWith("LC_"));
         environnement.put("LANG", "C");
@@ -177,7 +177,7 @@ class ProcessusTest extends EssaiProcessus {
             {"1", "cd " + accent + "; exec \"$@\" --image=a.png \"$OLDPWD/s.ini\""},
             {"2", "exec \"$@\" --comparer=" + accent + ".png s.ini"}};
         for (String[] demande : demandes) {
-            List<String> commande = java("");
+            List<String> commande = sansAccents(java(""));
             commande.addAll(0, Arrays.asList("/bin/sh", "-c", "export LC_ALL=C; " + demande[1], "sh"));
             assertEquals(demande[0], String.valueOf(statut(preparer(commande))), erreur());
             assertTrue(erreur().matches("lancer : .+ : .+ \\(la langue du syst.me, r.gl.e sur ANSI_X3.4-1968, ne permet pas de lire "

@@ -37,8 +37,8 @@ class FormesTest extends EssaiFormes {
 
     @Test
     void leDamierDeLaPageADeuxCouleursDontLesTermesSAjoutent() throws IOException {
-        inscrire(dossier, SERVICE, blocs.get(0), bloc("class Damier"));
-        String sol = bloc("[Damier sol]").trim() + "\n[Lampe 1]\nposition=0 9 3\ncouleur=1 1 1";
+        inscrire(dossier, SERVICE, blocs.get(0).replaceFirst("\n}\n", "\n\n" + bloc("getKd(Point contact)") + "}\n"));
+        String sol = "[Plan]\npoint=0 -1 0\nnormale=0 1 0\nKd=0.9 0.9 0.9\n[Lampe 1]\nposition=0 9 3\ncouleur=1 1 1";
         float[] image = Essai.dessinerAvec(Collections.singletonList(dossier), dossier, Essai.scene(scene, sol), "--taille", "8x6");
         // la première rangée d'un PFM est celle du bas : le sol, où deux cases voisines sont de Kd 0.9 et 0.1
         double plusClair = 0;

@@ -61,6 +61,19 @@ public abstract class EssaiProcessus {
         return commande;
     }
 
+    /** Cette commande, par des liens là où un chemin de classes a un accent : sans langue, Java ne saurait pas le lire. */
+    protected List<String> sansAccents(List<String> commande) throws IOException {
+        List<String> liens = new ArrayList<>();
+        int k = commande.indexOf("-cp") + 1;
+        for (String chemin : commande.get(k).split(File.pathSeparator)) {
+            Path lien = erreur.resolveSibling("chemin" + liens.size());
+            Files.deleteIfExists(lien);
+            liens.add(Files.createSymbolicLink(lien, Paths.get(chemin)).toString());
+        }
+        commande.set(k, String.join(File.pathSeparator, liens));
+        return commande;
+    }
+
     /** Cette commande, dans le dossier du test, ses flux dans des fichiers. */
     protected ProcessBuilder preparer(List<String> commande) {
         ProcessBuilder p = new ProcessBuilder(commande).directory(dossier.toFile());

@@ -2,32 +2,31 @@ package lancer.essai;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.Paths;
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 
-/** Une rangée de {@code docs/stabilite-cas.md} : ce que son test vient de mesurer, par la formule naïve, par la nôtre, et en vérité. */
+/** Une rangée de {@code rangees.txt} : ce que son test vient de mesurer, par la formule naïve, par la nôtre, et en vérité. */
 public final class Rangee {
 
     private Rangee() {
     }
 
     /**
-     * Vérifie que la page montre ces trois nombres.
+     * Vérifie que la table donne ces trois nombres.
      *
-     * @param test celui qui mesure, tel que la page le nomme
+     * @param test celui qui mesure, tel que la table le nomme
      */
     public static void montre(String test, double naif, double notre, double vrai) {
-        String cellules = "| " + DoubleStream.of(naif, notre, vrai).mapToObj(Rangee::nombre).collect(Collectors.joining(" | ")) + " | ";
-        Path page = Paths.get(Files.exists(Paths.get("docs")) ? "docs" : "../docs", "stabilite-cas.md");
-        try {
-            assertTrue(Files.readAllLines(page).stream().anyMatch(l -> l.contains("." + test + "`") && l.contains(cellules)),
-                    page + " ne montre plus ce que mesure " + test + " : " + cellules);
+        String cellules = " | " + DoubleStream.of(naif, notre, vrai).mapToObj(Rangee::nombre).collect(Collectors.joining(" | ")) + " | ";
+        try (BufferedReader table = new BufferedReader(new InputStreamReader(Ressources.ouvrir("rangees.txt"), StandardCharsets.UTF_8))) {
+            assertTrue(table.lines().anyMatch(l -> l.contains("." + test + "`") && l.contains(cellules)),
+                    "rangees.txt ne donne plus ce que mesure " + test + " : " + cellules);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -20,7 +20,7 @@ class DefautsTest {
         String page = Essai.texte("docs/stabilite.md");
         for (Defauts.Defaut defaut : new Defauts().tous()) {
             int faux = defaut.faux(defaut.naive);
-            assertTrue(faux > 0 && page.contains("\n| " + defaut.nom + " | " + faux + " |"), defaut.nom + " : " + faux);
+            assertTrue(faux > 0 && page.contains("| " + defaut.nom + " | " + faux + " |"), defaut.nom + " : " + faux);
             assertEquals(0, defaut.faux(defaut.programme), defaut.nom);
         }
     }

@@ -38,8 +38,7 @@ class ChangerLaBaseTest {
     Path dossier;
 
     @ParameterizedTest(name = "{0}")
-    @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2",
-        "Une option | ns=1 | --gamma=2.2", "L'œil | ns=1 | --fils=2"})
+    @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2"})
     void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
         List<Path> rien = Collections.emptyList();
         try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(compiler(partie)), rien);

@@ -124,7 +124,7 @@ class DependancesTest {
             }
         };
         DescribedPredicate<JavaClass> duCours = describe("d'un cercle du cours", classe -> nom(classe)
-                .matches("lancer\\.(Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
+                .matches("lancer\\.(Camera|Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
         slices().assignedFrom(chacune).should().beFreeOfCycles()
                 .ignoreDependency(duCours.or(resideInAPackage("lancer.contrat")), duCours).check(CLASSES);
     }

@@ -52,8 +52,8 @@ class MakefileTest extends EssaiProcessus {
 
     /** La scène que montre make dans le dossier de cette variante, ou à la racine. */
     private String scene(String variante) throws IOException, InterruptedException {
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
-                "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene"));
+        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk",
+                "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene")).directory(new File("").getAbsoluteFile());
         make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
         assertEquals(0, statut(make), erreur());
         return sortie().trim();

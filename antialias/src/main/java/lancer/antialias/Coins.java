@@ -56,7 +56,7 @@ final class Coins implements Echantillonnage {
                 Math.max(etendue(a.v, b.v, c.v, d.v), etendue(a.b, b.b, c.b, d.b)));
     }
 
-    /** Écart des extrêmes, limités à [0, 1]. Math.min et Math.max seraient plus lents : voir docs/etendre.md. */
+    /** Écart des extrêmes, limités à [0, 1]. Math.min et Math.max, qui voient NaN, seraient plus lents. */
     private static double etendue(double a, double b, double c, double d) {
         double minAB = a < b ? a : b;
         double maxAB = a < b ? b : a;

@@ -186,8 +186,8 @@ class QuatriemeVarianteTest {
     void sansElleSaSectionEstRefusee() throws Exception {
         String scene = boule("[Nuit]", "portee=2.5");
         Essai essai = Essai.executerAvec(Collections.<Path>emptyList(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene);
-        assertEquals("lancer : " + scene + ", ligne 8, [Nuit] : type de section inconnu ; attendu : Sphere, Lampe, Camera, Brume, Antialias, "
-                + "Blinn" + System.lineSeparator(), essai.sansAutresFormes(""));
+        assertEquals("lancer : " + scene + ", ligne 8, [Nuit] : type de section inconnu ; attendu : Sphere, Lampe, Camera, Brume, "
+                + "Antialias, Blinn" + System.lineSeparator(), essai.sansAutresFormes(""));
         assertEquals(2, essai.code);
     }
 

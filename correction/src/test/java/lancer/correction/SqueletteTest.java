@@ -185,6 +185,23 @@ class SqueletteTest extends ClasseEssai {
         assertTrue(dit.endsWith("statut 2") && !dit.contains("renommée"), dit);
     }
 
+    /** Un verrou d'Emacs mène nulle part, et une copie de l'Explorateur a des blancs dans son nom. */
+    @Test
+    void niUnVerrouNiUneCopieNArretentMake() throws Exception {
+        Path projet = dossier.resolve("projet");
+        executer("--squelette", projet);
+        Files.createSymbolicLink(projet.resolve(LANCER + ".#Sphere.java"), Paths.get("emacs@ici:1"));
+        Files.copy(projet.resolve(LANCER + "Sphere.java"), projet.resolve(LANCER + "Sphere - Copie.java"));
+        assumeTrue(Files.isExecutable(Paths.get("/usr/bin/make")) && Files.isExecutable(Paths.get("/usr/bin/mvn")), "ni make ni Maven ici");
+        ProcessBuilder make = new ProcessBuilder("make", "-s", "target/lancer-base.jar", "MVN=mvn -B -ntp -q -o")
+                .directory(projet.toFile()).redirectErrorStream(true);
+        make.environment().keySet().removeAll(List.of("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
+        Process lance = make.start();
+        String dit = new String(lance.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, lance.waitFor(), dit);
+        assertTrue(Files.exists(projet.resolve("target/lancer-base.jar")), dit);
+    }
+
     @Test
     void makeTestDemandeSiUneMethodeEstRenommee() throws Exception {
         Path projet = corrige("");

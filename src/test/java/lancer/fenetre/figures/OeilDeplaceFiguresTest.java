@@ -88,14 +88,15 @@ class OeilDeplaceFiguresTest {
         vue.montrer(pixel);
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
-        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(camera.getOeil()) - 2, (int) vue.v(camera.getOeil())), "l'œil");
+        Point oeil = camera.getOeil();
+        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(oeil) - 2, (int) vue.v(oeil)), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
             assertTrue(new Color(image.getRGB((int) vue.h(bord), (int) vue.v(bord))).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
-        for (Point passe : new Point[] {milieu(camera.getOeil(), ecran), ecran, milieu(ecran, contact)}) {
+        for (Point passe : new Point[] {milieu(oeil, ecran), ecran, milieu(ecran, contact)}) {
             assertTrue(voisins(image, vue.h(passe), vue.v(passe), true), "le rayon en " + passe);
         }
     }

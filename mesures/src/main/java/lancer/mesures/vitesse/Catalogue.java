@@ -25,7 +25,6 @@ final class Catalogue {
 
     /** Ce que coûte chaque chose, et chaque scène livrée. */
     static final String COUTS = "couts";
-    static final String SCENES = "scenes";
 
     static final String COURS = "scene1";
     static final String PROGRAMME = "programme";
@@ -73,9 +72,6 @@ final class Catalogue {
     /** Ce qui est chronométré. */
     List<Groupe> temps() throws IOException {
         List<Groupe> groupes = CHRONOMETREES.stream().map(this::choix).collect(Collectors.toList());
-        for (String scene : livrees()) {
-            groupes.add(new Groupe(SCENES, scene, COURS).avec(Reglage.UN_RAYON, 0, taille));
-        }
         groupes.add(couts());
         groupes.add(lampes());
         groupes.add(pixels());

@@ -56,11 +56,6 @@ final class Mesure {
         return methode.equals(reglage.methode) && parametres.equals(reglage.parametres);
     }
 
-    /** Dit si ce réglage est plus rapide et plus juste que l'autre, intervalles compris. */
-    boolean bat(Mesure autre) {
-        return rapport.nettementSous(autre.rapport) && erreur.nettementSous(autre.erreur);
-    }
-
     String ligne() {
         return FichierCsv.ligne(volet, scene, methode, parametres, Nombres.champ(x), Nombres.champ(rayons), Nombres.champ(examens),
                 Nombres.champ(erreur.valeur), Nombres.champ(erreur.min), Nombres.champ(erreur.max), Nombres.champ(visibles), compte,

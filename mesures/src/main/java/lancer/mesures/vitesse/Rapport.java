@@ -19,8 +19,7 @@ final class Rapport {
 
     /** Pages du projet que « make mesures » réécrit. */
     static final Path[] PAGES = {Paths.get("README.md"), Paths.get("docs/vitesse-et-precision.md"), Paths.get("docs/stabilite.md"),
-        Paths.get("docs/classe.md"), Paths.get("docs/auto.md"), Paths.get("docs/etendre.md"),
-        Paths.get("mesures/resultats/reglages.md")};
+        Paths.get("docs/classe.md"), Paths.get("docs/auto.md")};
 
     private final Path dossier;
     private final Resultats resultats;

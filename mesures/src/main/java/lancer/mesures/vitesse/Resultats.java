@@ -94,9 +94,4 @@ final class Resultats {
         return scene(scene).toutes.stream().filter(m -> m.rapport.valeur <= temps && pire(m).isPresent())
                 .min(Comparator.comparingDouble(m -> pire(m).get().erreur.valeur));
     }
-
-    /** Le plus rapide des réglages qui battent celui-ci sur sa scène. */
-    Optional<Mesure> vainqueur(Mesure m) {
-        return scene(m.scene).toutes.stream().filter(a -> a.bat(m)).min(Comparator.comparingDouble(a -> a.rapport.valeur));
-    }
 }

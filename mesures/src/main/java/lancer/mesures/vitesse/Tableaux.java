@@ -32,14 +32,10 @@ final class Tableaux {
         Resultats couts = tous.volet(Catalogue.COUTS);
         pages.put("choisir", choisir() + source(choix.toutes, m -> m.chronometre));
         pages.put("resultat", resultat());
-        pages.put("comptes", comptes() + source(choix.toutes, m -> m.compte));
         pages.put("couts", table(Arrays.asList("ce qui change", "temps, divisé par celui du programme sans option", "processeurs",
                 "mémoire"), couts.toutes.stream().map(m -> Arrays.asList(m.nom(), m.estDe(Reglage.UN_RAYON) ? "l'unité"
                 : rapport(m.rapport), processeurs(m), memoire(m))).collect(Collectors.toList()))
                 + source(couts.toutes, m -> m.chronometre));
-        pages.put("options", couts.de(Reglage.MAKE).map(m -> processeurs(m) + " de processeur et " + memoire(m) + " au lieu de "
-                + couts.de(Reglage.UN_RAYON).map(u -> processeurs(u) + " de processeur et " + memoire(u)).orElse("")).orElse(PAS_ENCORE));
-        pages.put("scenes", scenes());
         pages.put("machine", tous.toutes.stream().filter(m -> !m.machine.isEmpty()).findFirst()
                 .map(m -> m.machine + ", commit " + m.chronometre.replace(" ", ", le ")).orElse(PAS_ENCORE));
         return pages;
@@ -52,7 +48,6 @@ final class Tableaux {
         Map<String, Optional<Mesure>> lignes = new LinkedHashMap<>();
         lignes.put("aller au plus vite", choix.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
         lignes.put("le mieux, en deux fois ce temps", choix.lePlusJuste(Catalogue.COURS, 2));
-        lignes.put("le mieux, en quatre fois ce temps", choix.lePlusJuste(Catalogue.COURS, 4));
         lignes.put("deux niveaux au plus", choix.lePlusRapide(Catalogue.COURS, 2));
         lignes.put("un niveau au plus", choix.lePlusRapide(Catalogue.COURS, 1));
         lignes.put("moins que l'arrondi de l'écran", choix.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
@@ -74,7 +69,7 @@ final class Tableaux {
         ecrits.add(m.nom());
         Reglage reglage = Catalogue.reglage(m);
         return "<tr><td colspan=\"6\">\n" + bloc("dans la scène", reglage.section) + bloc("dans un terminal", reglage.commande())
-                + "\n</td></tr>\n";
+                + "</td></tr>\n";
     }
 
     /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
@@ -107,23 +102,6 @@ final class Tableaux {
     }
 
     // ---- les autres
-
-    /** Chaque réglage de chaque scène : rayons, erreur, pixels visiblement faux, temps. */
-    private String comptes() {
-        return table(Arrays.asList("scène", "réglage", "rayons", "erreur, en niveaux", "pixels visiblement faux", "temps",
-                "plus rapide et plus juste"), choix.toutes.stream().map(m -> Arrays.asList("`" + m.scene + "`", m.nom(), rayons(m),
-                Nombres.nombre(m.erreur.valeur) + " (de " + Nombres.nombre(m.erreur.min) + " à " + Nombres.nombre(m.erreur.max) + ")",
-                Nombres.arrondi(100 * m.visibles) + " %", m.estDe(Reglage.UN_RAYON) ? "1" : fois(m.rapport),
-                choix.vainqueur(m).map(Mesure::nom).orElse(""))).collect(Collectors.toList()));
-    }
-
-    /** Ce que demande chaque scène livrée à un rayon par pixel. */
-    private String scenes() {
-        Resultats siennes = tous.volet(Catalogue.SCENES);
-        return table(Arrays.asList("scène", "temps", "processeurs", "mémoire"), siennes.toutes.stream().map(m -> Arrays.asList(
-                "`" + m.scene + "`", avec(siennes.unite() * m.rapport.valeur, " s"), processeurs(m), memoire(m)))
-                .collect(Collectors.toList())) + source(siennes.toutes, m -> m.chronometre);
-    }
 
     private static String processeurs(Mesure m) {
         return avec(m.processeurs, " s");

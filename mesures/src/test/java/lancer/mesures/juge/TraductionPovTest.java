@@ -41,7 +41,8 @@ class TraductionPovTest {
         String loin = String.valueOf(-1024 * Camera.FOCALE);
         assertEquals("#version 3.7;\n"
                 + "global_settings { assumed_gamma 1 ambient_light 0 max_trace_level 6 adc_bailout 9.765625E-4 }\n"
-                + "camera { perspective location <0.0, 0.0, " + loin + "> direction <0.0, 0.0, " + f + "> right <2.0, 0.0, 0.0> up <0.0, 1.5, 0.0> }\n"
+                + "camera { perspective location <0.0, 0.0, " + loin + "> direction <0.0, 0.0, " + f + ">"
+                + " right <2.0, 0.0, 0.0> up <0.0, 1.5, 0.0> }\n"
                 + "sky_sphere {\n"
                 + "  pigment {\n"
                 + "    function { 0.5 + y / 4 }\n"
@@ -66,8 +67,8 @@ class TraductionPovTest {
         Scene scene = new Scene(Arrays.asList(ScenesJugees.boule(5, 0, 0, 1, new Couleur(0.5), new Couleur())), Collections.emptyList());
         String texte = new TraductionPov(scene, 5, new CameraPlacee(ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, new Point(1, 2, 3),
                 new Vecteur(8, 0, 0), 90)).texte(0);
-        assertTrue(texte.contains("location <1024.0, 2048.0, 3072.0> direction <1.0, 0.0, 0.0> right <0.0, 0.0, -2.0> up <0.0, 1.5, 0.0> }"),
-                texte);
+        assertTrue(texte.contains("location <1024.0, 2048.0, 3072.0> direction <1.0, 0.0, 0.0> right <0.0, 0.0, -2.0>"
+                + " up <0.0, 1.5, 0.0> }"), texte);
     }
 
     @Test

@@ -23,12 +23,12 @@ import org.junit.jupiter.api.io.TempDir;
 class BlocsTest {
 
     /**
-     * Un bloc, lignes en retrait, ou un mot de code. {@code Plan}, {@code Nuit} et {@code Damier} n'existent que dans la page qui les fait
+     * Un bloc, lignes en retrait, ou un mot de code. {@code Plan} et {@code Nuit} n'existent que dans la page qui les fait
      * écrire.
      */
     private static final Pattern BLOC = Pattern.compile("(?m)(?:^ {4}.*\\n|^\\n(?= {4}))+|`[^`\\n]+`");
     private static final Pattern SECTION = Pattern.compile(
-            "(?s)(?:;[^\\n]*\\n)*\\[(?!(?:Plan|Nuit|Damier)\\b)[A-Z][a-z]+\\b[^\\]\\n…]*\\].*");
+            "(?s)(?:;[^\\n]*\\n)*\\[(?!(?:Plan|Nuit)\\b)[A-Z][a-z]+\\b[^\\]\\n…]*\\].*");
 
     private static final String SCENE = "[Sphere du test]\ncentre=0 0 5\nrayon=1\n\n[Lampe du test]\nposition=0 9 0\ncouleur=1 1 1\n\n";
 
