@@ -131,31 +131,28 @@ public final class Lancer {
         List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
         List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, paves.size()))
                 .collect(Collectors.toList());
-        equipe.faire(paves.size(), siens.stream().map(sien -> sien.ouvrier(paves, brouillon, choisi, toile, profondeur))
-                .collect(Collectors.toList()));
-        compteurs = new Compteurs();
-        siens.forEach(sien -> compteurs.ajouter(sien.scene.getCompteurs()));
+        equipe.faire(paves.size(), siens.stream().<IntConsumer>map(sien -> rang ->
+                sien.tracer(paves.get(rang), brouillon, choisi, toile, profondeur)).collect(Collectors.toList()));
+        Compteurs total = new Compteurs();
+        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
+        compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }
 
-    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
-    private IntConsumer ouvrier(List<Pave> paves, boolean brouillon, Echantillonnage choisi, Toile toile,
-            int profondeur) {
-        // une lambda serait nommée comme la cause d'un échec : voir Demande.classes
-        final class Ouvrier implements IntConsumer, Vue {
-            @Override
-            public void accept(int rang) {
-                Pave pave = paves.get(rang);
-                if (brouillon) {
-                    TracerBrouillon(pave, toile, profondeur);
-                } else if (choisi == null) {
-                    TracerPixels(pave, toile, profondeur);
-                } else {
-                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
-                }
-                fautes.peindre(pave, toile);
-            }
+    /** Dessine un pavé dans un fil, dont ce lancer est à lui seul. */
+    private void tracer(Pave pave, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+        if (brouillon) {
+            TracerBrouillon(pave, toile, profondeur);
+        } else if (choisi == null) {
+            TracerPixels(pave, toile, profondeur);
+        } else {
+            scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, vue(profondeur), toile);
+        }
+        fautes.peindre(pave, toile);
+    }
 
+    private Vue vue(int profondeur) {
+        return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
                 return getCouleurPixel(xe, ye, profondeur);
@@ -165,8 +162,7 @@ public final class Lancer {
             public Compteurs compteurs() {
                 return scene.getCompteurs();
             }
-        }
-        return new Ouvrier();
+        };
     }
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
