@@ -17,9 +17,9 @@ import javax.swing.UIManager;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Apports;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 import lancer.inspection.Inspection;
 
 /** La figure du cours, vue de côté : l'œil, l'écran, les sphères et les rayons (z à droite, y en haut). */
