@@ -94,9 +94,14 @@ public final class Lancer {
         }
     }
 
-    void TracerPixels(Pave pave, Toile toile, int profondeur) {
-        for (int j = pave.j0; j < pave.j1; j++) {
-            for (int i = pave.i0; i < pave.i1; i++) {
+    /** Dessine ces pixels d'un pavé. @param prepare échantillonnage, {@code null} pour un rayon au centre de chacun */
+    public void TracerPixels(Pave pave, Pave voulus, Echantillonnage prepare, Toile toile, int profondeur) {
+        if (prepare != null) {
+            scene.getCompteurs().pixelsRaffines += prepare.tracer(pave, voulus, vue(profondeur), toile);
+            return;
+        }
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
                 toile.drawPixel(getCouleurPixel(i + 0.5, j + 0.5, profondeur), i, j);
             }
         }
@@ -126,36 +131,31 @@ public final class Lancer {
     }
 
     /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. */
-    private void partager(int fils, boolean brouillon, Echantillonnage choisi, Toile toile, int profondeur) {
+    private void partager(int fils, boolean brouillon, Echantillonnage prepare, Toile toile, int profondeur) {
         long debut = System.nanoTime();
         List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
         List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, paves.size()))
                 .collect(Collectors.toList());
-        equipe.faire(paves.size(), siens.stream().map(sien -> sien.ouvrier(paves, brouillon, choisi, toile, profondeur))
-                .collect(Collectors.toList()));
-        compteurs = new Compteurs();
-        siens.forEach(sien -> compteurs.ajouter(sien.scene.getCompteurs()));
+        equipe.faire(paves.size(), siens.stream().<IntConsumer>map(sien -> rang ->
+                sien.tracer(paves.get(rang), brouillon, prepare, toile, profondeur)).collect(Collectors.toList()));
+        Compteurs total = new Compteurs();
+        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
+        compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }
 
-    /** Le travail d'un fil, dont ce lancer est à lui seul : dessiner le pavé de chaque rang. */
-    private IntConsumer ouvrier(List<Pave> paves, boolean brouillon, Echantillonnage choisi, Toile toile,
-            int profondeur) {
-        // une lambda serait nommée comme la cause d'un échec : voir Demande.classes
-        final class Ouvrier implements IntConsumer, Vue {
-            @Override
-            public void accept(int rang) {
-                Pave pave = paves.get(rang);
-                if (brouillon) {
-                    TracerBrouillon(pave, toile, profondeur);
-                } else if (choisi == null) {
-                    TracerPixels(pave, toile, profondeur);
-                } else {
-                    scene.getCompteurs().pixelsRaffines += choisi.tracer(pave, pave, this, toile);
-                }
-                fautes.peindre(pave, toile);
-            }
+    /** Dessine un pavé dans un fil, dont ce lancer est à lui seul. */
+    private void tracer(Pave pave, boolean brouillon, Echantillonnage prepare, Toile toile, int profondeur) {
+        if (brouillon) {
+            TracerBrouillon(pave, toile, profondeur);
+        } else {
+            TracerPixels(pave, pave, prepare, toile, profondeur);
+        }
+        fautes.peindre(pave, toile);
+    }
 
+    private Vue vue(int profondeur) {
+        return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
                 return getCouleurPixel(xe, ye, profondeur);
@@ -165,8 +165,7 @@ public final class Lancer {
             public Compteurs compteurs() {
                 return scene.getCompteurs();
             }
-        }
-        return new Ouvrier();
+        };
     }
 
     /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */

@@ -24,8 +24,7 @@ final class Lumiere {
         this.ecoute = ecoute;
         this.seuil = seuil;
         if (ecoute != null) {
-            ecoute.segment().N = new Vecteur(N.x, N.y, N.z);
-            ecoute.segment().R = new Vecteur(R.x, R.y, R.z);
+            ecoute.normale(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
         }
     }
 
@@ -41,12 +40,7 @@ final class Lumiere {
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
         Couleur diffus = Kd.mul(cosinus, KL);
         if (ecoute != null) {
-            Ecoute.Terme dit = ecoute.terme();
-            dit.cosinus = cosinus;
-            dit.eclat = eclat;
-            dit.diffus = new Couleur(diffus.r, diffus.v, diffus.b);
-            dit.reflet = Ks.mul(eclat, KL);
-            dit.produit = dit.diffus.add(dit.reflet);
+            ecoute.apport(cosinus, eclat, Kd.mul(cosinus, KL), Ks.mul(eclat, KL));
         }
         return diffus.add(eclat, Ks, KL);
     }
@@ -54,7 +48,7 @@ final class Lumiere {
     /** Dit si le rayon réfléchi doit être lancé : la plus grande composante du produit des Ks atteint le seuil. */
     boolean vautUnReflet(Couleur produitKs) {
         if (ecoute != null) {
-            ecoute.segment().poids = new Couleur(produitKs.r, produitKs.v, produitKs.b);
+            ecoute.poids(new Couleur(produitKs.r, produitKs.v, produitKs.b));
         }
         return produitKs.max() >= seuil;
     }
@@ -62,7 +56,7 @@ final class Lumiere {
     /** Ajoute l'apport d'une lampe visible, ou la couleur du rayon réfléchi multipliée par Ks. */
     void ajouter(Couleur c) {
         if (ecoute != null) {
-            ecoute.terme().ajouts.add(new Couleur(c.r, c.v, c.b));
+            ecoute.ajouter(new Couleur(c.r, c.v, c.b));
         }
         r += c.r;
         v += c.v;

@@ -118,7 +118,9 @@ public final class Scene {
             return false;
         }
         compteurs.ombre++;
-        Ecoute.ombre(modele.getEcoute(), L, distance);
+        if (modele.getEcoute() != null) {
+            modele.getEcoute().ombre(new Vecteur(L.x, L.y, L.z), distance);
+        }
         if (estLointaine(lampe, contact)) {
             double milieu = distance / 2;
             return estCacheeDe(contact, L, milieu, objet, lampe)
@@ -176,11 +178,16 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
-        Ecoute.rayon(modele.getEcoute(), rayon.getV(), contact);
+        Ecoute ecoute = modele.getEcoute();
+        if (ecoute != null) {
+            ecoute.rayon(new Vecteur(rayon.getV().x, rayon.getV().y, rayon.getV().z), contact);
+        }
         Couleur couleur = contact == null ? rayon.getSkyColor()
                 : contact.objet.getColor(this, rayon, contact, profondeur);
         Couleur vue = modele.getAtmosphere().traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
-        Ecoute.vue(modele.getEcoute(), couleur, vue);
+        if (ecoute != null) {
+            ecoute.vue(new Couleur(couleur.r, couleur.v, couleur.b), new Couleur(vue.r, vue.v, vue.b));
+        }
         return vue;
     }
 

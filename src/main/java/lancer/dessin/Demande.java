@@ -92,18 +92,12 @@ public final class Demande {
                 + getCommande(" --pixel " + faute.x + "," + faute.y));
     }
 
-    /**
-     * Classes où situer un échec, par ordre de préférence. Celles des objets, de l'air et du reflet viennent d'abord,
-     * puis celles du cours, puis l'échantillonnage, présent dans toutes les piles, puis toute classe hors de Java.
-     */
+    /** Classes où situer un échec : celles des objets, de l'air et du reflet ; à défaut, toute autre qui calcule. */
     static String[] classes(Scene scene) {
         Modele modele = scene.getModele();
-        // les contrats par défaut de la base ne peuvent être la cause de l'échec
-        String siennes = Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
-                scene.getObjets().stream()).map(Modele::nom).distinct()
-                .filter(nom -> !nom.startsWith("lancer.contrat.")).map(Pattern::quote).collect(Collectors.joining("|"));
-        return new String[] {siennes, "lancer\\.(?!Main)[A-Z]\\w*", modele.getEchantillonnage() == null ? ""
-                : Pattern.quote(Modele.nom(modele.getEchantillonnage())), Pile.HORS_DE_JAVA};
+        return new String[] {Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
+                scene.getObjets().stream()).map(Modele::nom).distinct().map(Pattern::quote)
+                .collect(Collectors.joining("|")), "(?!lancer.(contrat|image|Main))" + Pile.HORS_DE_JAVA};
     }
 
     /** Deux demandes égales donnent la même image de la même lecture. */

@@ -1,8 +1,8 @@
 package lancer.inspection;
 
 import lancer.Couleur;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 
 /** Ce que les termes notés d'un segment expliquent de sa couleur. */
 public final class Apports {

@@ -16,14 +16,13 @@ import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Equipe;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 
 /**
  * Explication d'un pixel. Le pixel est dessiné selon l'échantillonnage de la scène, avec les autres pixels de son pavé
@@ -40,7 +39,7 @@ public final class Inspection implements Vue, Toile {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Ecoute ecoute = new Ecoute();
+    private final Chemin chemin = new Chemin();
     private final Equipe equipe = new Equipe("lancer");
     private final Lancer lancer;
     private Couleur couleur;
@@ -63,7 +62,7 @@ public final class Inspection implements Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        lancer = new Lancer(scene.avec(scene.getModele().avec(ecoute)), camera);
+        lancer = new Lancer(scene.avec(scene.getModele().avec(chemin)), camera);
     }
 
     /** Explique l'échantillon le plus proche du centre. @throws CancellationException si ce fil est interrompu */
@@ -106,7 +105,7 @@ public final class Inspection implements Vue, Toile {
     /** Cherche l'objet qui cache chaque lampe cachée : le calcul de la couleur n'a pas besoin de le nommer. */
     private void chercherLesObstacles() {
         Scene sienne = scene.avec(scene.getModele());
-        for (Segment segment : ecoute.segments) {
+        for (Segment segment : chemin.segments) {
             segment.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
                     .forEach(lampe -> lampe.cache = obstacle(lampe, segment.contact, sienne));
         }
@@ -153,7 +152,7 @@ public final class Inspection implements Vue, Toile {
 
     /** Le rayon initial, puis les rayons réfléchis. */
     public List<Segment> getSegments() {
-        return ecoute.segments;
+        return chemin.segments;
     }
 
     /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */

@@ -15,9 +15,9 @@ import lancer.Rayon;
 import lancer.Sphere;
 import lancer.Tuple;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
 import lancer.contrat.Specularite;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 import lancer.texte.Nombre;
 import lancer.texte.Pile;
 

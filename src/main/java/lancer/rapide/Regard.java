@@ -20,7 +20,6 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Recherche;
 import lancer.contrat.Toile;
-import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
 
 /**
@@ -157,7 +156,6 @@ public final class Regard {
         lancer.getFautes().tolerer();
         Echantillonnage choisi = modele.getEchantillonnage() == null ? null
                 : modele.getEchantillonnage().pour(scene.getObjets(), camera);
-        Vue vue = (xe, ye) -> lancer.getCouleurPixel(xe, ye, profondeur);
         boolean[] differe = new boolean[1];
         Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
         int combien = Math.min(PIXELS, image.largeur * image.hauteur / UN_SUR);
@@ -165,12 +163,8 @@ public final class Regard {
                 && lancer.getScene().getCompteurs().testsSpheres < EXAMENS; k++) {
             int i = hasard.nextInt(image.largeur);
             int j = hasard.nextInt(image.hauteur);
-            if (choisi == null) {
-                comparaison.drawPixel(vue.couleur(i + 0.5, j + 0.5), i, j);
-            } else {
-                choisi.tracer(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), vue,
-                        comparaison);
-            }
+            lancer.TracerPixels(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), choisi,
+                    comparaison, profondeur);
         }
         return differe[0];
     }

@@ -124,7 +124,7 @@ class AjoutsTest {
         // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
         MOBILE + "Lancer|Echantillonnage prepare =|"
                 + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
-        MOBILE + "Lancer|Pave pave = paves.get|placer(scene, rang < 7 ? 1 : 0); Pave pave = paves.get",
+        MOBILE + "Lancer|if (brouillon) {|placer(scene, pave.i0 < 64 ? 1 : 0); if (brouillon) {",
         MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
                 + "|Lancer|equipe.obeir();|placer(scene, 1); equipe.obeir();",
         MOBILE + "Lancer|equipe.faire(paves.size(),|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(paves.size(),",

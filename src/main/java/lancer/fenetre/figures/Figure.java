@@ -17,9 +17,9 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Apports;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 import lancer.inspection.Inspection;
 
 /** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */

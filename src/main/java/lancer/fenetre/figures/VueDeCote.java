@@ -18,9 +18,9 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute.Segment;
-import lancer.contrat.Ecoute.Terme;
 import lancer.inspection.Apports;
+import lancer.inspection.Chemin.Segment;
+import lancer.inspection.Chemin.Terme;
 import lancer.inspection.Inspection;
 
 /** La figure du cours, vue de côté : l'œil, et à sa droite l'écran, les sphères et les rayons. */
