@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.io.File;
@@ -17,9 +16,6 @@ import lancer.texte.Texte;
 final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
-
-    /** Place laissée au cadre d'un dialogue sur un petit écran. */
-    private static final int BORDS = 40;
 
     /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
     private static boolean ouvert;
@@ -80,10 +76,6 @@ final class Dialogues {
         ouvert = true;
         choix.setDialogTitle(titre);
         choix.setFileFilter(filtre);
-        // un nom de fichier très long donne au dialogue plus que la largeur de l'écran
-        Dimension voulue = choix.getPreferredSize();
-        choix.setPreferredSize(new Dimension(Math.min(voulue.width, ecran().width - BORDS),
-                Math.min(voulue.height, ecran().height - BORDS)));
         int reponse = choix.showDialog(parent, null);
         ouvert = false;
         // certains bureaux ne rendent pas le clavier à la fenêtre après un dialogue

@@ -45,7 +45,7 @@ final class Fenetre {
     /** La taille de l'image demandée par la ligne de commande. */
     private final Dimension demandee;
     private final BarreEtat barre = new BarreEtat();
-    private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
+    private final Timer horloge = new Timer(PERIODE_MS, e -> rafraichir());
     private final Runnable fin;
     /** Vrai si l'image remplit la fenêtre. */
     boolean remplie;
@@ -157,8 +157,7 @@ final class Fenetre {
     /** Montre l'image d'avant, tant que sa touche est tenue. */
     void tenir(boolean tenue) {
         panneau.tenue = tenue && controleur.avant != null ? controleur.avant.image : null;
-        panneau.repaint();
-        decrire();
+        rafraichir();
     }
 
     /** Arrête le dessin en cours ou, à défaut, ferme le panneau. */
@@ -201,35 +200,29 @@ final class Fenetre {
         }
         cadre.setTitle(controleur.fichier == null ? programme : programme + " — "
                 + new File(controleur.fichier).getName() + (prise.estDeplace() ? " •" : ""));
-        observer();
+        rafraichir();
+    }
+
+    /** Montre l'image, et où en est le dessin. */
+    private void rafraichir() {
+        panneau.repaint();
         decrire();
     }
 
-    private void observer() {
-        Travail travail = controleur.travail;
-        String avancement = travail == null ? "" : travail.dire();
-        barre.avancer(controleur.enCours ? travail.getAvancement() : 0, avancement);
-        if (controleur.enCours || !controleur.entiere) {
-            barre.resumer(avancement);
-        }
-        panneau.repaint();
-        direPixel();
-    }
-
-    /** Dit le coût de l'image montrée, si elle est achevée, et le pixel sous la souris. */
+    /** Dit l'avancement du travail ou, s'il est achevé, le coût de l'image ; et le pixel sous la souris. */
     private void decrire() {
-        Dessin dessin = panneau.tenue != null ? controleur.avant : controleur.montre;
-        if (panneau.tenue != null || controleur.entiere && !controleur.enCours) {
-            String resume = (panneau.tenue != null ? "avant : " : "") + BarreEtat.resume(dessin.image,
-                    panneau.getReduction(dessin.image)) + ", " + Controleur.decrire(dessin);
-            barre.resumer(resume);
-            panneau.getAccessibleContext().setAccessibleDescription(resume);
+        Travail travail = controleur.travail;
+        boolean tenue = panneau.tenue != null;
+        Dessin dessin = tenue ? controleur.avant : controleur.montre;
+        String texte = travail == null ? "" : travail.dire();
+        barre.avancer(controleur.enCours ? travail.getAvancement() : 0, texte);
+        if (tenue || controleur.entiere && !controleur.enCours) {
+            texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin.image, panneau.getReduction(dessin.image))
+                    + ", " + Controleur.decrire(dessin);
+            panneau.getAccessibleContext().setAccessibleDescription(texte);
         }
-        direPixel();
-    }
-
-    private void direPixel() {
+        barre.resumer(texte);
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, panneau.tenue == null && !controleur.entiere);
+        barre.montrerPixel(panneau.getPixelSouris(image), image, !tenue && !controleur.entiere);
     }
 }
