@@ -94,20 +94,13 @@ final class Fenetre {
                 tenir(false);
             }
         });
-        ComponentAdapter tailleEtPlace = new ComponentAdapter() {
+        panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 controleur.ajuster();
                 decrire();
             }
-
-            @Override
-            public void componentMoved(ComponentEvent e) {
-                panneau.perdreSouris();
-            }
-        };
-        panneau.addComponentListener(tailleEtPlace);
-        cadre.addComponentListener(tailleEtPlace);
+        });
     }
 
     /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} @param version celle du fichier lu */

@@ -105,7 +105,8 @@ final class PanneauImage extends JPanel {
 
         @Override
         public void mouseExited(MouseEvent e) {
-            perdreSouris();
+            souris = null;
+            siBouge.run();
         }
 
         @Override
@@ -125,12 +126,6 @@ final class PanneauImage extends JPanel {
                 grossir(e.getWheelRotation() < 0);
             }
         }
-    }
-
-    /** Oublie la position de la souris : elle est sortie, ou la fenêtre s'est déplacée. */
-    void perdreSouris() {
-        souris = null;
-        siBouge.run();
     }
 
     ImageMemoire getVisible() {
