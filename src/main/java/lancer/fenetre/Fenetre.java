@@ -103,8 +103,8 @@ final class Fenetre {
         });
     }
 
-    /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} @param version celle du fichier lu */
-    void montrer(Travail premier, String version) {
+    /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} */
+    void montrer(Travail premier) {
         Rectangle ecran = Dialogues.ecran();
         // les bords du cadre sont alors connus ; réduit après coup, il reprend parfois sa taille d'avant
         cadre.addNotify();
@@ -118,7 +118,7 @@ final class Fenetre {
             panneau.bandeau.dire(Sujet.AVIS, "Ctrl+O pour ouvrir une scène");
             EventQueue.invokeLater(this::choisirScene);
         } else {
-            controleur.ouvrir(premier, version);
+            controleur.ouvrir(premier);
         }
         suivre();
         cadre.setVisible(true);
