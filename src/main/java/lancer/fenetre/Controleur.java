@@ -77,9 +77,9 @@ final class Controleur {
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
-    void ouvrir(Travail premier, String version) {
-        fichier = premier.fichier;
-        surveillance.suivre(fichier, version);
+    void ouvrir(Travail premier) {
+        fichier = premier.demande.lecture.fichier;
+        surveillance.suivre(fichier, premier.version);
         adopter(premier.demande);
         commencer(premier);
     }
@@ -88,7 +88,7 @@ final class Controleur {
     void ouvrir(String scene) {
         retenir();
         fichier = scene;
-        commencer(new Travail(moteur, scene, demande));
+        commencer(new Travail(moteur, scene, demande, null));
     }
 
     void relire() {
@@ -168,7 +168,7 @@ final class Controleur {
     /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
     private void dessiner() {
         if (enCours ? !demande.equals(travail.demande) : !entiere || !demande.equals(montre.demande)) {
-            commencer(new Travail(moteur, demande, avant == null ? null : avant.image));
+            commencer(new Travail(moteur, null, demande, avant == null ? null : avant.image));
         }
     }
 
@@ -196,7 +196,7 @@ final class Controleur {
         }
         // sans image, un brouillon se montre dès son début
         if (montre != celui.dessin && (montre == null || celui.aSonBrouillon())) {
-            if (celui.lit) {
+            if (celui.aLire != null) {
                 adopter(celui.demande);
             }
             montre = celui.dessin;
@@ -241,15 +241,17 @@ final class Controleur {
             }
         }
         if (echec instanceof SceneFautive && !celui.lue) {
-            refuser(Messages.message(echec));
+            boolean autre = demande != null && !demande.lecture.fichier.equals(fichier);
+            panneau.bandeau.dire(Sujet.SCENE, Messages.message(echec) + (autre ? "\nl'image qui reste est celle de "
+                    + new File(demande.lecture.fichier).getName() : ""));
         } else if (fautes != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
                     + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
-        if (echec != null && celui.lue && !demande.equals(celui.demande)) {
-            // autre chose a été demandé avant cet échec
+        if (echec != null && demande != null && (!celui.lue || !demande.equals(celui.demande))) {
+            // la lecture a interrompu le dessin d'avant, ou autre chose a été demandé avant cet échec
             dessiner();
         }
         avertir();
@@ -264,16 +266,5 @@ final class Controleur {
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
         return montre == null ? null : montre.lancer.getFautes().enMots();
-    }
-
-    /** Dit la faute de la scène demandée, et de quelle scène est l'image qui reste. */
-    private void refuser(String message) {
-        boolean autre = demande != null && !demande.lecture.fichier.equals(fichier);
-        panneau.bandeau.dire(Sujet.SCENE, message + (autre ? "\nl'image qui reste est celle de "
-                + new File(demande.lecture.fichier).getName() : ""));
-        if (demande != null) {
-            // la lecture a interrompu le dessin de la scène d'avant : il est repris
-            dessiner();
-        }
     }
 }

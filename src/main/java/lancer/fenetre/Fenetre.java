@@ -45,7 +45,7 @@ final class Fenetre {
     /** La taille de l'image demandée par la ligne de commande. */
     private final Dimension demandee;
     private final BarreEtat barre = new BarreEtat();
-    private final Timer horloge = new Timer(PERIODE_MS, e -> observer());
+    private final Timer horloge = new Timer(PERIODE_MS, e -> rafraichir());
     private final Runnable fin;
     /** Vrai si l'image remplit la fenêtre. */
     boolean remplie;
@@ -94,24 +94,17 @@ final class Fenetre {
                 tenir(false);
             }
         });
-        ComponentAdapter tailleEtPlace = new ComponentAdapter() {
+        panneau.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 controleur.ajuster();
                 decrire();
             }
-
-            @Override
-            public void componentMoved(ComponentEvent e) {
-                panneau.perdreSouris();
-            }
-        };
-        panneau.addComponentListener(tailleEtPlace);
-        cadre.addComponentListener(tailleEtPlace);
+        });
     }
 
-    /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} @param version celle du fichier lu */
-    void montrer(Travail premier, String version) {
+    /** Montre le cadre. @param premier le dessin de la scène lue, ou {@code null} */
+    void montrer(Travail premier) {
         Rectangle ecran = Dialogues.ecran();
         // les bords du cadre sont alors connus ; réduit après coup, il reprend parfois sa taille d'avant
         cadre.addNotify();
@@ -125,7 +118,7 @@ final class Fenetre {
             panneau.bandeau.dire(Sujet.AVIS, "Ctrl+O pour ouvrir une scène");
             EventQueue.invokeLater(this::choisirScene);
         } else {
-            controleur.ouvrir(premier, version);
+            controleur.ouvrir(premier);
         }
         suivre();
         cadre.setVisible(true);
@@ -157,8 +150,7 @@ final class Fenetre {
     /** Montre l'image d'avant, tant que sa touche est tenue. */
     void tenir(boolean tenue) {
         panneau.tenue = tenue && controleur.avant != null ? controleur.avant.image : null;
-        panneau.repaint();
-        decrire();
+        rafraichir();
     }
 
     /** Arrête le dessin en cours ou, à défaut, ferme le panneau. */
@@ -201,35 +193,29 @@ final class Fenetre {
         }
         cadre.setTitle(controleur.fichier == null ? programme : programme + " — "
                 + new File(controleur.fichier).getName() + (prise.estDeplace() ? " •" : ""));
-        observer();
+        rafraichir();
+    }
+
+    /** Montre l'image, et où en est le dessin. */
+    private void rafraichir() {
+        panneau.repaint();
         decrire();
     }
 
-    private void observer() {
-        Travail travail = controleur.travail;
-        String avancement = travail == null ? "" : travail.dire();
-        barre.avancer(controleur.enCours ? travail.getAvancement() : 0, avancement);
-        if (controleur.enCours || !controleur.entiere) {
-            barre.resumer(avancement);
-        }
-        panneau.repaint();
-        direPixel();
-    }
-
-    /** Dit le coût de l'image montrée, si elle est achevée, et le pixel sous la souris. */
+    /** Dit l'avancement du travail ou, s'il est achevé, le coût de l'image ; et le pixel sous la souris. */
     private void decrire() {
-        Dessin dessin = panneau.tenue != null ? controleur.avant : controleur.montre;
-        if (panneau.tenue != null || controleur.entiere && !controleur.enCours) {
-            String resume = (panneau.tenue != null ? "avant : " : "") + BarreEtat.resume(dessin.image,
-                    panneau.getReduction(dessin.image)) + ", " + Controleur.decrire(dessin);
-            barre.resumer(resume);
-            panneau.getAccessibleContext().setAccessibleDescription(resume);
+        Travail travail = controleur.travail;
+        boolean tenue = panneau.tenue != null;
+        Dessin dessin = tenue ? controleur.avant : controleur.montre;
+        String texte = travail == null ? "" : travail.dire();
+        barre.avancer(controleur.enCours ? travail.getAvancement() : 0, texte);
+        if (tenue || controleur.entiere && !controleur.enCours) {
+            texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin.image, panneau.getReduction(dessin.image))
+                    + ", " + Controleur.decrire(dessin);
+            panneau.getAccessibleContext().setAccessibleDescription(texte);
         }
-        direPixel();
-    }
-
-    private void direPixel() {
+        barre.resumer(texte);
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, panneau.tenue == null && !controleur.entiere);
+        barre.montrerPixel(panneau.getPixelSouris(image), image, !tenue && !controleur.entiere);
     }
 }

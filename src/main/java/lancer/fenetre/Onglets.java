@@ -23,8 +23,8 @@ final class Onglets extends JSplitPane {
     private final Runnable siChange;
     private final JTabbedPane onglets = new JTabbedPane();
     private final Supplier<Map<String, JComponent>> contenus;
-    /** Largeur du panneau à sa dernière ouverture, et largeur que le cadre y a gagnée. */
-    private int largeur = Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
+    /** Largeur du panneau, et ce que le cadre a gagné de largeur à son ouverture. */
+    private final int largeur = Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
     private int gagne;
 
     /**
@@ -78,7 +78,6 @@ final class Onglets extends JSplitPane {
 
     void fermer() {
         if (estOuvert()) {
-            largeur = onglets.getWidth();
             setRightComponent(null);
             setDividerSize(0);
             if (cadre.getExtendedState() == Frame.NORMAL) {

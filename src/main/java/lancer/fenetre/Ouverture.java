@@ -59,14 +59,15 @@ public final class Ouverture {
         Fenetre[] ouverte = new Fenetre[1];
         try {
             EventQueue.invokeAndWait(() -> {
-                Travail premier = demande == null ? null : new Travail(moteur, demande, null);
+                Travail premier = demande == null ? null : new Travail(moteur, null, demande, null);
                 if (premier != null) {
                     // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
+                    premier.version = version;
                     premier.execute();
                 }
                 ouverte[0] = new Fenetre(moteur, LecteurSections.nomsDesVariantes(), fin);
                 new Commandes(ouverte[0]);
-                ouverte[0].montrer(premier, version);
+                ouverte[0].montrer(premier);
             });
         } catch (InvocationTargetException e) {
             throw Echec.machine(Messages.message(e.getCause()));

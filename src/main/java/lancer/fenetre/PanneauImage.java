@@ -49,10 +49,9 @@ final class PanneauImage extends JPanel {
     /** Pixel à garder en vue à la loupe, ou {@code null}. */
     private Point suivi;
 
-    /** Grossissement de la loupe, 0 sans loupe ; point de l'image au milieu, en parts de ses côtés. */
+    /** Grossissement de la loupe, 0 sans loupe ; la place voulue du coin de l'image grossie. */
     private int loupe;
-    private double centreX = 0.5;
-    private double centreY = 0.5;
+    private Point coin = new Point();
 
     /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique appelé après un clic sur l'image */
     PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
@@ -106,7 +105,8 @@ final class PanneauImage extends JPanel {
 
         @Override
         public void mouseExited(MouseEvent e) {
-            perdreSouris();
+            souris = null;
+            siBouge.run();
         }
 
         @Override
@@ -114,8 +114,8 @@ final class PanneauImage extends JPanel {
             if (loupe > 0 && souris != null && !e.isShiftDown()) {
                 Point avant = souris;
                 placer(e);
-                centrer(centreX - (souris.x - avant.x) / (double) (loupe * montree.largeur),
-                        centreY - (souris.y - avant.y) / (double) (loupe * montree.hauteur));
+                Rectangle place = getPlace(montree);
+                poser(place.x + souris.x - avant.x, place.y + souris.y - avant.y);
             }
         }
 
@@ -126,12 +126,6 @@ final class PanneauImage extends JPanel {
                 grossir(e.getWheelRotation() < 0);
             }
         }
-    }
-
-    /** Oublie la position de la souris : elle est sortie, ou la fenêtre s'est déplacée. */
-    void perdreSouris() {
-        souris = null;
-        siBouge.run();
     }
 
     ImageMemoire getVisible() {
@@ -157,14 +151,19 @@ final class PanneauImage extends JPanel {
                 Math.max(1, (int) Math.round(rapport * hauteur)));
     }
 
-    /** Position de l'image à l'écran ; à la loupe, elle déborde. */
+    /** Position de l'image à l'écran : au milieu ou, à la loupe, autour du milieu. */
     private Rectangle getPlace(ImageMemoire image) {
         Dimension libre = getLibre();
+        if (loupe > 0) {
+            int l = loupe * image.largeur;
+            int h = loupe * image.hauteur;
+            return new Rectangle(Math.max(libre.width / 2 - l, Math.min(libre.width / 2, coin.x)),
+                    Math.max(libre.height / 2 - h, Math.min(libre.height / 2, coin.y)), l, h);
+        }
         Dimension max = getTailleMax(image.largeur, image.hauteur);
-        int l = loupe > 0 ? loupe * image.largeur : Math.min(image.largeur, max.width);
-        int h = loupe > 0 ? loupe * image.hauteur : Math.min(image.hauteur, max.height);
-        return new Rectangle((int) Math.ceil(libre.width / 2.0 - centreX * l - 0.5),
-                (int) Math.ceil(libre.height / 2.0 - centreY * h - 0.5), l, h);
+        int l = Math.min(image.largeur, max.width);
+        int h = Math.min(image.hauteur, max.height);
+        return new Rectangle((libre.width - l) / 2, (libre.height - h) / 2, l, h);
     }
 
     /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
@@ -191,15 +190,9 @@ final class PanneauImage extends JPanel {
         Point ici = souris == null ? new Point(libre.width / 2, libre.height / 2) : souris;
         Rectangle place = getPlace(montree);
         loupe = autre;
-        if (loupe == 0) {
-            centrer(0.5, 0.5);
-        } else {
-            // à une place entière, le pixel sous la souris y reste, même après plusieurs crans
-            double l = loupe * montree.largeur;
-            double h = loupe * montree.hauteur;
-            centrer((libre.width / 2.0 - ici.x + Math.round((ici.x - place.x) * l / place.width)) / l,
-                    (libre.height / 2.0 - ici.y + Math.round((ici.y - place.y) * h / place.height)) / h);
-        }
+        // le pixel sous la souris y reste
+        poser(ici.x - (int) Math.round((ici.x - place.x) * (double) loupe * montree.largeur / place.width),
+                ici.y - (int) Math.round((ici.y - place.y) * (double) loupe * montree.hauteur / place.height));
     }
 
     /** Garde ce pixel de l'image visible à la loupe ; {@code null} pour aucun. */
@@ -209,14 +202,13 @@ final class PanneauImage extends JPanel {
             Rectangle place = getPlace(montree);
             Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
             if (!new Rectangle(getLibre()).contains(carre)) {
-                centrer((suivi.x + 0.5) / montree.largeur, (suivi.y + 0.5) / montree.hauteur);
+                poser(getLibre().width / 2 - loupe * suivi.x, getLibre().height / 2 - loupe * suivi.y);
             }
         }
     }
 
-    private void centrer(double x, double y) {
-        centreX = Math.max(0, Math.min(1, x));
-        centreY = Math.max(0, Math.min(1, y));
+    private void poser(int x, int y) {
+        coin = new Point(x, y);
         repaint();
         siBouge.run();
     }

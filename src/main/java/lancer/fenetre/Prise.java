@@ -97,9 +97,12 @@ final class Prise extends MouseAdapter {
         String fichier = controleur.demande.lecture.fichier;
         disque.confier(() -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue)),
                 () -> {
-                    lue = voulue;
-                    avant.clear();
-                    controleur.avertir();
+                    // une autre scène a pu être lue depuis
+                    if (lue == celle) {
+                        lue = voulue;
+                        avant.clear();
+                        controleur.avertir();
+                    }
                     return "écrit dans " + Texte.echappe(new File(fichier).getName());
                 });
     }

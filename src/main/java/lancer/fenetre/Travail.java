@@ -18,9 +18,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
-    final String fichier;
-    /** Vrai si ce travail lit la scène. */
-    final boolean lit;
+    final String aLire;
     private final Moteur moteur;
     /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
     volatile Demande demande;
@@ -38,32 +36,26 @@ final class Travail extends SwingWorker<Void, Runnable> {
     /** Celui qui montre ce travail. Le premier commence avant que la fenêtre soit faite. */
     Controleur controleur;
 
-    /** Dessine cette scène lue. @param reference l'image à laquelle une vue se compare, ou {@code null} */
-    Travail(Moteur moteur, Demande demande, ImageMemoire reference) {
-        this(moteur, demande.lecture.fichier, false, demande, reference);
-    }
-
-    /** Lit ce fichier, puis dessine la scène. @param avant la demande dont les réglages sont gardés, ou {@code null} */
-    Travail(Moteur moteur, String fichier, Demande avant) {
-        this(moteur, fichier, true, avant, null);
-    }
-
-    private Travail(Moteur moteur, String fichier, boolean lit, Demande demande, ImageMemoire reference) {
+    /**
+     * @param aLire le fichier de la scène à lire, ou {@code null} si elle est lue
+     * @param demande ce qui est à dessiner ; d'une scène à lire, les réglages à garder, ou {@code null}
+     * @param reference l'image à laquelle une vue se compare, ou {@code null}
+     */
+    Travail(Moteur moteur, String aLire, Demande demande, ImageMemoire reference) {
         this.moteur = moteur;
-        this.fichier = fichier;
-        this.lit = lit;
+        this.aLire = aLire;
         this.demande = demande;
         boolean comparable = reference != null && reference.largeur == demande.largeur
                 && reference.hauteur == demande.hauteur;
         this.reference = comparable ? reference : null;
-        lue = !lit;
+        lue = aLire == null;
     }
 
     @Override
     protected Void doInBackground() {
-        if (lit) {
-            version = FichierScene.version(fichier);
-            Demande initiale = moteur.lire(fichier, part -> partLue = part);
+        if (aLire != null) {
+            version = FichierScene.version(aLire);
+            Demande initiale = moteur.lire(aLire, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;
             publish(() -> controleur.lue(this));

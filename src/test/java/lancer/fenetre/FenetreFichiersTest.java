@@ -1,9 +1,7 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.composant;
 import static lancer.fenetre.BancFenetre.faire;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -11,18 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Rectangle;
-import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.Collections;
 import javax.swing.AbstractButton;
-import javax.swing.JFileChooser;
-import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.essai.Essai;
@@ -137,26 +129,6 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals(faute, BancFenetre.copie());
         banc.frapper(KeyEvent.VK_ESCAPE);
         assertEquals(faute, banc.message());
-    }
-
-    @Test
-    void leChoixDUnFichierTientDansLEcranQuelleQueSoitSaPropreTaille() throws Exception {
-        ouvrir();
-        Rectangle ecran = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-        String cle = "FileChooser.filesOfTypeLabelText";
-        Object avant = UIManager.put(cle, String.join(" ", Collections.nCopies(ecran.width / 4, "type")));
-        try {
-            for (char touche : new char[] {'o', 's'}) {
-                banc.frapperCtrl(touche);
-                JFileChooser choix = composant(null, JFileChooser.class);
-                Rectangle place = surFilEvenements(() -> SwingUtilities.getWindowAncestor(choix).getBounds());
-                assertTrue(ecran.contains(place), place.toString());
-                faire(choix::cancelSelection);
-                attendre("le dialogue est fermé", () -> !choix.isShowing());
-            }
-        } finally {
-            UIManager.put(cle, avant);
-        }
     }
 
     @Test

@@ -78,16 +78,6 @@ class FenetreFiguresTest extends EssaiInspecteur {
                 && Math.abs(image.getPixelVise().y - y) <= image.getHeight() / 32);
     }
 
-    /** Ouvre le programme sur un écran de deux pixels par point. @return la place de l'image */
-    private Point ouvrirSurUnEcranDense() throws Exception {
-        BancFenetre.exigerEcran();
-        int[] attendue = attendue(L, H);
-        programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
-                scene.toString()).start();
-        attendre("l'image est à l'écran", () -> Ecran.trouver(attendue, L) != null);
-        return Ecran.trouver(attendue, L);
-    }
-
     @AfterEach
     void arreterLeProgramme() {
         if (programme != null) {
@@ -97,18 +87,30 @@ class FenetreFiguresTest extends EssaiInspecteur {
 
     @Test
     void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
-        ouvrirSurUnEcranDense();
+        BancFenetre.exigerEcran();
+        int[] attendue = attendue(L, H);
+        programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
+                scene.toString()).start();
         Robot robot = new Robot();
-        // le panneau s'ouvre d'abord : sur un si petit écran, il déplace l'image
-        robot.keyPress(KeyEvent.VK_F2);
-        robot.keyRelease(KeyEvent.VK_F2);
-        Thread.sleep(2000);
-        Point coin = Ecran.trouver(attendue(L, H), L);
-        robot.mouseMove(coin.x + 150, coin.y + 110);
+        Point coin = new Point();
         attendre("l'anneau", () -> {
+            // sur un si petit écran, le panneau déplace l'image en s'ouvrant ; F2 y cache la figure : elle se retrouve
+            robot.keyPress(KeyEvent.VK_F2);
+            robot.keyRelease(KeyEvent.VK_F2);
+            Point ici = Ecran.trouver(attendue, L);
+            if (ici == null) {
+                return false;
+            }
+            coin.setLocation(ici);
+            robot.mouseMove(coin.x + 150, coin.y + 110);
             robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
             robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-            return estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
+            boolean entoure = false;
+            for (int k = 0; k < 20 && !entoure; k++) {
+                Thread.sleep(50);
+                entoure = estEntoure(robot, coin.x + 150.5, coin.y + 110.5);
+            }
+            return entoure;
         });
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);

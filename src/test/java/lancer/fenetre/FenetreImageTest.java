@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static lancer.fenetre.BancFenetre.texte;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -156,22 +155,6 @@ class FenetreImageTest extends EssaiFenetre {
         String dit = texte(banc.sortie);
         assertTrue(dit.matches("(?:(?:[a-z]+\\.)+[a-z]+: [0-9.]+\n){20}"), dit);
         assertTrue(dit.startsWith("rayons.primaires: 76800\n"), dit);
-    }
-
-    @Test
-    void lePixelNeSeDitPlusQuandLaFenetreBougeSousLaSouris() throws Exception {
-        banc = new BancFenetre(lente());
-        banc.attendreImage("à l'écran", banc.imageAchevee().codes);
-        Point coin = Ecran.trouver(banc.imageAchevee().codes, L);
-        attendre("la souris est là", () -> {
-            banc.robot.mouseMove(coin.x + 101, coin.y + 60);
-            banc.robot.mouseMove(coin.x + 100, coin.y + 60);
-            return banc.pixel.getText().startsWith("pixel 100, 60 : ");
-        });
-        // une fenêtre dit qu'elle a bougé avant d'apprendre où la souris était encore juste avant
-        banc.robot.waitForIdle();
-        faire(() -> banc.cadre.setLocation(banc.cadre.getX() + 40, banc.cadre.getY() + 10));
-        attendre("ce n'est plus le même pixel", () -> banc.pixel.getText().isEmpty());
     }
 
     @Test

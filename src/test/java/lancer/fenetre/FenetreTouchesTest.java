@@ -50,10 +50,10 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     @Test
-    void lesTouchesServentSurUnClavierAnglaisFrancaisAllemandEtAuPave() throws Exception {
+    void lesTouchesServentSurUnClavierAnglaisFrancaisAllemandSuisseEtAuPave() throws Exception {
         ouvrir();
         try {
-            for (String clavier : new String[] {"us", "fr", "de"}) {
+            for (String clavier : new String[] {"us", "fr", "de", "ch"}) {
                 disposer(clavier);
                 for (Etape etape : Etape.values()) {
                     banc.frapper(KeyEvent.VK_F6 + etape.ordinal());
