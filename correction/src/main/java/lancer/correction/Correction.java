@@ -18,13 +18,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
 import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.isolement.Limites;
 import lancer.correction.jugement.DossierDeResultats;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Jury;
@@ -48,9 +48,11 @@ public final class Correction {
     private final Map<String, String> demande = new HashMap<>();
     private final PrintStream sortie;
     private final PrintStream suivi;
+    private final BiFunction<Confinement, Long, Jury> jurys;
 
     /** @throws Panne si un argument est refusé */
-    private Correction(String[] arguments, PrintStream sortie, PrintStream suivi) {
+    private Correction(String[] arguments, PrintStream sortie, PrintStream suivi, BiFunction<Confinement, Long, Jury> jurys) {
+        this.jurys = jurys;
         this.sortie = sortie;
         this.suivi = suivi;
         for (int k = 0; k < arguments.length && !demande.containsKey("--aide"); k++) {
@@ -78,13 +80,13 @@ public final class Correction {
 
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
-        System.exit(executer(args, System.out, System.err));
+        System.exit(executer(args, System.out, System.err, Jury::new));
     }
 
     /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */
-    static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
+    static int executer(String[] args, PrintStream sortie, PrintStream erreur, BiFunction<Confinement, Long, Jury> jurys) {
         try {
-            Correction correction = new Correction(args, sortie, erreur);
+            Correction correction = new Correction(args, sortie, erreur, jurys);
             Map<String, String> demande = correction.demande;
             if (demande.containsKey("--aide")) {
                 sortie.print(SourcesDuCours.ressource("aide.txt"));
@@ -144,7 +146,7 @@ public final class Correction {
         DossierDeResultats resultats = new DossierDeResultats(dossier);
         long[] graine = new long[1];
         seul(dossier, () -> graine[0] = graine(dossier.resolve("graine.txt")));
-        try (Jury jury = new Jury(confinement, Limites.ORDINAIRES, graine[0], Jury.DUREE_MAX)) {
+        try (Jury jury = jurys.apply(confinement, graine[0])) {
             List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)), demande.containsKey("--un"));
             suivi.println("correction : " + compter(rendus.stream().mapToInt(r -> r.entrees.size()).sum(), rendus.size())
                     + " ; le corrigé d'abord");

@@ -24,6 +24,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import lancer.correction.jugement.JuryPartage;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
@@ -46,7 +47,8 @@ public abstract class ClasseEssai {
         ByteArrayOutputStream sortie = new ByteArrayOutputStream();
         ByteArrayOutputStream erreur = new ByteArrayOutputStream();
         try (PrintStream s = new PrintStream(sortie, true, "UTF-8"); PrintStream e = new PrintStream(erreur, true, "UTF-8")) {
-            essai.code = Correction.executer(Stream.of(arguments).map(String::valueOf).toArray(String[]::new), s, e);
+            essai.code = Correction.executer(Stream.of(arguments).map(String::valueOf).toArray(String[]::new), s, e,
+                    (confinement, graine) -> JuryPartage.de(confinement));
         } catch (java.io.UnsupportedEncodingException e) {
             throw new IllegalStateException(e);
         }

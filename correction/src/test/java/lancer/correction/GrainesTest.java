@@ -12,7 +12,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
@@ -27,14 +26,12 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Des valeurs que personne ne connaît d'avance : les vérifications et les scènes, tirées d'un nombre. */
-@EnabledIfSystemProperty(named = "tests.longs", matches = ".*")
 class GrainesTest {
 
     private static final String GEANTE = "Sphere.uneSphereGeanteEstToucheeSansGrain";
@@ -46,13 +43,14 @@ class GrainesTest {
         return new Programme(dossier);
     }
 
+    /** Des graines, autant qu'il le faut ici ou, si l'on demande les tests longs, cent. */
     private static long[] graines(int combien) {
-        return LongStream.rangeClosed(1, combien).toArray();
+        return LongStream.rangeClosed(1, Boolean.getBoolean("tests.longs") ? 100 : combien).toArray();
     }
 
     @Test
     void leCorrigePasseToutQuelleQueSoitLaGraine() {
-        Map<Long, Map<String, String>> rates = corrige().rates(graines(100));
+        Map<Long, Map<String, String>> rates = corrige().rates(graines(10));
         rates.values().removeIf(Map::isEmpty);
         assertEquals(Map.of(), rates);
         assertEquals(Map.of(), corrige().rates(0));
@@ -96,8 +94,9 @@ class GrainesTest {
             Map<Long, Map<String, String>> tous = (arrondi ? enFloat() : corrige())
                     .changer("Objet3D", "new Rayon(lampe.getPosition(), contact)", rayon)
                     .changer("Objet3D", "(rayon, (Sphere) this)", "(rayon, (Sphere) " + ombre + ")")
-                    .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")").rates(graines(100));
-            assertEquals(arrondi, tous.values().stream().filter(r -> r.remove(GEANTE) != null).count() > 80, "il y a du grain");
+                    .changer("Objet3D", "(reflechi, (Sphere) this)", "(reflechi, (Sphere) " + reflet + ")").rates(graines(3));
+            long grain = tous.values().stream().filter(r -> r.remove(GEANTE) != null).count();
+            assertEquals(arrondi, grain > 0.6 * tous.size(), "il y a du grain");
             tous.forEach((graine, rates) -> assertEquals(attendus, rates.keySet(), "graine " + graine));
         }
     }
@@ -109,34 +108,17 @@ class GrainesTest {
                 : corrige().changer("Camera", "(xe - ", "(xe + 0.5 - ").changer("Camera", "2.0 - ye)", "2.0 - ye - 0.5)");
         Set<String> sans = decale.rates(0).keySet();
         assertEquals(classe.equals("Lancer") ? Set.of() : Set.of("Camera.leCoinEnHautAGaucheEstAMoinsUn"), sans);
-        decale.rates(graines(20)).forEach((graine, rates) -> assertEquals(sans, rates.keySet(), "graine " + graine));
+        decale.rates(graines(3)).forEach((graine, rates) -> assertEquals(sans, rates.keySet(), "graine " + graine));
     }
 
-    /** Cette faute ne se voit pas au milieu de l'écran, que la graine 78 tirait. */
+    /** Cette faute ne se voit pas au milieu de l'écran. */
     @ParameterizedTest
     @CsvSource({"hauteur / 2.0 - ye, ye - hauteur / 2.0", "xe - largeur / 2.0, largeur / 2.0 - xe"})
     void uneImageRetourneeSeVoitAuxMemesVerificationsQuelleQueSoitLaGraine(String juste, String faux) {
         Programme retourne = corrige().changer("Camera", juste, faux);
         Set<String> sans = retourne.rates(0).keySet().stream().filter(v -> v.startsWith("Camera.")).collect(Collectors.toSet());
-        retourne.rates(graines(100)).forEach((graine, rates) ->
+        retourne.rates(graines(3)).forEach((graine, rates) ->
                 assertTrue(rates.keySet().containsAll(sans), () -> "graine " + graine + " : " + rates));
-    }
-
-    /** Les seules qui lui coûtent : celles d'une autre classe, juste par ailleurs, sont dites cachées. */
-    @Test
-    void uneFauteSeVoitAuxMemesVerificationsDeSaClasseQuelleQueSoitLaGraine() throws IOException {
-        Map<String, String> ecarts = new TreeMap<>();
-        for (EtapesTest.Faute faute : EtapesTest.fautes(dossier)) {
-            Map<Long, Map<String, String>> rates = faute.programme.rates(0, 1 + faute.nom.length());
-            rates.values().forEach(r -> r.keySet().removeIf(v -> !v.startsWith(faute.classe + ".")));
-            Set<String> sans = rates.get(0L).keySet();
-            rates.forEach((graine, r) -> {
-                if (!r.keySet().equals(sans)) {
-                    ecarts.put(faute.nom + ", graine " + graine, r.keySet() + " au lieu de " + sans);
-                }
-            });
-        }
-        assertEquals(Map.of(), ecarts);
     }
 
     @Test
@@ -163,13 +145,13 @@ class GrainesTest {
         Map<String, double[]> table = new HashMap<>();
         System.getProperties().put("table", table);
         try {
-            Map<Long, Map<String, String>> ignorant = copie.rates(1, 2, 3, 4, 5);
+            Map<Long, Map<String, String>> ignorant = copie.rates(1, 2);
             System.setProperty("table.apprend", "true");
             assertEquals(Map.of(), copie.rates(0));
             System.clearProperty("table.apprend");
             assertTrue(table.size() > 100, table.size() + " réponses");
             assertEquals(Map.of(), copie.rates(0), "récitée, la table passe tout ce qui est public");
-            Map<Long, Map<String, String>> savant = copie.rates(1, 2, 3, 4, 5);
+            Map<Long, Map<String, String>> savant = copie.rates(1, 2);
             savant.forEach((graine, rates) -> assertEquals(ignorant.get(graine).keySet(), rates.keySet(), "graine " + graine));
         } finally {
             System.getProperties().remove("table");
@@ -201,7 +183,7 @@ class GrainesTest {
         List<Lampe> lampes = lire(SourcesDuCours.scene(nom)).getLampes();
         assertEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 3));
         assertNotEquals(SourcesDuCours.scene(nom, 3), SourcesDuCours.scene(nom, 4));
-        for (long graine : graines(20)) {
+        for (long graine : graines(5)) {
             Scene tiree = lire(SourcesDuCours.scene(nom, graine));
             List<Sphere> apres = boules(tiree);
             assertEquals(avant.size(), apres.size());
@@ -246,7 +228,7 @@ class GrainesTest {
     @ParameterizedTest
     @ValueSource(strings = {"scene1", "ombres", "miroirs"})
     void lImageDUneSceneTireeNEstPasCelleQueLOnConnait(String nom) throws IOException {
-        for (long graine : graines(5)) {
+        for (long graine : graines(2)) {
             double part = changes(lire(SourcesDuCours.scene(nom)), lire(SourcesDuCours.scene(nom, graine)));
             assertTrue(part > 0.85, nom + ", graine " + graine + " : " + part);
         }

@@ -114,7 +114,7 @@ final class Programme {
             Files.createDirectories(fichier.getParent());
             Files.writeString(fichier, source.getValue());
         }
-        assertEquals("", SqueletteTest.compiler(textes, classes, chemin));
+        assertEquals("", SqueletteTest.compiler(textes, classes, chemin, "-proc:none"));
     }
 
     private static Map<String, byte[]> lire(Path classes) throws IOException {
@@ -130,50 +130,52 @@ final class Programme {
         }
     }
 
+    /** Les valeurs des vérifications : tirées de cette graine ou, pour 0, celles de l'énoncé. */
+    private static void tirer(long graine) {
+        if (graine == 0) {
+            System.clearProperty(GRAINE);
+        } else {
+            System.setProperty(GRAINE, String.valueOf(graine));
+        }
+    }
+
     /**
      * Les vérifications qui ne réussissent pas, par leur classe et leur nom, et pourquoi.
      *
      * @param graine d'où tirer les valeurs, 0 si elles ne le sont pas
      */
     Map<String, String> rates(long graine) {
-        return rates(compiler(), graine);
+        tirer(graine);
+        Rates rates = new Rates();
+        lancer(chargeur(), rates);
+        return rates.pourquoi;
     }
 
     /** La même chose, pour chacune de ces graines. */
     Map<Long, Map<String, String>> rates(long... graines) {
-        Map<String, byte[]> classes = compiler();
-        Map<Long, Map<String, String>> tous = new TreeMap<>();
-        Arrays.stream(graines).forEach(graine -> tous.put(graine, rates(classes, graine)));
-        return tous;
+        return Arrays.stream(graines).boxed().collect(Collectors.toMap(g -> g, g -> rates(g.longValue()), (a, b) -> a, TreeMap::new));
     }
 
-    private static Map<String, String> rates(Map<String, byte[]> classes, long graine) {
-        Map<String, String> rates = new TreeMap<>();
-        if (graine != 0) {
-            System.setProperty(GRAINE, String.valueOf(graine));
+    /** Retient ce qui ne réussit pas. */
+    static final class Rates implements TestExecutionListener {
+
+        final Map<String, String> pourquoi = new TreeMap<>();
+
+        @Override
+        public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
+            if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
+                String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.classes()::contains)
+                        .findFirst().get();
+                pourquoi.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
+                        String.valueOf(resultat.getThrowable().get()));
+            }
         }
-        try {
-            lancer(new Execution.Classes(classes, Programme.class.getClassLoader()), new TestExecutionListener() {
-                @Override
-                public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
-                    if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
-                        String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.classes()::contains)
-                                .findFirst().get();
-                        rates.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
-                                String.valueOf(resultat.getThrowable().get()));
-                    }
-                }
-            });
-        } finally {
-            System.clearProperty(GRAINE);
-        }
-        return rates;
     }
 
-    private static void lancer(ClassLoader chargeur, TestExecutionListener ecoute) {
+    private static void lancer(ClassLoader chargeur, TestExecutionListener... ecoutes) {
         LauncherFactory.create().execute(LauncherDiscoveryRequestBuilder.request()
                 .selectors(DiscoverySelectors.selectClass(chargeur, "lancer.Tests"))
-                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "2").build(), ecoute);
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "2").build(), ecoutes);
     }
 
     /** Finit les boucles sans fin de {@code etapes.txt}, dont les fils occuperaient la machine. */
@@ -190,14 +192,12 @@ final class Programme {
 
     /** Ce que dit « make test » : le bilan de la classe {@code Etapes}. */
     String bilan() throws IOException, ReflectiveOperationException, InterruptedException {
-        return bilan(0);
+        return bilan(0, new Rates());
     }
 
-    /** @param graine d'où tirer les valeurs, 0 si elles ne le sont pas */
-    String bilan(long graine) throws IOException, ReflectiveOperationException, InterruptedException {
-        if (graine != 0) {
-            System.setProperty(GRAINE, String.valueOf(graine));
-        }
+    /** @param graine d'où tirer les valeurs, 0 si elles ne le sont pas ; @param rates reçoit ce qui ne réussit pas */
+    String bilan(long graine, Rates rates) throws IOException, ReflectiveOperationException, InterruptedException {
+        tirer(graine);
         Path projet = Files.createTempDirectory(dossier, "sources");
         for (Map.Entry<String, String> source : sources.entrySet()) {
             Files.writeString(projet.resolve(source.getKey().replace("lancer/", "") + ".java"), source.getValue());
@@ -208,12 +208,11 @@ final class Programme {
         System.setOut(new PrintStream(dit, true, "UTF-8"));
         try {
             ClassLoader chargeur = chargeur();
-            lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance());
+            lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance(), rates);
         } finally {
             arreter();
             System.setOut(sortie);
             System.clearProperty("etapes.sources");
-            System.clearProperty(GRAINE);
         }
         return dit.toString(StandardCharsets.UTF_8);
     }

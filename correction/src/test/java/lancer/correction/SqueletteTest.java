@@ -5,10 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.lang.reflect.Method;
 import java.net.URISyntaxException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,23 +42,26 @@ class SqueletteTest extends ClasseEssai {
     /** Où sont les classes du projet. */
     private static final String LANCER = "src/main/java/lancer/";
 
+    private static final JavaCompiler JAVAC = ToolProvider.getSystemJavaCompiler();
+    /** Un seul pour tous : il garde ouvertes les classes de Java et les bibliothèques. */
+    private static final StandardJavaFileManager GESTION = JAVAC.getStandardFileManager(null, null, StandardCharsets.UTF_8);
+
     @TempDir
     Path dossier;
 
     /** Compile les classes du projet, comme pour Java 8, et rend ce que le compilateur en dit. */
     private String compiler(Path sources, Path classes) throws IOException, URISyntaxException {
-        return compiler(sources, classes, ini4j());
+        return compiler(sources, classes, ini4j(), "--release", "8");
     }
 
-    static String compiler(Path sources, Path classes, String chemin) throws IOException {
-        JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
+    static String compiler(Path sources, Path classes, String chemin, String... options) throws IOException {
         StringWriter dit = new StringWriter();
-        try (StandardJavaFileManager gestion = javac.getStandardFileManager(null, null, StandardCharsets.UTF_8);
-                Stream<Path> flux = Files.walk(sources)) {
+        List<String> toutes = new ArrayList<>(List.of("-Xlint:all,-options", "-d", Files.createDirectories(classes).toString(), "-cp",
+                chemin));
+        toutes.addAll(List.of(options));
+        try (Stream<Path> flux = Files.walk(sources)) {
             List<File> fichiers = flux.filter(f -> f.toString().endsWith(".java")).map(Path::toFile).collect(Collectors.toList());
-            List<String> options = Arrays.asList("--release", "8", "-Xlint:all,-options", "-d", Files.createDirectories(classes).toString(),
-                    "-cp", chemin);
-            javac.getTask(dit, gestion, null, options, null, gestion.getJavaFileObjectsFromFiles(fichiers)).call();
+            JAVAC.getTask(dit, GESTION, null, toutes, null, GESTION.getJavaFileObjectsFromFiles(fichiers)).call();
         }
         return dit.toString();
     }
@@ -61,12 +70,14 @@ class SqueletteTest extends ClasseEssai {
         return Paths.get(Ini.class.getProtectionDomain().getCodeSource().getLocation().toURI()).toString();
     }
 
-    private BufferedImage dessiner(Path classes, Path scene) throws IOException, URISyntaxException, InterruptedException {
+    /** Ce que dessine le programme d'un projet, dans cette machine virtuelle. */
+    private BufferedImage dessiner(Path classes, Path scene) throws Exception {
         Path image = dossier.resolve("image.png");
-        Process programme = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Djava.awt.headless=true", "-cp",
-                classes + File.pathSeparator + ini4j(), "lancer.Main", scene.toString(), image.toString()).inheritIO().start();
-        assertEquals(0, programme.waitFor());
+        URL[] chemin = {classes.toUri().toURL(), Paths.get(ini4j()).toUri().toURL()};
+        try (URLClassLoader chargeur = new URLClassLoader(chemin, ClassLoader.getPlatformClassLoader())) {
+            chargeur.loadClass("lancer.Main").getMethod("main", String[].class).invoke(null,
+                    (Object) new String[] {scene.toString(), image.toString()});
+        }
         return ImageIO.read(image.toFile());
     }
 
@@ -103,24 +114,28 @@ class SqueletteTest extends ClasseEssai {
     }
 
     @ParameterizedTest
-    @CsvSource({"'', scene1", "'', miroirs", "brume, brume", "brume, scene1", "antialias, scene1", "blinn, bowling"})
-    void leCorrigeEtSesExtensionsDessinentLImageDeNotreProgramme(String variante, String scene) throws Exception {
+    @CsvSource({"'', scene1 miroirs", "brume, brume scene1", "antialias, scene1", "blinn, bowling"})
+    void leCorrigeEtSesExtensionsDessinentLImageDeNotreProgramme(String variante, String scenes) throws Exception {
         Path projet = corrige(variante);
         // le cours n'a qu'une taille d'image
-        changer(projet.resolve(LANCER), "Constantes", "LARGEUR_IMAGE = 800", "LARGEUR_IMAGE = 200");
-        changer(projet.resolve(LANCER), "Constantes", "HAUTEUR_IMAGE = 600", "HAUTEUR_IMAGE = 150");
+        changer(projet.resolve(LANCER), "Constantes", "LARGEUR_IMAGE = 800", "LARGEUR_IMAGE = 100");
+        changer(projet.resolve(LANCER), "Constantes", "HAUTEUR_IMAGE = 600", "HAUTEUR_IMAGE = 75");
         assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
-        Path fichier = projet.resolve("scenes/" + scene + ".ini");
-        dessiner(dossier.resolve("classes"), fichier);
         List<String> autres = new ArrayList<>(List.of("Brume", "Antialias", "Blinn"));
         autres.removeIf(v -> v.equalsIgnoreCase(variante));
-        // le corrigé suit un reflet jusqu'au bout : seuil nul
-        Process comparer = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"), "lancer.Main", "--seuil", "0", "--sans", String.join(",", autres), "--comparer",
-                dossier.resolve("image.png").toString(), fichier.toString()).redirectErrorStream(true).start();
-        String dit = new String(comparer.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(0, comparer.waitFor(), dit);
-        contient(dit, "plus grand écart: 0.0000");
+        Method executer = Class.forName("lancer.Main").getDeclaredMethod("executer", String[].class, PrintStream.class, PrintStream.class);
+        executer.setAccessible(true);
+        for (String scene : scenes.split(" ")) {
+            Path fichier = projet.resolve("scenes/" + scene + ".ini");
+            dessiner(dossier.resolve("classes"), fichier);
+            ByteArrayOutputStream octets = new ByteArrayOutputStream();
+            PrintStream dit = new PrintStream(octets, true, "UTF-8");
+            // le corrigé suit un reflet jusqu'au bout : seuil nul
+            Object statut = executer.invoke(null, new String[] {"--seuil", "0", "--sans", String.join(",", autres), "--comparer",
+                dossier.resolve("image.png").toString(), fichier.toString()}, dit, dit);
+            assertEquals(0, statut, octets.toString(StandardCharsets.UTF_8));
+            contient(octets.toString(StandardCharsets.UTF_8), "plus grand écart: 0.0000");
+        }
     }
 
     @Test
@@ -143,8 +158,12 @@ class SqueletteTest extends ClasseEssai {
     }
 
     /** Donne sa réponse à cette classe du projet à compléter. */
-    private static void completer(Path projet, String classe) throws IOException {
-        Files.writeString(projet.resolve(LANCER + classe + ".java"), SourcesDuCours.corrige(classe));
+    private static void completer(Path projet, String classe) {
+        try {
+            Files.writeString(projet.resolve(LANCER + classe + ".java"), SourcesDuCours.corrige(classe));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** La ligne de ce texte qui commence ainsi. */
@@ -155,20 +174,15 @@ class SqueletteTest extends ClasseEssai {
 
     @Test
     void makeTestDitOuLOnEnEst() throws Exception {
-        Path projet = dossier.resolve("projet");
-        executer("--squelette", projet);
-        for (String faite : List.of("Vecteur", "Point", "Rayon", "Camera", "Sphere")) {
-            completer(projet, faite);
-        }
-        String dit = makeTest(projet);
+        String dit = new Programme(dossier).couper(3).bilan();
         assertEquals("3. Intersection d'un rayon et d'une sphère : 7/7", ligne(dit, "3."));
         contient(ligne(dit, "4."), "; à commencer : getClosestIntersection ne trouve encore rien");
         contient(ligne(dit, "8."), "0/8");
         contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à compléter : Scene.java:");
 
-        for (String faite : List.of("Scene", "Lancer", "Objet3D")) {
-            completer(projet, faite);
-        }
+        Path projet = dossier.resolve("projet");
+        executer("--squelette", projet);
+        SourcesDuCours.A_COMPLETER.forEach(classe -> completer(projet, classe));
         // une étape juste ne doit rien à celle d'avant qui ne finit pas ; ni Maven ni la pile n'en disent plus
         changer(projet.resolve(LANCER), "Sphere", "if (delta >= 0) {", "while (delta >= 0) {");
         dit = makeTest(projet);

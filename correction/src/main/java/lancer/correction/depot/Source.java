@@ -104,8 +104,11 @@ public final class Source {
 
     /** De plusieurs fichiers de cette classe, le sien a le plus petit rang. Un fichier vide, ou tout en commentaire, a le plus grand. */
     int rang(String classe) {
-        boolean vide = types.isEmpty() && lu.fautes.isEmpty();
-        return (vide ? 4 : nu.equals(classe) ? 0 : 2) + (aSaPlace ? 0 : 1);
+        int place = aSaPlace ? 0 : 1;
+        if (types.isEmpty() && lu.fautes.isEmpty()) {
+            return 4 + place;
+        }
+        return (nu.equals(classe) ? 0 : 2) + place;
     }
 
     /** L'en-tête, aux mêmes lignes, où ces paquets sont remplacés par {@code lancer}. */

@@ -132,9 +132,14 @@ public final class Dialogue {
     }
 
     private static <T> T rendre(Class<T> rend, Object brut) {
-        Object valeur = brut instanceof Recu ? objet(rend, (Recu) brut)
-                : brut instanceof Number && rend == Integer.class ? Integer.valueOf(((Number) brut).intValue())
-                : brut instanceof Number ? Double.valueOf(((Number) brut).doubleValue()) : brut;
+        Object valeur = brut;
+        if (brut instanceof Recu) {
+            valeur = objet(rend, (Recu) brut);
+        } else if (brut instanceof Number && rend == Integer.class) {
+            valeur = ((Number) brut).intValue();
+        } else if (brut instanceof Number) {
+            valeur = ((Number) brut).doubleValue();
+        }
         if (valeur == null && (rend == Double.class || rend == Integer.class || rend == Boolean.class)) {
             throw new Echec("rend null au lieu d'un nombre");
         } else if (valeur != null && !rend.isInstance(valeur)) {

@@ -32,6 +32,10 @@ final class Doublures {
     private static final Set<Class<?>> SIMPLES = Set.of(double.class, int.class, boolean.class, Object.class,
             List.class);
 
+    /** Les types qu'un appel rend dans un objet. */
+    private static final Map<Class<?>, String> EN_OBJET = Map.of(void.class, "Object", double.class, "Double", int.class, "Integer",
+            boolean.class, "Boolean");
+
     private static final String ENTETE = "package lancer;\nimport lancer.correction.jugement.Dialogue;\n";
     private static final String RECU = "Dialogue.Recu";
 
@@ -116,10 +120,10 @@ final class Doublures {
         int numero = numeroter((statique ? nom : "((" + nom + ") a[0])") + "." + m.getName() + "("
                 + passes(m, statique ? 0 : 1) + ")", rend == void.class);
         String type = rend.getSimpleName();
+        String passe = (statique ? "" : ", this") + arguments(m);
         return "public " + (statique ? "static " : "") + type + " " + m.getName() + "(" + parametres(m) + ") { "
-                + (rend == void.class ? "" : "return ") + "Dialogue.appeler(" + (rend == void.class ? "Object" : rend == double.class
-                ? "Double" : rend == int.class ? "Integer" : rend == boolean.class ? "Boolean" : type) + ".class, "
-                + numero + (statique ? "" : ", this") + arguments(m) + "); }\n";
+                + (rend == void.class ? "" : "return ") + "Dialogue.appeler(" + EN_OBJET.getOrDefault(rend, type) + ".class, " + numero
+                + passe + "); }\n";
     }
 
     /** Ajoute un appel. @return son numéro */

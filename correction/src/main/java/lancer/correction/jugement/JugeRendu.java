@@ -299,17 +299,24 @@ final class JugeRendu implements AutoCloseable {
                     : commencee(v, verdict);
         }
         if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
-            String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
-            return dependances.containsKey(v.classe)
-                    ? new Verdict(Etat.NON_EVALUABLE, dependances.get(v.classe), "dépend de " + dependances.get(v.classe))
-                    : verdict.message.startsWith(appelee) ? new Verdict(Etat.FAUSSE, v.classe, verdict.message.substring(appelee.length()))
-                    : new Verdict(Etat.FAUSSE, v.classe, verdict.message + (verdict.message.contains(" : ") ? ""
-                            : Stream.concat(this.ensemble.fautesDe(v.classe).stream(), siennes().stream())
-                            .findFirst().map(f -> " ; " + f).orElse("")));
+            return fauteDeCompilation(v, verdict.message);
         }
         return verdict.message.equals(reference.duSquelette(v).message)
                 && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
                 ? new Verdict(Etat.NON_COMMENCE, v.classe, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
+    }
+
+    private Verdict fauteDeCompilation(Verification v, String message) {
+        String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
+        if (dependances.containsKey(v.classe)) {
+            return new Verdict(Etat.NON_EVALUABLE, dependances.get(v.classe), "dépend de " + dependances.get(v.classe));
+        } else if (message.startsWith(appelee)) {
+            return new Verdict(Etat.FAUSSE, v.classe, message.substring(appelee.length()));
+        } else if (message.contains(" : ")) {
+            return new Verdict(Etat.FAUSSE, v.classe, message);
+        }
+        return new Verdict(Etat.FAUSSE, v.classe, message + Stream.concat(ensemble.fautesDe(v.classe).stream(), siennes().stream())
+                .findFirst().map(f -> " ; " + f).orElse(""));
     }
 
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */

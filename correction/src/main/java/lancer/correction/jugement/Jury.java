@@ -23,33 +23,28 @@ import lancer.correction.depot.Rendu;
 import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
-import lancer.correction.isolement.Limites;
 import org.apache.commons.io.FileUtils;
 
 /** Juge tous les rendus, plusieurs à la fois. */
-public final class Jury implements AutoCloseable {
+public class Jury implements AutoCloseable {
 
     private static final int ENSEMBLE_MAX = 4;
-    /** Durée maximale d'un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
-    public static final int DUREE_MAX = 300;
-    /** Propriété de Java que lit {@code lancer.Tests}. */
-    private static final String GRAINE = "tests.graine";
 
-    private final Machines machines;
+    final Machines machines;
     private final Path travail;
     /** Machines virtuelles de compilation disponibles. */
     private final Queue<Machines.Compilation> compilations = new ConcurrentLinkedQueue<>();
     private final Confinement confinement;
     private final long graine;
-    private final int dureeMax;
+    /** Durée maximale d'un rendu, en secondes : chaque réponse a sa limite, mais leur somme n'en aurait pas. */
+    int dureeMax = 300;
     private Reference reference;
 
     /**
      * @param graine le nombre d'où viennent les valeurs des vérifications
-     * @param dureeMax durée maximale d'un rendu, en secondes
      * @throws Panne si cette machine ne peut juger
      */
-    public Jury(Confinement confinement, Limites limites, long graine, int dureeMax) {
+    public Jury(Confinement confinement, long graine) {
         boolean sansCompilateur = ToolProvider.getSystemJavaCompiler() == null;
         if (Runtime.version().feature() < 17 || sansCompilateur) {
             throw new Panne(1, "la correction demande un JDK 17 ou plus récent ; ici : " + Runtime.version().feature()
@@ -57,10 +52,9 @@ public final class Jury implements AutoCloseable {
         }
         this.confinement = confinement;
         this.graine = graine;
-        this.dureeMax = dureeMax;
         try {
             travail = Files.createTempDirectory("correction").toRealPath();
-            machines = new Machines(confinement, limites, travail);
+            machines = new Machines(confinement, travail);
         } catch (IOException e) {
             throw new Panne(1, "dossier de travail inutilisable : " + e);
         }
@@ -69,7 +63,6 @@ public final class Jury implements AutoCloseable {
     /** Le corrigé, jugé une fois. */
     public Reference reference() {
         if (reference == null) {
-            System.setProperty(GRAINE, String.valueOf(graine));
             try {
                 // la machine virtuelle qui a compilé le corrigé compile ensuite le premier rendu
                 compilations.add(machines.new Compilation());
@@ -168,7 +161,6 @@ public final class Jury implements AutoCloseable {
         if (reference != null) {
             reference.close();
         }
-        System.clearProperty(GRAINE);
         FileUtils.deleteQuietly(travail.toFile());
     }
 }

@@ -44,7 +44,8 @@ import org.opentest4j.AssertionFailedError;
 final class Machines {
 
     private final Confinement confinement;
-    private final Limites limites;
+    /** Limites de chaque demande à un rendu. */
+    Limites limites = Limites.ORDINAIRES;
     /** L'archive des classes qu'un rendu voit, avec les siennes. */
     private final Path outillage;
 
@@ -56,9 +57,8 @@ final class Machines {
             .filter(c -> c.getName().startsWith("org.eclipse."))));
 
     /** @param dossier dossier de travail, à soi seul */
-    Machines(Confinement confinement, Limites limites, Path dossier) throws IOException {
+    Machines(Confinement confinement, Path dossier) throws IOException {
         this.confinement = confinement;
-        this.limites = limites;
         outillage = Files.createDirectories(dossier).resolve("outillage.jar");
         try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(outillage))) {
             for (Class<?> une : List.of(Execution.class, Ini.class)) {

@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import lancer.correction.depot.Cours;
 import lancer.correction.depot.Projet;
 import lancer.correction.depot.Rendu;
@@ -35,8 +34,9 @@ public final class Reference implements AutoCloseable {
     public final List<Verification> verifications;
     /** La source de {@code lancer.Appels}. */
     final String appels;
-    /** Verdicts de chaque classe du projet à compléter, seule avec celles du corrigé. */
-    private final Map<String, Verdict> seules = new HashMap<>();
+    /** Verdicts de chaque classe du projet à compléter, seule avec celles du corrigé, dès qu'un rendu les demande. */
+    private final Map<String, Map<String, Verdict>> seules = new HashMap<>();
+    private final Map<String, List<?>> chemins = new HashMap<>();
     private final long graine;
     public final GrilleDeNotation grille;
     /** Le corrigé compilé, et le juge qui l'exécute. */
@@ -54,7 +54,7 @@ public final class Reference implements AutoCloseable {
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();
-        junit = new Verifications(compilation.compiler(doublures.sources).classes);
+        junit = new Verifications(compilation.compiler(doublures.sources).classes, graine);
         verifications = junit.lister();
         juge = new JugeRendu(this, compilation, machines, projet, new Resultat(squelette, ""));
         assemblage = juge.assembler(SourcesDuCours.tout(SourcesDuCours::corrige));
@@ -62,8 +62,9 @@ public final class Reference implements AutoCloseable {
         verifications.forEach(v -> v.compte = duSquelette.get(v.id()).etat != Etat.REUSSI);
         grille = new GrilleDeNotation();
         remplir();
-        for (String classe : verifications.stream().map(v -> v.classe).collect(Collectors.toSet())) {
-            seules.putAll(juge.lancer(juge.seule(classe), juge.verifications(v -> v.classe.equals(classe))).verdicts);
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            // compilées ici, où personne d'autre ne compile encore
+            juge.seule(classe);
         }
     }
 
@@ -94,13 +95,20 @@ public final class Reference implements AutoCloseable {
     }
 
     /** Verdict de la classe du projet à compléter, seule avec celles du corrigé, à cette vérification. */
-    Verdict duSquelette(Verification v) {
-        return seules.get(v.id());
+    synchronized Verdict duSquelette(Verification v) throws Arret {
+        if (!seules.containsKey(v.classe)) {
+            seules.put(v.classe, juge.lancer(juge.seule(v.classe), juge.verifications(w -> w.classe.equals(v.classe))).verdicts);
+        }
+        return seules.get(v.classe).get(v.id());
     }
 
-    /** Réponses intermédiaires des méthodes du corrigé. */
+    /** Réponses intermédiaires des méthodes du corrigé : les rendus les demandent aux mêmes pixels. */
     synchronized List<?> chemin(String scene, double x, double y) throws Arret {
-        return juge.images.decrire(assemblage, scene, x, y);
+        String ici = scene + " " + x + " " + y;
+        if (!chemins.containsKey(ici)) {
+            chemins.put(ici, juge.images.decrire(assemblage, scene, x, y));
+        }
+        return chemins.get(ici);
     }
 
     @Override

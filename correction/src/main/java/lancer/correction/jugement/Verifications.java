@@ -26,13 +26,17 @@ import org.junit.platform.launcher.core.LauncherFactory;
 final class Verifications {
 
     private static final String TESTS = "lancer.Tests";
+    /** Propriété de Java que lit {@code lancer.Tests}. */
+    private static final String GRAINE = "tests.graine";
     /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas exécutées. */
     private static final int ARRETS_MAX = 3;
 
     private final ClassLoader chargeur;
+    private final long graine;
 
-    /** @param classes les vérifications et les doublures, compilées, par nom complet */
-    Verifications(Map<String, byte[]> classes) {
+    /** @param classes les vérifications et les doublures, compilées, par nom complet ; @param graine d'où tirer les valeurs */
+    Verifications(Map<String, byte[]> classes, long graine) {
+        this.graine = graine;
         chargeur = new Execution.Classes(classes, Verifications.class.getClassLoader());
     }
 
@@ -109,6 +113,7 @@ final class Verifications {
     }
 
     Bilan lancer(List<Verification> verifications, Machines.Rendue machine) {
+        System.setProperty(GRAINE, String.valueOf(graine));
         Dialogue dialogue = new Dialogue(machine);
         Bilan bilan = new Bilan(verifications, dialogue);
         dialogue.mener(() -> LauncherFactory.create().execute(demande(verifications.stream()

@@ -42,8 +42,13 @@ public final class Eleve {
             aNoter = ajustement == null && !hors && poids > 0 && (etape.libre() || nombre(Verdict.Etat.A_NOTER) > 0);
             sur = hors ? 0 : poids;
             this.ajustement = ajustement;
-            points = ajustement != null ? bareme.ramener(ajustement.points)
-                    : comptent == 0 || hors && reussis == comptent ? 0 : poids * (hors ? comptent - reussis : reussis) / comptent;
+            points = ajustement != null ? bareme.ramener(ajustement.points) : gagnes(poids, hors);
+        }
+
+        /** Les points des critères réussis ; pour une ligne hors du total, ceux que coûtent les critères ratés. */
+        private double gagnes(double poids, boolean hors) {
+            long payes = hors ? comptent - reussis : reussis;
+            return payes == 0 ? 0 : poids * payes / comptent;
         }
 
         private long nombre(Verdict.Etat etat) {
@@ -106,13 +111,16 @@ public final class Eleve {
         }
         note = Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()));
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
-        atteinte = (derniere.isEmpty() ? note > 0 ? "aucune en entier" : "aucune" : derniere)
-                + (manquent.isEmpty() ? "" : ", mais reste à compléter : " + String.join(", ", manquent))
-                + (extensions.isEmpty() ? "" : " ; extensions : " + String.join(", ", extensions))
-                + (aNoter.isEmpty() ? "" : " ; extensions à noter : " + String.join(", ", aNoter));
+        String aucune = note > 0 ? "aucune en entier" : "aucune";
+        atteinte = (derniere.isEmpty() ? aucune : derniere) + suite(", mais reste à compléter : ", manquent)
+                + suite(" ; extensions : ", extensions) + suite(" ; extensions à noter : ", aNoter);
         if (nonEvaluables() > 0) {
             aRegarder.add(String.format(Locale.FRANCE, "%.2f points perdus par ce qui n'a pu être évalué", nonEvaluables()));
         }
+    }
+
+    private static String suite(String debut, List<String> titres) {
+        return titres.isEmpty() ? "" : debut + String.join(", ", titres);
     }
 
     /** Noms des extensions rendues et des lignes libres dont les points ne sont pas encore donnés. */

@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.correction.Panne;
@@ -66,7 +67,8 @@ public final class FeuilleMoodle {
             codage = Source.codage(octets);
             texte = new String(octets, codage);
             String titres = texte.split("[\r\n]", 2)[0];
-            format = CSVFormat.DEFAULT.builder().setDelimiter(titres.contains(";") ? ';' : titres.contains("\t") ? '\t' : ',')
+            char separateur = Stream.of(';', '\t').filter(c -> titres.indexOf(c) >= 0).findFirst().orElse(',');
+            format = CSVFormat.DEFAULT.builder().setDelimiter(separateur)
                     .setRecordSeparator(texte.contains("\r\n") ? "\r\n" : "\n").setQuoteMode(QuoteMode.MINIMAL).get();
             lignes = CSVParser.parse(texte.replaceFirst("^" + BOM, ""), format).stream()
                     .map(ligne -> new ArrayList<>(ligne.toList())).collect(Collectors.toList());

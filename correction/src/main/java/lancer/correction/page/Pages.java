@@ -90,9 +90,10 @@ public final class Pages {
         for (Eleve e : eleves) {
             // un rendu qui n'a pu être jugé n'a pas de note
             boolean juge = !e.illisible();
-            List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom,
-                    juge ? String.format(Locale.ROOT, "%.2f", e.note) : "", String.format(Locale.ROOT, "%.2f", bareme.total),
-                    juge ? e.atteinte : "", !juge ? "" : e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non",
+            String note = juge ? String.format(Locale.ROOT, "%.2f", e.note) : "";
+            String identique = e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non";
+            List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom, note,
+                    String.format(Locale.ROOT, "%.2f", bareme.total), juge ? e.atteinte : "", juge ? identique : "",
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
             e.parts.values().forEach(part -> ligne.add(juge ? combien(part) : ""));
             ligne.replaceAll(Texte::sansFormule);

@@ -101,11 +101,10 @@ class HostilesTest extends JuryEssai {
     @Test
     void sansConfinementNonPlus() throws IOException {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        ecrireHostiles(rendus, List.of("imitation", "mathematiques", "falsification", "faux-junit", "boucle", "sortie")::contains);
+        ecrireHostiles(rendus, List.of("imitation", "mathematiques", "falsification", "faux-junit", "sortie")::contains);
         ecrireCorrige(rendus.resolve("ordinaire"));
         Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
-        rate(resultats, "boucle", "trop long ou sans fin");
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "imitation", "a répondu ce qu'on ne lui demandait pas");
         for (String nom : List.of("mathematiques", "falsification", "faux-junit")) {
@@ -160,11 +159,14 @@ class HostilesTest extends JuryEssai {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         ecrireCorrige(rendus.resolve("deux"));
-        try (Jury jury = new Jury(new Confinement(false, ""), PATIENTES, GRAINE, 0)) {
-            Resultat resultat = juger(jury, rendus).get("un");
-            assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
-            assertEquals(List.of("arrêté : plus de 0 s en tout"), resultat.refus);
-        }
+        Confinement sans = new Confinement(false, "");
+        Jury jury = JuryPartage.de(sans);
+        int dureeMax = jury.dureeMax;
+        jury.dureeMax = 0;
+        Resultat resultat = juger(rendus, sans, PATIENTES).get("un");
+        jury.dureeMax = dureeMax;
+        assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
+        assertEquals(List.of("arrêté : plus de 0 s en tout"), resultat.refus);
     }
 
     private static void rate(Map<String, Resultat> resultats, String nom, String message) {

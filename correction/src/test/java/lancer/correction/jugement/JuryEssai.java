@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,41 +15,24 @@ import lancer.correction.depot.Rendu;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Limites;
 import lancer.correction.modele.SourcesDuCours;
-import org.junit.jupiter.api.AfterAll;
 
 /** De quoi juger des rendus d'essai, sans pages ni notes. */
 abstract class JuryEssai extends ClasseEssai {
 
     /** Pour des rendus dont certains ne finissent pas. */
-    static final Limites COURTES = new Limites(1, 2, 160);
+    static final Limites COURTES = new Limites(0.5, 2, 160);
 
     /** Pour des rendus dont chacun finit : une machine où d'autres travaillent peut les faire attendre, ou calculer plus. */
     static final Limites PATIENTES = new Limites(10, 60, 160);
 
-    static final long GRAINE = 20;
-
-    /** Les jurys de ces essais, par ce qui les distingue : juger le corrigé dure autant que juger quelques rendus. */
-    private static final Map<String, Jury> JURYS = new HashMap<>();
-
-    @AfterAll
-    static void fermer() {
-        JURYS.values().forEach(Jury::close);
-        JURYS.clear();
-    }
-
-    static Jury jury(Confinement confinement, Limites limites) {
-        return JURYS.computeIfAbsent(confinement.confine + " " + limites.calcul, nom -> new Jury(confinement, limites, GRAINE,
-                Jury.DUREE_MAX));
-    }
-
     /** Juge tous les rendus de ce dossier ; les résultats par nom. */
     static Map<String, Resultat> juger(Path rendus, Confinement confinement, Limites limites) {
-        return juger(jury(confinement, limites), rendus);
-    }
-
-    static Map<String, Resultat> juger(Jury jury, Path rendus) {
+        Jury jury = JuryPartage.de(confinement);
         List<Rendu> liste = Depot.lire(rendus, false);
+        jury.reference();
+        jury.machines.limites = limites;
         List<Resultat> tous = jury.juger(liste, resultat -> { });
+        jury.machines.limites = Limites.ORDINAIRES;
         Map<String, Resultat> resultats = new LinkedHashMap<>();
         for (int k = 0; k < tous.size(); k++) {
             resultats.put(liste.get(k).nom, tous.get(k));

@@ -15,6 +15,7 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.correction.isolement.Arret;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.BeforeAll;
@@ -77,7 +78,8 @@ class ReferenceTest extends JuryEssai {
         int faux = 0;
         for (String nom : Reference.SCENES.keySet()) {
             int[] taille = Reference.SCENES.get(nom);
-            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), SourcesDuCours.scene(nom, GRAINE)).toString());
+            String texte = SourcesDuCours.scene(nom, JuryPartage.GRAINE);
+            Scene lue = new Scene(Files.writeString(dossier.resolve(nom + ".ini"), texte).toString());
             // sans les variantes, que les tests de ce module ont dans leur chemin
             Lancer lancer = new Lancer(new Scene(lue.getObjets(), lue.getLampes()), new Camera(taille[0], taille[1]));
             for (int p = 0; p < taille[0] * taille[1]; p++) {
@@ -92,8 +94,8 @@ class ReferenceTest extends JuryEssai {
     }
 
     @Test
-    void leProjetACompleterNePasseQueCeQuiNeComptePas() {
-        Reference reference = jury(Confinement.essayer(), PATIENTES).reference();
+    void leProjetACompleterNePasseQueCeQuiNeComptePas() throws Arret {
+        Reference reference = JuryPartage.de(Confinement.essayer()).reference();
         // rien ne se note à l'étape des répétitions
         List<Verification> notees = reference.verifications.stream().filter(v -> !v.etape.equals(Verification.REPETITION))
                 .collect(Collectors.toList());
