@@ -85,7 +85,7 @@ public final class Echantillon implements Toile {
         x = new double[rangs.length][3];
         for (int k = 0; dessinee != null && k < rangs.length; k++) {
             bords[k] = tousLesBords.get(rangs[k]);
-            x[k] = limites(niveaux(dessinee.apply(rangs[k])));
+            x[k] = vue(dessinee.apply(rangs[k]));
         }
         long graine = hasard.nextLong();
         tracer(Echelle.PROFONDEUR, prepare.getScene().getModele().avec(null, SANS_LIMITE),
@@ -99,7 +99,7 @@ public final class Echantillon implements Toile {
         for (int p = 0; p < image; p++) {
             // les voisins qui précèdent ont déjà été comparés ; ceux d'une ligne à l'autre ne changent qu'une strate
             for (int q : new int[] {p + 1, p + largeur - 1, p + largeur, p + largeur + 1}) {
-                if (q < image && ecart(niveaux(dessinee.apply(p)), niveaux(dessinee.apply(q))) > SEMBLABLES) {
+                if (q < image && ecart(vue(dessinee.apply(p)), vue(dessinee.apply(q))) > SEMBLABLES) {
                     trouves.set(p);
                     trouves.set(q);
                 }
@@ -171,8 +171,17 @@ public final class Echantillon implements Toile {
         return new double[] {255 * couleur.r, 255 * couleur.v, 255 * couleur.b};
     }
 
-    private static double[] limites(double... niveaux) {
-        return Arrays.stream(niveaux).map(niveau -> Math.max(0, Math.min(255, niveau))).toArray();
+    private static double[] limites(double[] n) {
+        return new double[] {limite(n[0]), limite(n[1]), limite(n[2])};
+    }
+
+    private static double limite(double niveau) {
+        return Math.max(0, Math.min(255, niveau));
+    }
+
+    /** Les niveaux que montre l'écran. */
+    private static double[] vue(Couleur couleur) {
+        return limites(niveaux(couleur));
     }
 
     private static double ecart(double[] u, double[] v) {
@@ -184,7 +193,7 @@ public final class Echantillon implements Toile {
     public void drawPixel(Couleur couleur, int xe, int ye) {
         int k = Arrays.binarySearch(rangs, ye * largeur + xe);
         if (k >= 0) {
-            x[k] = limites(niveaux(couleur));
+            x[k] = vue(couleur);
         }
     }
 

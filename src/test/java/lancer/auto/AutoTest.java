@@ -74,9 +74,8 @@ class AutoTest {
         int largeur = auto.getLancer().getCamera().getLargeur();
         Couleur[] image = new Couleur[largeur * auto.getLancer().getCamera().getHauteur()];
         do {
-            auto.getLancer().TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur),
-                    auto.getChoisi().getProfondeur(), 2);
-        } while (!auto.controler());
+            auto.getLancer().TracerPixels((couleur, i, j) -> image[j * largeur + i] = couleur, auto.getChoisi().getProfondeur(), 2);
+        } while (!auto.controler(rang -> image[rang]));
         return image;
     }
 
