@@ -1,6 +1,5 @@
 package lancer.auto;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
@@ -27,7 +26,6 @@ public final class Auto {
     private final double voulue;
     private final int fils;
     private final SplittableRandom hasard;
-    private final BitSet tires = new BitSet();
     private int rang;
     private boolean repris;
     private Lancer lancer;
@@ -45,7 +43,7 @@ public final class Auto {
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
         echantillon = new Echantillon(prepare, fils, null, voulue,
-                prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur(), hasard, tires);
+                prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur(), hasard);
         choisir();
     }
 
@@ -82,7 +80,7 @@ public final class Auto {
      */
     public boolean controler(IntFunction<Couleur> dessinee) {
         echantillon = new Echantillon(prepare, fils, dessinee, voulue,
-                (long) (PART * lancer.getCompteurs().rayons()), hasard, tires);
+                (long) (PART * lancer.getCompteurs().rayons()), hasard);
         mesure = echantillon.mesurer();
         boolean depassee = mesure.plus(-SUR) > voulue;
         if (depassee && rang < echelle.size() - 1 && !repris) {

@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -98,8 +97,7 @@ final class PanneauVitesse extends JPanel {
                     (int) Math.ceil(part * demande.hauteur)));
             boolean enEntier = prepare.image.largeur == demande.largeur && montree != null;
             Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(),
-                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1),
-                    new BitSet());
+                    enEntier ? montree::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
