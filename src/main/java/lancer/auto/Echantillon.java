@@ -135,7 +135,8 @@ public final class Echantillon implements Toile {
     /** Visite les pixels tirés d'un pavé. */
     private int parcourir(Pave pave, IntConsumer visite) {
         for (int j = pave.j0; j < pave.j1; j++) {
-            IntStream.range(j * largeur + pave.i0, j * largeur + pave.i1).filter(p -> pixels[p] != null).forEach(visite);
+            IntStream.range(j * largeur + pave.i0, j * largeur + pave.i1)
+                    .filter(p -> pixels[p] != null).forEach(visite);
         }
         return 0;
     }

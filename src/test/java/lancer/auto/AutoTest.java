@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Constantes;
@@ -239,8 +240,8 @@ class AutoTest {
         int largeur = 200;
         Lancer prepare = Dessin.lancer(CIEL, largeur, 150, false);
         BitSet tires = new BitSet();
-        Echantillon controle = new Echantillon(prepare, 2, rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0), 1,
-                Long.MAX_VALUE, new SplittableRandom(1));
+        IntFunction<Couleur> dessinee = rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0);
+        Echantillon controle = new Echantillon(prepare, 2, dessinee, 1, Long.MAX_VALUE, new SplittableRandom(1));
         controle.getRangs().forEach(tires::set);
         assertEquals(600, tires.cardinality());
         for (int rang = 0; rang < largeur * 150; rang++) {
