@@ -1,12 +1,11 @@
 package lancer.auto;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.IntFunction;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.commande.Reglages;
-import lancer.contrat.Toile;
 
 /**
  * {@code --auto} : essaie des réglages sur quelques pixels, du moins cher au plus juste, et choisit le premier qui
@@ -21,16 +20,12 @@ public final class Auto {
     private static final double PART = 0.6;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
-    private static final long UN = (1 << 21) - 1;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
     private final double voulue;
     private final int fils;
     private final SplittableRandom hasard;
-    private final BitSet tires = new BitSet();
-    /** L'image dessinée : les trois composantes d'un pixel, limitées à [0, 1], en 21 bits chacune. */
-    private final long[] image;
     private int rang;
     private boolean repris;
     private Lancer lancer;
@@ -47,8 +42,8 @@ public final class Auto {
         this.fils = fils;
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
-        image = new long[prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur()];
-        echantillon = new Echantillon(prepare, fils, null, voulue, image.length, hasard, tires);
+        echantillon = new Echantillon(prepare, fils, null, voulue,
+                prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur(), hasard);
         choisir();
     }
 
@@ -77,28 +72,15 @@ public final class Auto {
         return lancer;
     }
 
-    /** Toile qui dessine sur {@code toile}, et retient l'image pour {@link #controler()}. */
-    public Toile surveiller(Toile toile) {
-        int largeur = prepare.getCamera().getLargeur();
-        return (couleur, xe, ye) -> {
-            toile.drawPixel(couleur, xe, ye);
-            image[ye * largeur + xe] = fixe(couleur.r) << 42 | fixe(couleur.v) << 21 | fixe(couleur.b);
-        };
-    }
-
-    private static long fixe(double composante) {
-        return Math.round(UN * Math.max(0, Math.min(1, composante)));
-    }
-
-    private Couleur couleur(int rang) {
-        return new Couleur((image[rang] >> 42) / (double) UN, (image[rang] >> 21 & UN) / (double) UN,
-                (image[rang] & UN) / (double) UN);
-    }
-
-    /** Mesure l'erreur de l'image dessinée. @return faux s'il faut dessiner, une fois, l'échelon désormais choisi */
-    public boolean controler() {
-        echantillon = new Echantillon(prepare, fils, this::couleur, voulue,
-                (long) (PART * lancer.getCompteurs().rayons()), hasard, tires);
+    /**
+     * Mesure l'erreur de l'image dessinée.
+     *
+     * @param dessinee la couleur de chacun de ses pixels, par son rang, ligne par ligne
+     * @return faux s'il faut dessiner, une fois, l'échelon désormais choisi
+     */
+    public boolean controler(IntFunction<Couleur> dessinee) {
+        echantillon = new Echantillon(prepare, fils, dessinee, voulue,
+                (long) (PART * lancer.getCompteurs().rayons()), hasard);
         mesure = echantillon.mesurer();
         boolean depassee = mesure.plus(-SUR) > voulue;
         if (depassee && rang < echelle.size() - 1 && !repris) {

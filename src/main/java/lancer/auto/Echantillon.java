@@ -6,6 +6,7 @@ import java.util.SplittableRandom;
 import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.commande.Reglages;
@@ -33,73 +34,80 @@ public final class Echantillon implements Toile {
     private static final double SURES = 6;
     private static final double JUSTE = 0.5;
 
+    /** Un pixel tiré : les niveaux de ses références, et de la couleur à mesurer. */
+    private static final class Pixel {
+        double[] a;
+        double[] b;
+        double[] x = new double[3];
+
+        /** Le carré de l'erreur, estimé sans biais. */
+        double carre() {
+            return IntStream.range(0, 3).mapToDouble(c -> (x[c] - a[c]) * (x[c] - b[c]) / 3).sum();
+        }
+
+        boolean estJuste() {
+            return ecart(x, a) <= JUSTE && ecart(x, b) <= JUSTE;
+        }
+    }
+
     private final Lancer prepare;
     private final int fils;
     private final int largeur;
-    /** Nombre de pixels dont les voisins se ressemblent, et des autres, les bords. */
+    /** Les pixels tirés, par leur rang dans l'image ; {@code null} pour les autres. */
+    private final Pixel[] pixels;
+    /** Nombre de pixels dont les voisins se ressemblent, puis des autres, les bords ; rangs de ceux qui sont tirés. */
     private final int[] tailles;
-    /** Rang de chaque pixel tiré, dans l'ordre ; s'il est d'un bord ; niveaux de ses références, et de sa couleur. */
-    private final int[] rangs;
-    private final boolean[] bords;
-    private final double[][] a;
-    private final double[][] b;
-    private final double[][] x;
+    private final int[][] strates;
     /** Nombre de rayons de toutes sortes lancés pour cet échantillon. */
     long rayons;
 
     /**
-     * Tire de nouveaux pixels.
+     * Tire des pixels.
      *
      * @param prepare la scène, prête à être dessinée
      * @param dessinee couleur de chaque pixel d'une image, par son rang : l'échantillon la retient, et la moitié de ses
      *        pixels sont des bords de cette image ; {@code null} pour un essai
      * @param voulue erreur voulue, en niveaux, dont dépend le nombre de rayons d'une référence
      * @param permis nombre de premiers rayons à ne pas dépasser, si toutes les références en avaient neuf fois plus
-     * @param tires les pixels déjà tirés, auxquels les nouveaux s'ajoutent ; une très petite image donne chaque fois
-     *        tous les siens
      */
     public Echantillon(Lancer prepare, int fils, IntFunction<Couleur> dessinee, double voulue, long permis,
-            SplittableRandom hasard, BitSet tires) {
+            SplittableRandom hasard) {
         this.prepare = prepare;
         this.fils = fils;
-        largeur = prepare.getCamera().getLargeur();
-        int image = largeur * prepare.getCamera().getHauteur();
-        BitSet tousLesBords = dessinee == null ? new BitSet() : trouverLesBords(dessinee, image);
-        BitSet reste = new BitSet();
-        reste.set(0, image);
-        reste.andNot(tousLesBords);
-        tailles = new int[] {reste.cardinality(), tousLesBords.cardinality()};
-        boolean petite = image < 8 * MOINS;
+        Camera camera = prepare.getCamera();
+        largeur = camera.getLargeur();
+        pixels = new Pixel[largeur * camera.getHauteur()];
+        BitSet contrastes = dessinee == null ? new BitSet() : trouverLesBords(dessinee);
+        int[] bords = contrastes.stream().toArray();
+        int[] reste = IntStream.range(0, pixels.length).filter(p -> !contrastes.get(p)).toArray();
+        tailles = new int[] {reste.length, bords.length};
         int cote = (int) Math.max(2, Math.min(12, Math.rint(3 / Math.cbrt(voulue))));
-        int nombre = (dessinee == null ? 1 : 2) * Math.max(MOINS, Math.min(PLUS, image / PART));
-        nombre = petite ? image : (int) Math.max(MOINS, Math.min(nombre, permis / (2 * 9 * cote * cote)));
-        BitSet deja = petite ? new BitSet() : tires;
-        BitSet choisis = new BitSet();
-        choisir(tousLesBords, Math.max(nombre / 2, nombre - tailles[0]), hasard, deja, choisis);
-        choisir(reste, nombre - choisis.cardinality(), hasard, deja, choisis);
-        tires.or(choisis);
-        rangs = choisis.stream().toArray();
-        bords = new boolean[rangs.length];
-        a = new double[rangs.length][3];
-        b = new double[rangs.length][3];
-        x = new double[rangs.length][3];
-        for (int k = 0; dessinee != null && k < rangs.length; k++) {
-            bords[k] = tousLesBords.get(rangs[k]);
-            x[k] = limites(niveaux(dessinee.apply(rangs[k])));
+        int nombre = pixels.length;
+        if (nombre >= 8 * MOINS) {
+            nombre = (dessinee == null ? 1 : 2) * Math.max(MOINS, Math.min(PLUS, nombre / PART));
+            nombre = (int) Math.max(MOINS, Math.min(nombre, permis / (2 * 9 * cote * cote)));
         }
+        int auxBords = Math.min(bords.length, Math.max(nombre / 2, nombre - reste.length));
+        strates = new int[][] {tirer(reste, nombre - auxBords, hasard), tirer(bords, auxBords, hasard)};
+        getRangs().forEach(p -> {
+            pixels[p] = new Pixel();
+            if (dessinee != null) {
+                pixels[p].x = vue(dessinee.apply(p));
+            }
+        });
         long graine = hasard.nextLong();
         tracer(Echelle.PROFONDEUR, prepare.getScene().getModele().avec(null, SANS_LIMITE),
                 (pave, voulus, vue, toile) -> parcourir(pave,
-                        k -> juger(k, cote, new SplittableRandom(graine + k), vue)));
+                        p -> juger(p, contrastes.get(p), cote, new SplittableRandom(graine + p), vue)));
     }
 
     /** Les pixels dont un des huit voisins ne leur ressemble pas. */
-    private BitSet trouverLesBords(IntFunction<Couleur> dessinee, int image) {
+    private BitSet trouverLesBords(IntFunction<Couleur> dessinee) {
         BitSet trouves = new BitSet();
-        for (int p = 0; p < image; p++) {
+        for (int p = 0; p < pixels.length; p++) {
             // les voisins qui précèdent ont déjà été comparés ; ceux d'une ligne à l'autre ne changent qu'une strate
             for (int q : new int[] {p + 1, p + largeur - 1, p + largeur, p + largeur + 1}) {
-                if (q < image && ecart(niveaux(dessinee.apply(p)), niveaux(dessinee.apply(q))) > SEMBLABLES) {
+                if (q < pixels.length && ecart(vue(dessinee.apply(p)), vue(dessinee.apply(q))) > SEMBLABLES) {
                     trouves.set(p);
                     trouves.set(q);
                 }
@@ -108,18 +116,14 @@ public final class Echantillon implements Toile {
         return trouves;
     }
 
-    /** Choisit tant de pixels d'une strate : tous les choix ont la même probabilité (Knuth, algorithme S). */
-    private static void choisir(BitSet strate, int combien, SplittableRandom hasard, BitSet deja, BitSet choisis) {
-        BitSet libres = (BitSet) strate.clone();
-        libres.andNot(deja);
-        int restent = libres.cardinality();
-        int manquent = combien;
-        for (int p = libres.nextSetBit(0); p >= 0; p = libres.nextSetBit(p + 1)) {
-            if (hasard.nextInt(restent--) < manquent) {
-                choisis.set(p);
-                manquent--;
-            }
-        }
+    /** Tire tant de pixels différents d'une strate. */
+    private static int[] tirer(int[] strate, int combien, SplittableRandom hasard) {
+        return hasard.ints(0, Math.max(1, strate.length)).distinct().limit(combien).map(k -> strate[k]).toArray();
+    }
+
+    /** Les rangs des pixels tirés. */
+    IntStream getRangs() {
+        return Arrays.stream(strates).flatMapToInt(Arrays::stream);
     }
 
     private void tracer(int reflets, Modele modele, Echantillonnage visite) {
@@ -131,38 +135,36 @@ public final class Echantillon implements Toile {
     /** Visite les pixels tirés d'un pavé. */
     private int parcourir(Pave pave, IntConsumer visite) {
         for (int j = pave.j0; j < pave.j1; j++) {
-            int k = Arrays.binarySearch(rangs, j * largeur + pave.i0);
-            for (k = k < 0 ? -1 - k : k; k < rangs.length && rangs[k] < j * largeur + pave.i1; k++) {
-                visite.accept(k);
-            }
+            IntStream.range(j * largeur + pave.i0, j * largeur + pave.i1)
+                    .filter(p -> pixels[p] != null).forEach(visite);
         }
         return 0;
     }
 
     /** Trouve les deux références d'un pixel ; elles ont neuf fois plus de rayons là où peu ne suffisent pas. */
-    private void juger(int k, int cote, SplittableRandom hasard, Vue vue) {
+    private void juger(int p, boolean bord, int cote, SplittableRandom hasard, Vue vue) {
         // deux moyennes ne servent qu'à le savoir : garder celles qui se ressemblent serait un biais
-        boolean peu = !bords[k] && ecart(limites(moyenne(k, cote, hasard, vue)), limites(moyenne(k, cote, hasard, vue)))
+        boolean peu = !bord && ecart(limites(moyenne(p, cote, hasard, vue)), limites(moyenne(p, cote, hasard, vue)))
                 <= SURES;
-        double[] une = moyenne(k, peu ? cote : 3 * cote, hasard, vue);
-        double[] autre = moyenne(k, peu ? cote : 3 * cote, hasard, vue);
+        double[] a = moyenne(p, peu ? cote : 3 * cote, hasard, vue);
+        double[] b = moyenne(p, peu ? cote : 3 * cote, hasard, vue);
         for (int c = 0; c < 3; c++) {
-            if (une[c] + autre[c] >= 2 * 255) {
+            if (a[c] + b[c] >= 2 * 255) {
                 // limiter chacune, quand les deux ensemble saturent l'écran, serait un biais aussi
-                une[c] = 255;
-                autre[c] = 255;
+                a[c] = 255;
+                b[c] = 255;
             }
         }
-        a[k] = limites(une);
-        b[k] = limites(autre);
+        pixels[p].a = limites(a);
+        pixels[p].b = limites(b);
     }
 
     /** La moyenne d'un rayon au hasard par sous-pixel, en niveaux, non limitée. */
-    private double[] moyenne(int k, int cote, SplittableRandom hasard, Vue vue) {
+    private double[] moyenne(int p, int cote, SplittableRandom hasard, Vue vue) {
         Couleur somme = new Couleur();
         for (int s = 0; s < cote * cote; s++) {
-            somme = somme.add(vue.couleur(rangs[k] % largeur + (s % cote + hasard.nextDouble()) / cote,
-                    rangs[k] / largeur + (s / cote + hasard.nextDouble()) / cote));
+            somme = somme.add(vue.couleur(p % largeur + (s % cote + hasard.nextDouble()) / cote,
+                    p / largeur + (s / cote + hasard.nextDouble()) / cote));
         }
         return niveaux(somme.div(cote * cote));
     }
@@ -171,8 +173,17 @@ public final class Echantillon implements Toile {
         return new double[] {255 * couleur.r, 255 * couleur.v, 255 * couleur.b};
     }
 
-    private static double[] limites(double... niveaux) {
-        return Arrays.stream(niveaux).map(niveau -> Math.max(0, Math.min(255, niveau))).toArray();
+    private static double[] limites(double[] n) {
+        return new double[] {limite(n[0]), limite(n[1]), limite(n[2])};
+    }
+
+    private static double limite(double niveau) {
+        return Math.max(0, Math.min(255, niveau));
+    }
+
+    /** Les niveaux que montre l'écran. */
+    private static double[] vue(Couleur couleur) {
+        return limites(niveaux(couleur));
     }
 
     private static double ecart(double[] u, double[] v) {
@@ -182,9 +193,9 @@ public final class Echantillon implements Toile {
     /** Retient cette couleur si ce pixel est de l'échantillon. */
     @Override
     public void drawPixel(Couleur couleur, int xe, int ye) {
-        int k = Arrays.binarySearch(rangs, ye * largeur + xe);
-        if (k >= 0) {
-            x[k] = limites(niveaux(couleur));
+        Pixel pixel = pixels[ye * largeur + xe];
+        if (pixel != null) {
+            pixel.x = vue(couleur);
         }
     }
 
@@ -197,9 +208,9 @@ public final class Echantillon implements Toile {
                     toile.drawPixel(vue.couleur(lui.i0 + 0.5, lui.j0 + 0.5), lui.i0, lui.j0);
                     return 0;
                 };
-        tracer(reglages.getProfondeur(), modele, (pave, voulus, vue, toile) -> parcourir(pave, k -> {
-            int i = rangs[k] % largeur;
-            int j = rangs[k] / largeur;
+        tracer(reglages.getProfondeur(), modele, (pave, voulus, vue, toile) -> parcourir(pave, p -> {
+            int i = p % largeur;
+            int j = p / largeur;
             choisi.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, toile);
         }));
         return mesurer();
@@ -207,10 +218,9 @@ public final class Echantillon implements Toile {
 
     /** L'erreur des couleurs retenues. */
     public Mesure mesurer() {
-        double[] carres = IntStream.range(0, rangs.length).mapToDouble(k -> IntStream.range(0, 3)
-                .mapToDouble(c -> (x[k][c] - a[k][c]) * (x[k][c] - b[k][c]) / 3).sum()).toArray();
-        boolean rienVu = IntStream.range(0, rangs.length)
-                .allMatch(k -> ecart(x[k], a[k]) <= JUSTE && ecart(x[k], b[k]) <= JUSTE);
-        return new Mesure(tailles, bords, carres, rienVu);
+        double[][] carres = Arrays.stream(strates)
+                .map(strate -> Arrays.stream(strate).mapToDouble(p -> pixels[p].carre()).toArray())
+                .toArray(double[][]::new);
+        return new Mesure(tailles, carres, getRangs().allMatch(p -> pixels[p].estJuste()));
     }
 }

@@ -20,42 +20,40 @@ public final class Mesure {
     /** Vrai si aucun pixel tiré ne s'écarte de ses références : rien ne se sait alors des autres. */
     public final boolean rienVu;
     private final int[] tailles;
-    private final boolean[] bords;
-    private final double[] carres;
+    private final double[][] carres;
     private double carre;
     private double variance;
     private double varianceDesManques;
 
     /**
      * @param tailles nombre de pixels du reste, puis des bords
-     * @param bords pour chaque pixel tiré, vrai s'il est d'un bord
-     * @param carres une estimation sans biais du carré de son erreur, en niveaux²
+     * @param carres pour chaque pixel tiré de ces deux strates, une estimation sans biais du carré de son erreur, en
+     *        niveaux²
      */
-    Mesure(int[] tailles, boolean[] bords, double[] carres, boolean rienVu) {
+    Mesure(int[] tailles, double[][] carres, boolean rienVu) {
         this.tailles = tailles;
-        this.bords = bords;
         this.carres = carres;
         this.rienVu = rienVu;
-        ajouter(false);
-        ajouter(true);
+        // un écart aussi grand que ceux des bords a pu manquer plusieurs fois dans le reste
+        ajouter(0, moyenne(carres[1]));
+        ajouter(1, 0);
         erreur = plus(0);
         incertitude = Math.max(erreur - plus(-NORMALE), plus(NORMALE) - erreur);
     }
 
-    private double[] strate(boolean bord) {
-        return IntStream.range(0, carres.length).filter(k -> bords[k] == bord).mapToDouble(k -> carres[k]).toArray();
+    private static double moyenne(double[] carres) {
+        return Arrays.stream(carres).average().orElse(0);
     }
 
-    private void ajouter(boolean bord) {
-        double[] siens = strate(bord);
-        double part = (double) tailles[bord ? 1 : 0] / Arrays.stream(tailles).sum() / Math.max(1, siens.length);
-        double moyenne = Arrays.stream(siens).average().orElse(0);
+    /** @param voisin un écart qui a pu manquer plusieurs fois, comme le plus grand vu */
+    private void ajouter(int strate, double voisin) {
+        double[] siens = carres[strate];
+        double part = (double) tailles[strate] / Arrays.stream(tailles).sum() / Math.max(1, siens.length);
+        double moyenne = moyenne(siens);
         carre += part * Arrays.stream(siens).sum();
         variance += part * part * Arrays.stream(siens).map(c -> (c - moyenne) * (c - moyenne)).sum();
-        // un écart aussi grand que le plus grand vu, ou dans le reste comme ceux des bords, a pu manquer plusieurs fois
-        double grand = Arrays.stream(siens).max().orElse(0);
-        double voisin = bord ? 0 : Arrays.stream(strate(true)).average().orElse(0);
-        double manque = part * ZERO_VU / NORMALE * Math.max(0, Math.max(grand, voisin));
+        double grand = Math.max(voisin, Arrays.stream(siens).max().orElse(0));
+        double manque = part * ZERO_VU / NORMALE * Math.max(0, grand);
         varianceDesManques += manque * manque;
     }
 
@@ -71,8 +69,9 @@ public final class Mesure {
      * pixel, le hasard des références, le même pour les deux, disparaît.
      */
     double gain(Mesure autre, double ecartsTypes) {
-        Mesure gain = new Mesure(tailles, bords, IntStream.range(0, carres.length)
-                .mapToDouble(k -> carres[k] - autre.carres[k]).toArray(), false);
+        double[][] gains = IntStream.range(0, 2).mapToObj(s -> IntStream.range(0, carres[s].length)
+                .mapToDouble(k -> carres[s][k] - autre.carres[s][k]).toArray()).toArray(double[][]::new);
+        Mesure gain = new Mesure(tailles, gains, false);
         return gain.carre + ecartsTypes * Math.sqrt(gain.variance);
     }
 
@@ -81,7 +80,8 @@ public final class Mesure {
         if (!rienVu) {
             return String.format(Locale.ROOT, "erreur de %.2f ± %.2f", erreur, incertitude);
         }
-        return "aucun écart sur " + carres.length + " pixels" + (carres.length == Arrays.stream(tailles).sum() ? ""
-                : " ; un détail de moins d'un pixel sur " + carres.length / 3 + " peut manquer");
+        int tires = carres[0].length + carres[1].length;
+        return "aucun écart sur " + tires + " pixels" + (tires == tailles[0] + tailles[1] ? ""
+                : " ; un détail de moins d'un pixel sur " + tires / 3 + " peut manquer");
     }
 }

@@ -76,7 +76,7 @@ public final class SansFenetre {
         Map<Ecriture, Ecriture.Format> fichiers = fichiers();
         lire();
         Dessin dessin = new Dessin(demande, new ImageMemoire(options.largeur, options.hauteur, options.image != null,
-                options.lineaire != null));
+                options.lineaire != null || options.auto()));
         if (options.auto()) {
             choisirEtDessiner(dessin, fichiers);
         } else {
@@ -154,9 +154,8 @@ public final class SansFenetre {
                 options.estDonnee("--seuil")), options.erreurVoulue, options.fils);
         long[] traces;
         do {
-            traces = tracer(dessin, auto.getLancer(), auto.surveiller(surface.apply(dessin.image)),
-                    auto.getChoisi().getProfondeur());
-        } while (!auto.controler());
+            traces = tracer(dessin, auto.getLancer(), surface.apply(dessin.image), auto.getChoisi().getProfondeur());
+        } while (!auto.controler(dessin.image::getCouleur));
         double essais = (System.nanoTime() - debut - Arrays.stream(traces).sum()) / NS_PAR_S;
         Ecriture.ecrire(dessin.image, fichiers);
         Mesure mesure = auto.getMesure();

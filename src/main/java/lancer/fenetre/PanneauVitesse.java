@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -82,7 +81,7 @@ final class PanneauVitesse extends JPanel {
             Dessin prepare = new Dessin(demande);
             // les bords se cherchent dans l'image, et non dans une vue
             Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), montre.demande.vue == null
-                    ? montre.image::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
+                    ? montre.image::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());

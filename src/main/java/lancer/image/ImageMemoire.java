@@ -55,8 +55,11 @@ public final class ImageMemoire implements Toile {
         }
     }
 
-    /** La couleur que montre ce pixel, limitée et arrondie. @param k son rang, ligne par ligne */
+    /** La couleur de ce pixel, arrondie si l'image n'a que des codes. @param k son rang, ligne par ligne */
     public Couleur getCouleur(int k) {
+        if (lineaire != null) {
+            return new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
+        }
         return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
     }
 

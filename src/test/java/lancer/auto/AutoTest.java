@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Constantes;
@@ -74,9 +75,8 @@ class AutoTest {
         int largeur = auto.getLancer().getCamera().getLargeur();
         Couleur[] image = new Couleur[largeur * auto.getLancer().getCamera().getHauteur()];
         do {
-            auto.getLancer().TracerPixels(auto.surveiller((couleur, i, j) -> image[j * largeur + i] = couleur),
-                    auto.getChoisi().getProfondeur(), 2);
-        } while (!auto.controler());
+            auto.getLancer().TracerPixels((couleur, i, j) -> image[j * largeur + i] = couleur, auto.getChoisi().getProfondeur(), 2);
+        } while (!auto.controler(rang -> image[rang]));
         return image;
     }
 
@@ -221,15 +221,17 @@ class AutoTest {
 
     @ParameterizedTest
     @CsvSource({"800, 600, 700", "200, 150, 300", "300, 150, 450", "70, 60, 200"})
-    void lesPixelsDUnControleNOntPasServi(int largeur, int hauteur, int essai) {
+    void lesPixelsDUnControleSontTiresDeNouveau(int largeur, int hauteur, int essai) {
         Lancer prepare = Dessin.lancer(CIEL, largeur, hauteur, false);
-        BitSet tires = new BitSet();
         SplittableRandom hasard = new SplittableRandom(1);
+        BitSet tires = new BitSet();
         for (int k = 0; k < 3; k++) {
-            new Echantillon(prepare, 2, k == 0 ? null : rang -> GRIS, 1, Long.MAX_VALUE, hasard, tires);
+            int[] rangs = new Echantillon(prepare, 2, k == 0 ? null : rang -> GRIS, 1, Long.MAX_VALUE, hasard).getRangs().toArray();
+            assertEquals(k == 0 ? essai : 2 * essai, Arrays.stream(rangs).distinct().count());
+            assertEquals(largeur * hauteur / 2.0, Arrays.stream(rangs).average().getAsDouble(), 0.05 * largeur * hauteur);
+            Arrays.stream(rangs).forEach(tires::set);
         }
-        assertEquals(5 * essai, tires.cardinality());
-        assertEquals(largeur * hauteur / 2.0, tires.stream().average().getAsDouble(), 0.05 * largeur * hauteur);
+        assertTrue(tires.cardinality() > 4 * essai, "au hasard, peu reviennent");
     }
 
     /** Quatre pixels blancs au milieu du noir : les seize pixels de leur voisinage sont mesurés, si peu qu'ils soient. */
@@ -238,8 +240,9 @@ class AutoTest {
         int largeur = 200;
         Lancer prepare = Dessin.lancer(CIEL, largeur, 150, false);
         BitSet tires = new BitSet();
-        new Echantillon(prepare, 2, rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0), 1,
-                Long.MAX_VALUE, new SplittableRandom(1), tires);
+        IntFunction<Couleur> dessinee = rang -> new Couleur(rang % largeur / 2 == 50 && rang / largeur / 2 == 30 ? 1 : 0);
+        Echantillon controle = new Echantillon(prepare, 2, dessinee, 1, Long.MAX_VALUE, new SplittableRandom(1));
+        controle.getRangs().forEach(tires::set);
         assertEquals(600, tires.cardinality());
         for (int rang = 0; rang < largeur * 150; rang++) {
             boolean bord = Math.abs(rang % largeur - 100.5) < 2 && Math.abs(rang / largeur - 60.5) < 2;
@@ -251,9 +254,8 @@ class AutoTest {
     @CsvSource({"1, 1", "7, 3", "26, 30"})
     void unePetiteImageEstMesureeEnEntier(int largeur, int hauteur) {
         Lancer prepare = Dessin.lancer(scene(boule(0, 0, 8, 2, 0)), largeur, hauteur, false);
-        BitSet tires = new BitSet();
-        Echantillon tous = new Echantillon(prepare, 2, null, 1, Long.MAX_VALUE, new SplittableRandom(1), tires);
-        assertEquals(largeur * hauteur, tires.cardinality());
+        Echantillon tous = new Echantillon(prepare, 2, null, 1, Long.MAX_VALUE, new SplittableRandom(1));
+        assertEquals(largeur * hauteur, tous.getRangs().distinct().count());
         Couleur[] image = new Couleur[largeur * hauteur];
         prepare.TracerPixels((couleur, i, j) -> {
             image[j * largeur + i] = couleur;
@@ -264,9 +266,9 @@ class AutoTest {
     }
 
     private static Mesure mesure(int reste, int bords, double... carres) {
-        boolean[] auBord = new boolean[carres.length];
-        Arrays.fill(auBord, carres.length / 2, carres.length, bords > 0);
-        return new Mesure(new int[] {reste, bords}, auBord, carres, false);
+        int duReste = bords > 0 ? carres.length / 2 : carres.length;
+        return new Mesure(new int[] {reste, bords}, new double[][] {Arrays.copyOf(carres, duReste),
+            Arrays.copyOfRange(carres, duReste, carres.length)}, false);
     }
 
     @Test

@@ -17,17 +17,51 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import lancer.essai.EssaiProcessus;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Ce que make décide avant de lancer quoi que ce soit. */
 class MakefileTest extends EssaiProcessus {
 
+    private static final String COMMUN = "commun.mk";
+
+    @BeforeEach
+    void exigerMake() {
+        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
+    }
+
+    /** Make, par ce fichier du projet ou cette copie, sans rien de ce que lui dit celui qui lance ce test. */
+    private ProcessBuilder make(String fichier, String... arguments) {
+        List<String> commande = new ArrayList<>(Arrays.asList("make", "-s", "-I", new File("").getAbsolutePath(), "-f", fichier));
+        commande.addAll(Arrays.asList(arguments));
+        ProcessBuilder make = preparer(commande);
+        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "JAVA", "JAVA_OPTIONS", "LC_ALL",
+                "LC_CTYPE", "LANG"));
+        if (!new File(fichier).isAbsolute()) {
+            make.directory(new File("").getAbsoluteFile());
+        }
+        return make;
+    }
+
+    /** Une copie de commun.mk dans le dossier du test, qui est alors celui du projet. */
+    private String copie() throws IOException {
+        Path copie = dossier.resolve(COMMUN);
+        if (!Files.exists(copie)) {
+            Files.copy(Paths.get(COMMUN), copie);
+        }
+        return copie.toString();
+    }
+
+    /** Ce qu'il dit, et qui réussit. */
+    private String dire(ProcessBuilder commande) throws IOException, InterruptedException {
+        assertEquals(0, statut(commande), erreur());
+        return sortie().trim();
+    }
+
     /** Ce que vaut LC_ALL pour les commandes de make, lancé avec ces trois variables, {@code null} pour celle qui manque. */
     private String langue(String lcAll, String lcCtype, String lang) throws IOException, InterruptedException {
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
-                "--eval", "langue:;@echo $$LC_ALL", "langue"));
+        ProcessBuilder make = make(COMMUN, "--eval", "langue:;@echo $$LC_ALL", "langue");
         Map<String, String> variables = make.environment();
-        variables.keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "LC_ALL", "LC_CTYPE", "LANG"));
         String[] noms = {"LC_ALL", "LC_CTYPE", "LANG"};
         String[] valeurs = {lcAll, lcCtype, lang};
         for (int k = 0; k < noms.length; k++) {
@@ -35,13 +69,11 @@ class MakefileTest extends EssaiProcessus {
                 variables.put(noms[k], valeurs[k]);
             }
         }
-        assertEquals(0, statut(make), erreur());
-        return sortie().trim();
+        return dire(make);
     }
 
     @Test
     void laLangueEstChangeeLaOuLaMachineNEstPasEnUtf8QuoiQueDisentLesVariables() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         assertEquals("", langue(null, null, "C.UTF-8"), "rien à changer : c'est de l'UTF-8");
         assertEquals("C.UTF-8", langue("C.UTF-8", "C", "C"));
         assertEquals("C.UTF-8", langue(null, null, null));
@@ -52,16 +84,11 @@ class MakefileTest extends EssaiProcessus {
 
     /** La scène que montre make dans le dossier de cette variante, ou à la racine. */
     private String scene(String variante) throws IOException, InterruptedException {
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk",
-                "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene")).directory(new File("").getAbsoluteFile());
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
-        assertEquals(0, statut(make), erreur());
-        return sortie().trim();
+        return dire(make(COMMUN, "VARIANTE=" + variante, "--eval", "scene:;@echo $(SCENE)", "scene"));
     }
 
     @Test
     void uneVarianteMontreLaSceneQuiPorteSonNomOuCelleDuCours() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         assertEquals("scenes/brume.ini", scene("brume"));
         assertEquals("scenes/scene1.ini", scene("blinn"));
         assertEquals("scenes/scene1.ini", scene(""));
@@ -69,18 +96,13 @@ class MakefileTest extends EssaiProcessus {
 
     /** Les commandes java d'une image et de la fenêtre, avec cette définition ou aucune. */
     private String commandes(String... definitions) throws IOException, InterruptedException {
-        List<String> commande = new ArrayList<>(Arrays.asList("make", "-s", "-f", new File("commun.mk").getAbsolutePath(),
-                "--eval", "commandes:;@echo '$(JAVA_IMAGE);$(JAVA_FENETRE)'", "commandes"));
-        commande.addAll(Arrays.asList(definitions));
-        ProcessBuilder make = preparer(commande);
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "JAVA", "JAVA_OPTIONS"));
-        assertEquals(0, statut(make), erreur());
-        return sortie().trim();
+        ProcessBuilder make = make(COMMUN, "--eval", "commandes:;@echo '$(JAVA_IMAGE);$(JAVA_FENETRE)'", "commandes");
+        make.command().addAll(Arrays.asList(definitions));
+        return dire(make);
     }
 
     @Test
     void lesOptionsMesureesSontCellesDUneImageEtCellesDeLUtilisateurLesRemplacent() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         assertEquals("java -XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m;java", commandes());
         assertEquals("java -XX:+UseParallelGC;java -XX:+UseParallelGC", commandes("JAVA_OPTIONS=-XX:+UseParallelGC"));
         assertEquals("java;java", commandes("JAVA_OPTIONS=").replace(" ", ""));
@@ -88,7 +110,6 @@ class MakefileTest extends EssaiProcessus {
 
     @Test
     void seulesLesImagesDontUnPixelAChangeSontRemplacees() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         for (String nom : new String[] {"meme.png", "autre.png", "nouvelle.png"}) {
             Files.write(Files.createDirectories(dossier.resolve("neuves")).resolve(nom), new byte[] {1});
             Files.write(Files.createDirectories(dossier.resolve("images")).resolve(nom), new byte[] {0});
@@ -97,12 +118,8 @@ class MakefileTest extends EssaiProcessus {
         Path comparer = dossier.resolve("comparer");
         Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
         Files.delete(dossier.resolve("images/nouvelle.png"));
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("outils/Makefile").getAbsolutePath(),
-                "-I", new File("").getAbsolutePath(), "JAVA=sh comparer", "JAVA_OPTIONS=", "BASE=./target/lancer.jar", "--eval",
-                "essai:;@$(call actualiser,neuves,images)", "essai"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
-        assertEquals(0, statut(make), erreur());
-        assertEquals("changée : autre.png\nchangée : nouvelle.png\n", sortie());
+        assertEquals("changée : autre.png\nchangée : nouvelle.png", dire(make("outils/Makefile", "JAVA=sh comparer", "JAVA_OPTIONS=",
+                "BASE=./target/lancer.jar", "--eval", "essai:;@$(call actualiser,neuves,images)", "essai")));
         assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
         assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
     }
@@ -128,38 +145,26 @@ class MakefileTest extends EssaiProcessus {
 
     @Test
     void makeMutationsDitCombienDeFautesLesTestsVoient() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
         // à la place de Maven, les rapports de PIT : une faute par module, et dans la base une de plus pour chaque sort
         Files.write(dossier.resolve("pit"), ("for m in . brume antialias blinn; do mkdir -p $m/target/pit-reports\n"
                 + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
                 + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
                 + ">> target/pit-reports/mutations.csv\n").getBytes());
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", new File("outils/Makefile").getAbsolutePath(),
-                "-I", new File("").getAbsolutePath(), "MVN=sh pit", "mutations"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
-        assertEquals(0, statut(make), erreur());
-        assertTrue(sortie().contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
+        assertTrue(dire(make("outils/Makefile", "MVN=sh pit", "mutations")).contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
     }
 
     @Test
     void laOuRienNePeutSEcrireUneLigneDitQueFaire() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
-        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
         // à la place d'un dossier en lecture seule, où root écrirait
         Files.write(dossier.resolve("target"), new byte[1]);
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "target/lancer.jar"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
-        assertEquals(2, statut(make));
+        assertEquals(2, statut(make(copie(), "target/lancer.jar")));
         assertTrue(erreur().matches("Tout se construit dans .*/target, où rien ne peut s'écrire : copier le projet .*\nmake: .*\n"),
                 erreur());
     }
 
     /** Make demande-t-il le jar à Maven ? */
     private boolean jarRefait() throws IOException, InterruptedException {
-        ProcessBuilder make = preparer(Arrays.asList("make", "-s", "-f", "commun.mk", "MVN=sh maven", "target/lancer.jar"));
-        make.environment().keySet().removeAll(Arrays.asList("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
-        assertEquals(0, statut(make), erreur());
-        return sortie().startsWith("Construction de target/lancer.jar");
+        return dire(make(copie(), "MVN=sh maven", "target/lancer.jar")).startsWith("Construction de target/lancer.jar");
     }
 
     private static void dater(Path fichier, int secondes) throws IOException {
@@ -168,8 +173,6 @@ class MakefileTest extends EssaiProcessus {
 
     @Test
     void leJarEstRefaitLaOuUneSourceEstNeuveChangeeOuEffaceeQuelQueSoitSonNom() throws Exception {
-        assumeTrue(new File("/usr/bin/make").canExecute(), "pas de make ici");
-        Files.copy(Paths.get("commun.mk"), dossier.resolve("commun.mk"));
         Path pom = Files.write(dossier.resolve("pom.xml"), new byte[1]);
         Path sources = Files.createDirectories(dossier.resolve("src/main/java"));
         Path copie = Files.write(sources.resolve("Sphere - Copie.java"), new byte[1]);

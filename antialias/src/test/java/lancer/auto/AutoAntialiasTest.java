@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -62,7 +61,7 @@ class AutoAntialiasTest {
         List<Reglages> echelle = Echelle.de(new Reglages().pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(9, echelle.size());
-        Echantillon tous = new Echantillon(prepare, 2, null, 0.125, Long.MAX_VALUE, new SplittableRandom(1), new BitSet());
+        Echantillon tous = new Echantillon(prepare, 2, null, 0.125, Long.MAX_VALUE, new SplittableRandom(1));
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;
         for (Reglages echelon : echelle) {

@@ -146,8 +146,8 @@ public final class MesureAuto {
             ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
             Auto auto = new Auto(prepare, echelle, voulue, taille.fils);
             do {
-                auto.getLancer().TracerPixels(auto.surveiller(image), auto.getChoisi().getProfondeur(), taille.fils);
-            } while (!auto.controler());
+                auto.getLancer().TracerPixels(image, auto.getChoisi().getProfondeur(), taille.fils);
+            } while (!auto.controler(image::getCouleur));
             Reponse r = new Reponse();
             r.scene = nom;
             r.taille = taille.toString();
