@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test;
 class MakefileTest extends EssaiProcessus {
 
     private static final String COMMUN = "commun.mk";
+    private static final String OUTILS = new File("outils/Makefile").getAbsolutePath();
 
     @BeforeEach
     void exigerMake() {
@@ -118,7 +119,7 @@ class MakefileTest extends EssaiProcessus {
         Path comparer = dossier.resolve("comparer");
         Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
         Files.delete(dossier.resolve("images/nouvelle.png"));
-        assertEquals("changée : autre.png\nchangée : nouvelle.png", dire(make("outils/Makefile", "JAVA=sh comparer", "JAVA_OPTIONS=",
+        assertEquals("changée : autre.png\nchangée : nouvelle.png", dire(make(OUTILS, "JAVA=sh comparer", "JAVA_OPTIONS=",
                 "BASE=./target/lancer.jar", "--eval", "essai:;@$(call actualiser,neuves,images)", "essai")));
         assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
         assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
@@ -150,7 +151,7 @@ class MakefileTest extends EssaiProcessus {
                 + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
                 + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
                 + ">> target/pit-reports/mutations.csv\n").getBytes());
-        assertTrue(dire(make("outils/Makefile", "MVN=sh pit", "mutations")).contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
+        assertTrue(dire(make(OUTILS, "MVN=sh pit", "mutations")).contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
     }
 
     @Test
