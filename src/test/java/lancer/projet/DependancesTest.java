@@ -157,8 +157,7 @@ class DependancesTest {
                 .forEach(n -> cours.computeIfAbsent(classe, c -> new TreeSet<>()).add(n)));
         Map<String, Set<String>> duCours = cercles(cours);
         assertEquals(new TreeSet<>(Arrays.asList("lancer.Camera", "lancer.Objet3D", "lancer.Point", "lancer.PointContact", "lancer.Rayon",
-                "lancer.Scene",
-                "lancer.Sphere", "lancer.Vecteur")), duCours.keySet());
+                "lancer.Scene", "lancer.Sphere", "lancer.Vecteur")), duCours.keySet());
         Map<String, Set<String>> fleches = new TreeMap<>();
         NOMS.forEach((classe, noms) -> noms.stream()
                 .filter(n -> CODES.containsKey(n) && !duCours.getOrDefault(classe, Collections.emptySet()).contains(n))
