@@ -39,7 +39,7 @@ public final class Scene {
     }
 
     private Scene(SceneLue lue) {
-        this(lue.getScene(), lue.getModele());
+        this(new Scene(lue.objets, lue.lampes, lue.getCadrage()), lue.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */

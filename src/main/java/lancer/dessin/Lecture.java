@@ -22,7 +22,7 @@ public final class Lecture {
         this.fichier = fichier;
         this.lue = lue;
         this.dureeNs = dureeNs;
-        scene = lue.getScene();
+        scene = new Scene(lue.objets, lue.lampes, lue.getCadrage());
     }
 
     /**

@@ -46,12 +46,12 @@ public final class Noeud {
     public List<String> lignes() {
         List<String> lignes = new ArrayList<>();
         lignes.add(texte);
-        enfants.forEach(enfant -> enfant.dire("", lignes));
+        enfants.forEach(enfant -> enfant.ajouter("", lignes));
         return lignes;
     }
 
-    private void dire(String retrait, List<String> lignes) {
+    private void ajouter(String retrait, List<String> lignes) {
         lignes.add(retrait + texte);
-        enfants.forEach(enfant -> enfant.dire(retrait + "  ", lignes));
+        enfants.forEach(enfant -> enfant.ajouter(retrait + "  ", lignes));
     }
 }

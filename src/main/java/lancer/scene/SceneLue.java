@@ -20,7 +20,6 @@ import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
-import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.contrat.Modele;
@@ -115,9 +114,8 @@ public final class SceneLue {
         return faite;
     }
 
-    /** Les objets, les lampes et la caméra, sans réglage. */
-    public Scene getScene() {
-        return new Scene(objets, lampes, cadrage);
+    public BiFunction<Integer, Integer, Camera> getCadrage() {
+        return cadrage;
     }
 
     /** Cette place, comme dans un fichier. */

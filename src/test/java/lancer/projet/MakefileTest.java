@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -16,6 +17,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -123,6 +125,33 @@ class MakefileTest extends EssaiProcessus {
                 "BASE=./target/lancer.jar", "--eval", "essai:;@$(call actualiser,neuves,images)", "essai")));
         assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
         assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
+    }
+
+    /** Le vrai lanceur, sans UTF-8, ne saurait lire le chemin d'un dossier accentué. */
+    @Test
+    void lApplicationDonneUneLangueAuLanceurQuiEnManque() throws Exception {
+        supposerUnix();
+        Path bin = Files.createDirectories(dossier.resolve("mon dossier"));
+        Files.copy(Paths.get("outils/lancer.sh"), bin.resolve("lancer"));
+        Files.write(bin.resolve("lanceur"), "#!/bin/sh\necho \"$LC_ALL : $2\"\n".getBytes());
+        assertTrue(bin.resolve("lanceur").toFile().setExecutable(true));
+        Files.createSymbolicLink(dossier.resolve("lien"), bin.resolve("lancer"));
+        for (String langue : new String[] {"C", "xx_YY.UTF-8"}) {
+            ProcessBuilder lancer = preparer(Arrays.asList("sh", "lien", "--image", "a b.png"));
+            lancer.environment().put("LC_ALL", langue);
+            assertEquals(0, statut(lancer), erreur());
+            assertEquals("C.UTF-8 : a b.png\n", sortie());
+        }
+    }
+
+    /** Sinon il ne se télécharge qu'au premier test, et « make » en ligne puis « make test » hors ligne échoue. */
+    @Test
+    void leFournisseurDesTestsEstNommeAvecSaVersionDeSurefire() throws Exception {
+        Pattern nomme = Pattern.compile("maven-surefire-plugin</artifactId>\\s*<version>(.*?)</version>\\s*<dependencies>(?s:.*?)"
+                + "surefire-junit-platform</artifactId>\\s*<version>\\1</version>");
+        for (String pom : new String[] {"ensemble.xml", "correction/src/modele/projet/pom.xml"}) {
+            assertTrue(nomme.matcher(new String(Files.readAllBytes(Paths.get(pom)), StandardCharsets.UTF_8)).find(), pom);
+        }
     }
 
     @Test

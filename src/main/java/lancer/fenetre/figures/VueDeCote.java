@@ -70,7 +70,8 @@ public final class VueDeCote extends JPanel {
         DoubleSummaryStatistics z = vus.stream().mapToDouble(p -> p.z).summaryStatistics();
         DoubleSummaryStatistics y = vus.stream().mapToDouble(p -> p.y).summaryStatistics();
         // la marge laisse voir le bord des objets touchés
-        double marge = 1 + z.getMax() / 10;
+        double ecran = pixel.camera.depuisLOeil(pixel.camera.getEcran(0, 0)).z;
+        double marge = 1 + (z.getMax() - ecran) / 10;
         z0 = z.getMin();
         y0 = (y.getMin() + y.getMax()) / 2;
         echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z0),

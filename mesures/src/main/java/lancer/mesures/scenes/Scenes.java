@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.scene.FichierScene;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 
 /**
  * Des scènes par leur nom : un fichier de {@code scenes/}, ou une scène engendrée (« foule-1000 », {@link Difficiles}). Elles sont lues
@@ -37,7 +38,8 @@ public final class Scenes {
 
     /** Une scène, sans variante. @throws lancer.SceneFautive si le fichier ne peut être utilisé */
     public static Scene lire(Path fichier) {
-        return LecteurScene.lire(fichier.toString(), part -> { }).getScene();
+        SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
+        return new Scene(lue.objets, lue.lampes, lue.getCadrage());
     }
 
     /**

@@ -104,15 +104,15 @@ final class Tableaux {
     // ---- les autres
 
     private static String processeurs(Mesure m) {
-        return avec(m.processeurs, " s");
+        return quantite(m.processeurs, " s");
     }
 
     private static String memoire(Mesure m) {
-        return avec(m.memoire, " Mo");
+        return quantite(m.memoire, " Mo");
     }
 
     /** Le nombre et son unité ; vide s'il n'est pas mesuré. */
-    private static String avec(double nombre, String unite) {
+    private static String quantite(double nombre, String unite) {
         return Double.isNaN(nombre) ? "" : Nombres.nombre(nombre) + unite;
     }
 
