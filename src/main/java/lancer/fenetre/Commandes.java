@@ -148,7 +148,7 @@ final class Commandes {
         touches.put("Tirer une sphère, ou l'étoile d'une lampe", "Maj et la souris");
         touches.put("Oublient aussi ce qui a été tiré sans être écrit", "F5 et Ctrl+Q");
         Dialogues.direTouches(f.cadre, touches.entrySet().stream()
-                .map(e -> "<tr><td>" + e.getValue() + "<td>" + e.getKey()).collect(Collectors.joining()));
+                .map(e -> "<tr><td>" + e.getValue() + "&nbsp;<td>" + e.getKey()).collect(Collectors.joining()));
     }
 
     private JMenu menu(String nom, Commande... siennes) {

@@ -22,7 +22,7 @@ import lancer.scene.Surveillance;
  * L'état de la fenêtre, et la suite de ses dessins. Tout y est appelé dans le fil des événements ; {@link Travail}
  * calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
-final class Controleur {
+final class Controleur implements Travail.Suite {
 
     /** La plus grande image « avant » gardée, en pixels. */
     private static final int PIXELS_GARDES = 16_000_000;
@@ -176,21 +176,21 @@ final class Controleur {
         arreter();
         travail = nouveau;
         enCours = true;
-        nouveau.controleur = this;
+        nouveau.suite = this;
         nouveau.execute();
         avertir();
     }
 
-    /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
-    void lue(Travail celui) {
+    @Override
+    public void lue(Travail celui) {
         if (celui == travail) {
             surveillance.suivre(fichier, celui.version);
             panneau.bandeau.dire(Sujet.SCENE, "");
         }
     }
 
-    /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
-    void montrer(Travail celui) {
+    @Override
+    public void montrer(Travail celui) {
         if (celui != travail || celui.isCancelled() && montre != null) {
             return;
         }
@@ -222,8 +222,8 @@ final class Controleur {
         }
     }
 
-    /** Ce travail est achevé, arrêté, ou a échoué. */
-    void finir(Travail celui) {
+    @Override
+    public void finir(Travail celui) {
         if (celui != travail) {
             return;
         }

@@ -29,7 +29,7 @@ final class Dialogues {
 
     /** Le tableau des touches. @param lignes touche, puis effet, en lignes d'un tableau HTML */
     static void direTouches(Component parent, String lignes) {
-        JLabel table = new JLabel("<html><table cellspacing=4 cellpadding=0>" + lignes);
+        JLabel table = new JLabel("<html><table cellspacing=2 cellpadding=0>" + lignes);
         table.setName("table");
         JOptionPane.showMessageDialog(parent, table, "Touches", JOptionPane.PLAIN_MESSAGE);
     }

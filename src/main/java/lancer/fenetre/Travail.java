@@ -15,6 +15,19 @@ import lancer.scene.FichierScene;
  */
 final class Travail extends SwingWorker<Void, Runnable> {
 
+    /** Ce que ce travail fait faire dans le fil des événements. */
+    interface Suite {
+
+        /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
+        void lue(Travail celui);
+
+        /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
+        void montrer(Travail celui);
+
+        /** Ce travail est achevé, arrêté, ou a échoué. */
+        void finir(Travail celui);
+    }
+
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
@@ -33,8 +46,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
     private long fin;
-    /** Celui qui montre ce travail. Le premier commence avant que la fenêtre soit faite. */
-    Controleur controleur;
+    /** Donnée dans le fil des événements : le premier travail commence avant que la fenêtre soit faite. */
+    Suite suite;
 
     /**
      * @param aLire le fichier de la scène à lire, ou {@code null} si elle est lue
@@ -58,7 +71,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
             Demande initiale = moteur.lire(aLire, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;
-            publish(() -> controleur.lue(this));
+            publish(() -> suite.lue(this));
         }
         if (demande.vue == null) {
             moteur.programme.accept(demande, this::suivre);
@@ -72,7 +85,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private void suivre(Dessin celui) {
         dessin = celui;
         debutDuDessin = System.nanoTime();
-        publish(() -> controleur.montrer(this));
+        publish(() -> suite.montrer(this));
     }
 
     @Override
@@ -83,7 +96,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     @Override
     protected void done() {
         fin = System.nanoTime();
-        controleur.finir(this);
+        suite.finir(this);
     }
 
     boolean aSonBrouillon() {
