@@ -158,7 +158,12 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
     private static Repetition.Bilan bilan(ExtensionContext qui) {
         Vu vu = vu(qui);
         if (vu.bilan == null) {
-            vu.bilan = new Repetition.Bilan(null);
+            try {
+                vu.bilan = new Repetition.Bilan(null);
+            } catch (RuntimeException | StackOverflowError e) {
+                // d'autres vérifications le disent
+                vu.bilan = new Repetition.Bilan();
+            }
         }
         return vu.bilan;
     }

@@ -134,11 +134,11 @@ abstract class Repetition {
 
         private static final double[][] CENTRES = {{0, 0, 6}, {1.5, 0.5, 8}, {-1.5, 0.25, 7}, {0, -101, 6}};
         private static final double[] RAYONS = {1, 1, 0.75, 100};
-        private static final Point P = new Point(0.25, -0.5, 1);
-        private static final Point Q = new Point(2, 1, -3.5);
-        private static final Vecteur U = new Vecteur(1.5, 2, -0.25);
-        private static final Vecteur W = new Vecteur(-3, 0.5, 4);
 
+        private final Point p = new Point(0.25, -0.5, 1);
+        private final Point q = new Point(2, 1, -3.5);
+        private final Vecteur u = new Vecteur(1.5, 2, -0.25);
+        private final Vecteur w = new Vecteur(-3, 0.5, 4);
         private final List<Sphere> boules;
         private final Camera camera;
         private final Scene scene;
@@ -168,9 +168,10 @@ abstract class Repetition {
         }
 
         /** D'autres objets : ceux d'un monde n'en savent rien. */
-        static void autres() {
-            Scene scene = new Scene(Arrays.asList(new Sphere(Q, 3)), Arrays.asList(new Lampe(P, new Couleur(1, 0, 0))));
-            new Lancer(scene, new Camera(64, 48));
+        Object autres() {
+            Lampe rouge = new Lampe(p, new Couleur(1, 0, 0));
+            new Lancer(new Scene(Arrays.asList(new Sphere(q, 3)), Arrays.asList(rouge)), new Camera(64, 48));
+            return new Rayon(q, p);
         }
 
         /** Une lampe qui, avant de dire où elle est, laisse un autre fil faire ce qu'il a à faire. */
@@ -203,7 +204,7 @@ abstract class Repetition {
 
         /** Un rayon qui ne sert à rien d'autre, fait une fois pour toutes. */
         Rayon rayon() {
-            rayon = rayon == null ? new Rayon(P, W) : rayon;
+            rayon = rayon == null ? new Rayon(p, w) : rayon;
             return rayon;
         }
 
@@ -222,17 +223,17 @@ abstract class Repetition {
 
     private static List<Question> questions() {
         List<Question> toutes = new ArrayList<>(Arrays.asList(
-                new Question(Vecteur.class, "Vecteur", m -> new Vecteur(Monde.P, Monde.Q)),
-                new Question(Vecteur.class, "sub", m -> Monde.U.sub(Monde.W)),
-                new Question(Vecteur.class, "dot", m -> Monde.U.dot(Monde.W)),
-                new Question(Vecteur.class, "norme2", m -> Monde.W.norme2()),
-                new Question(Vecteur.class, "normalized", m -> Monde.W.normalized()),
-                new Question(Vecteur.class, "normalize", m -> Vecteur.normalize(Monde.W)),
-                new Question(Point.class, "sub", m -> Monde.P.sub(Monde.U)),
-                new Question(Point.class, "sub", m -> Monde.P.sub(Monde.Q)),
+                new Question(Vecteur.class, "Vecteur", m -> new Vecteur(m.p, m.q)),
+                new Question(Vecteur.class, "sub", m -> m.u.sub(m.w)),
+                new Question(Vecteur.class, "dot", m -> m.u.dot(m.w)),
+                new Question(Vecteur.class, "norme2", m -> m.w.norme2()),
+                new Question(Vecteur.class, "normalized", m -> m.w.normalized()),
+                new Question(Vecteur.class, "normalize", m -> Vecteur.normalize(m.w)),
+                new Question(Point.class, "sub", m -> m.p.sub(m.u)),
+                new Question(Point.class, "sub", m -> m.p.sub(m.q)),
                 new Question(Rayon.class, "<init>", m -> m.rayon()),
                 new Question(Rayon.class, "calcContact", m -> m.rayon().calcContact()),
-                new Question(Rayon.class, "<init>", m -> new Rayon(Monde.P, Monde.Q)),
+                new Question(Rayon.class, "<init>", m -> new Rayon(m.p, m.q)),
                 new Question(Rayon.class, "getSkyColor", m -> m.rayon(0).getSkyColor()),
                 new Question(Camera.class, "getRayon", m -> m.camera.getRayon(10.5, 20.25)),
                 new Question(Camera.class, "getRayon", m -> m.camera.getRayon(3, 4))));
@@ -249,7 +250,7 @@ abstract class Repetition {
             toutes.add(new Question(Scene.class, "getClosestIntersection", m -> m.scene.getClosestIntersection(m.rayon(q), null)));
             toutes.add(new Question(Scene.class, "getClosestIntersection",
                     m -> m.scene.getClosestIntersection(m.rayon(q), m.boules.get(q))));
-            toutes.add(new Question(Sphere.class, "getNormale", m -> m.boules.get(q).getNormale(Monde.Q)));
+            toutes.add(new Question(Sphere.class, "getNormale", m -> m.boules.get(q).getNormale(m.q)));
             toutes.add(new Question(Objet3D.class, "getColor", m -> m.couleur(q, 3)));
             toutes.add(new Question(Objet3D.class, "getColor", m -> m.couleur(q, 0)));
             toutes.add(new Question(Lancer.class, "getCouleurPixel", m -> m.lancer.getCouleurPixel(10 + 7 * q, 14, 2)));
@@ -332,7 +333,7 @@ abstract class Repetition {
         /** Les questions dont la réponse change, posées dans l'autre ordre. */
         private static List<Question> changees(List<Question> questions, Monde monde) {
             Collections.reverse(questions);
-            Monde.autres();
+            new Question(Lancer.class, "new", Monde::autres).poser(monde);
             return questions.stream().filter(q -> !q.premiere.equals(q.poser(monde))).collect(Collectors.toList());
         }
 

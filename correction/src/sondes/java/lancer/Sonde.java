@@ -22,26 +22,9 @@ public final class Sonde {
     private static byte[] coder(Couleur[] couleurs) {
         ByteBuffer octets = ByteBuffer.allocate(couleurs.length * 12);
         for (Couleur c : couleurs) {
-            Integer code = code(c);
-            octets.putFloat(vue(c.r, code, 16)).putFloat(vue(c.v, code, 8)).putFloat(vue(c.b, code, 0));
+            octets.putFloat((float) c.r).putFloat((float) c.v).putFloat((float) c.b);
         }
         return octets.array();
-    }
-
-    /** Ce qu'en montre l'écran, {@code null} si cette classe ne le dit pas. */
-    private static Integer code(Couleur couleur) {
-        try {
-            return couleur.getCode();
-        } catch (Error e) {
-            return null;
-        }
-    }
-
-    /** Cette composante ou, si l'écran en montre une autre, celle qu'il montre. */
-    private static float vue(double composante, Integer code, int decalage) {
-        int niveau = code == null ? 0 : code >> decalage & 255;
-        double limitee = 255 * Math.max(0, Math.min(1, composante));
-        return (float) (code != null && Math.abs(niveau - limitee) > 1 ? niveau / 255.0 : composante);
     }
 
     /** @param a largeur, hauteur, profondeur ; par getCouleurPixel ou, si rien ici ne l'appelle, par les méthodes qu'il appelle */

@@ -75,7 +75,10 @@ final class Doublures {
                     .map(c -> "o." + c.getName()).collect(Collectors.joining(", ")) + "}; }\n");
         }
         if (nom.equals("Couleur")) {
-            sources.put("lancer/" + nom, SourcesDuCours.corrige(nom));
+            // seul son code est demandé à celle du rendu
+            int code = numeroter("couleur(a[0]).getCode()", false);
+            sources.put("lancer/" + nom, SourcesDuCours.corrige(nom).replaceFirst("(int getCode\\(\\) \\{)[^}]*",
+                    "$1 return lancer.correction.jugement.Dialogue.appeler(Integer.class, " + code + ", java.util.List.of(r, v, b)); "));
             return;
         }
         StringBuilder relire = new StringBuilder();

@@ -138,7 +138,7 @@ final class JugeImage {
         // d'abord les classes qui ont raté des vérifications, puis les autres
         for (boolean faute : new boolean[] {true, false}) {
             if (resultat.classesFautives.isEmpty()) {
-                juge.changees(SourcesDuCours.classes()).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
+                juge.changees(SourcesDuCours.A_COMPLETER).stream().filter(c -> juge.aUneFaute(c) == faute && change(scene, c))
                         .forEach(resultat.classesFautives::add);
             }
         }
