@@ -189,6 +189,9 @@ public final class Enfant implements AutoCloseable {
     }
 
     private Arret mort() {
+        if (inattendu) {
+            return arreter("arrêté : a répondu ce qu'on ne lui demandait pas");
+        }
         int statut = -1;
         try {
             statut = processus.waitFor(1, TimeUnit.SECONDS) ? processus.exitValue() : -1;
@@ -196,10 +199,11 @@ public final class Enfant implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         close();
-        String cause = inattendu ? "a répondu ce qu'on ne lui demandait pas" : statut == MEMOIRE ? "mémoire épuisée"
-                : "il s'est arrêté de lui-même (System.exit ?), statut " + statut;
-        return statut == TUE && !inattendu ? new Arret("arrêté : tué par le système, à court de mémoire", true)
-                : new Arret("arrêté : " + cause, false);
+        if (statut == TUE) {
+            return new Arret("arrêté : tué par le système, à court de mémoire", true);
+        }
+        return new Arret("arrêté : " + (statut == MEMOIRE ? "mémoire épuisée"
+                : "il s'est arrêté de lui-même (System.exit ?), statut " + statut), false);
     }
 
     /** Tue la machine virtuelle et ses descendants. */

@@ -48,8 +48,6 @@ class EnfantTest {
                     byte[] octets = new byte[1 + texte.length() * 37 % 400];
                     new Random(Long.parseLong(texte.substring(4))).nextBytes(octets);
                     sortie.write(octets);
-                } else if (texte.equals("dormir")) {
-                    entree.readInt();
                 } else {
                     int longueur = texte.equals("trop long") ? Integer.MAX_VALUE : texte.equals("négatif") ? -1 : dit.length;
                     for (int k = texte.equals("deux fois") ? 2 : 1; k > 0; k--) {
@@ -201,10 +199,6 @@ class EnfantTest {
 
     @Test
     void quiNeLitPasSesDemandesNeBloqueQueLui() throws Exception {
-        try (Enfant enfant = echo(new Confinement(false, ""))) {
-            String gros = "dormir";
-            assertThrows(Arret.class, () -> demander(enfant, gros));
-        }
         // plus que n'en retient un tube : l'écrire n'attend personne
         Enfant enfant = new Enfant(List.of("/bin/sleep", "30"), LIMITES, true);
         try (enfant) {
