@@ -39,6 +39,11 @@ public final class Modification {
             assertTrue(source.contains(ancien), classe + " n'a plus « " + ancien + " »");
             sources.put(classe, source.replace(ancien, nouveau));
         }
+        return compilee(dossier, sources);
+    }
+
+    /** Le programme où ces classes ont ces textes. */
+    public static Essai.Isole compilee(Path dossier, Map<String, String> sources) throws IOException {
         Path classes = Files.createDirectories(dossier.resolve("classes"));
         List<String> javac = new ArrayList<>(Arrays.asList("-nowarn", "-encoding", "UTF-8", "-d", classes.toString(),
                 "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
@@ -46,7 +51,7 @@ public final class Modification {
             Path source = dossier.resolve(Paths.get(changee.getKey() + ".java").getFileName());
             javac.add(Files.write(source, changee.getValue().getBytes(StandardCharsets.UTF_8)).toString());
         }
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])), sources.toString());
         return new Essai.Isole(Collections.singletonList(classes), Collections.<Path>emptyList());
     }
 }

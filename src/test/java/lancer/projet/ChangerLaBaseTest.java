@@ -5,24 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javax.tools.ToolProvider;
-import lancer.Main;
 import lancer.essai.Essai;
-import org.ini4j.Config;
+import lancer.essai.Modification;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,33 +34,27 @@ class ChangerLaBaseTest {
     @ParameterizedTest(name = "{0}")
     @CsvSource(delimiter = '|', value = {"Une clé de la matière | Ke=0.3 0 0 | --fils=2", "Le ciel | ns=1 | --fils=2"})
     void unePartieDeLaPageSuivieALaLettreChangeLImage(String partie, String cle, String option) throws IOException {
-        List<Path> rien = Collections.emptyList();
-        try (Essai.Isole changee = new Essai.Isole(Collections.singletonList(compiler(partie)), rien);
-                Essai.Isole base = new Essai.Isole(rien)) {
+        try (Essai.Isole changee = changee(partie); Essai.Isole base = new Essai.Isole(Collections.emptyList())) {
             assertFalse(Arrays.equals(dessiner(base, "ns=1", "--fils=2"), dessiner(changee, cle, option)), "l'image n'a pas changé");
         }
     }
 
-    /** Les classes de la base, où cette partie de la page est suivie à la lettre. */
-    private Path compiler(String partie) throws IOException {
+    /** La base, où cette partie de la page est suivie à la lettre. */
+    private Essai.Isole changee(String partie) throws IOException {
         Map<String, String> textes = new LinkedHashMap<>();
         Matcher m = CHANGEMENT.matcher(Essai.texte("docs/etendre.md").split("\n### " + partie + "\n")[1].split("\n##")[0]);
         while (m.find()) {
             String texte = textes.containsKey(m.group(1)) ? textes.get(m.group(1)) : Essai.texte(m.group(1));
             textes.put(m.group(1), changer(texte, m.group(2).equals("sous"), m.group(3), m.group(4).replaceAll("(?m)^ {4}", "")));
         }
-        Path classes = Files.createDirectory(dossier.resolve("classes"));
-        List<String> javac = new ArrayList<>(Arrays.asList("-encoding", "UTF-8", "-d", classes.toString(),
-                "-cp", Essai.origine(Main.class) + File.pathSeparator + Essai.origine(Config.class)));
-        for (Map.Entry<String, String> change : textes.entrySet()) {
-            if (change.getKey().endsWith(".java")) {
-                assertTrue(Arrays.stream(change.getValue().split("\n")).allMatch(l -> l.length() <= 120), change.getKey());
-                Path source = dossier.resolve(Paths.get(change.getKey()).getFileName());
-                javac.add(Files.write(source, change.getValue().getBytes(StandardCharsets.UTF_8)).toString());
+        Map<String, String> classes = new LinkedHashMap<>();
+        textes.forEach((fichier, texte) -> {
+            if (fichier.endsWith(".java")) {
+                assertTrue(Arrays.stream(texte.split("\n")).allMatch(l -> l.length() <= 120), fichier);
+                classes.put(fichier.replace(".java", ""), texte);
             }
-        }
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, javac.toArray(new String[0])), textes.toString());
-        return classes;
+        });
+        return Modification.compilee(dossier, classes);
     }
 
     /** Ce texte, où ces lignes sont mises sous celle de cet endroit, ou à sa place. */

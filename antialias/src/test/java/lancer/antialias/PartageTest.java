@@ -16,7 +16,9 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
+import lancer.Objet3D;
 import lancer.Point;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
@@ -25,6 +27,7 @@ import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
+import lancer.essai.CameraDeplacee;
 import lancer.inspection.Inspection;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
@@ -305,5 +308,34 @@ class PartageTest {
         }
         double attendue = 1 - points * Math.PI * rho * rho;
         assertEquals(attendue, (double) manques / essais, 4 * Math.sqrt(attendue * (1 - attendue) / essais));
+    }
+
+    /** Là où l'œil de la caméra les voit. */
+    @Test
+    void touteBouleQuiPasseEntreLesCoinsDUnPixelPeutYEchapper() {
+        Camera camera = new CameraDeplacee(L, H, new Point(0.3, 0.2, -4.2), 0.1);
+        Random hasard = new Random(3);
+        List<Objet3D> boules = new ArrayList<>();
+        for (int k = 0; k < 40; k++) {
+            Rayon rayon = camera.getRayon(L * hasard.nextDouble(), H * hasard.nextDouble());
+            boules.add(new Sphere(rayon.getP().add(3 + 2 * hasard.nextDouble(), rayon.getV()), 0.02));
+        }
+        Scene scene = new Scene(boules, Collections.emptyList());
+        Petites petites = new Petites(boules, camera);
+        int vus = 0;
+        int pixels = 0;
+        for (int p = 0; p < L * H; p++) {
+            int i = p % L;
+            int j = p / L;
+            pixels += petites.peutEchapper(i, j, i + 1, j + 1) ? 1 : 0;
+            for (int k = 0; k < 64; k++) {
+                if (scene.getClosestIntersection(camera.getRayon(i + (k % 8 + 0.5) / 8, j + (k / 8 + 0.5) / 8)) != null) {
+                    vus++;
+                    assertTrue(petites.peutEchapper(i, j, i + 1, j + 1), "pixel " + i + ", " + j);
+                }
+            }
+        }
+        assertTrue(vus > 100, vus + " points");
+        assertTrue(pixels < L * H / 10, pixels + " pixels");
     }
 }
