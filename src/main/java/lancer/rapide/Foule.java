@@ -162,10 +162,10 @@ final class Foule implements Recherche {
                 double e0 = entree(q, Arbre.PAS * s, ax, ay, az, marge, auPlus);
                 double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, ax, ay, az, marge, auPlus);
                 if (e0 <= auPlus && e1 <= auPlus) {
-                    boolean premier = e0 <= e1;
-                    pile[haut] = premier ? s + 1 : s;
-                    entrees[haut++] = premier ? e1 : e0;
-                    n = premier ? s : s + 1;
+                    boolean gauche = e0 <= e1;
+                    pile[haut] = gauche ? s + 1 : s;
+                    entrees[haut++] = gauche ? e1 : e0;
+                    n = gauche ? s : s + 1;
                 } else {
                     n = e0 <= auPlus ? s : e1 <= auPlus ? s + 1 : -1;
                 }
