@@ -143,6 +143,7 @@ final class Controleur implements Travail.Suite {
         arreter();
         // ce que ce travail a publié n'est plus attendu
         travail = null;
+        enCours = false;
         surveillance.terminer();
     }
 

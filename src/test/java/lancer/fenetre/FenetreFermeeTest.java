@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.event.WindowEvent;
 import java.io.File;
@@ -55,7 +56,8 @@ class FenetreFermeeTest extends EssaiProcessus {
                 Thread.sleep(1);
             }
             Frame fenetre = Frame.getFrames()[0];
-            fenetre.dispatchEvent(new WindowEvent(fenetre, WindowEvent.WINDOW_CLOSING));
+            // la croix se clique dans le fil des événements
+            EventQueue.invokeAndWait(() -> fenetre.dispatchEvent(new WindowEvent(fenetre, WindowEvent.WINDOW_CLOSING)));
             System.out.println("fermée en dessinant");
         }
     }
