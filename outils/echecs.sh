@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Une partie de docs/etendre.md, suivie à la lettre dans une copie du dépôt : les tests qu'elle fait échouer.
-# outils/echecs.sh "Le ciel" [options de Maven]
+# outils/echecs.sh "Le ciel" [options de Maven] ; voir la cible echecs d'outils/Makefile
 set -euo pipefail
 cd "$(dirname "$0")/.."
 partie=$1
