@@ -27,6 +27,8 @@ public final class Enfant implements AutoCloseable {
 
     private static final long TOUR_MS = 100;
     private static final byte[] FIN = new byte[0];
+    /** Taille, en octets, d'une demande que le tube d'un processus retient toujours : les précédentes ont été lues. */
+    private static final int TUBE = 4000;
     /** Statuts de Java à court de mémoire, et d'un programme que le système a tué. */
     private static final int MEMOIRE = 3;
     private static final int TUE = 128 + 9;
@@ -110,15 +112,21 @@ public final class Enfant implements AutoCloseable {
         longueurMax = max;
         int numero = ++demandes;
         attendu = numero;
-        // dans un autre fil : un rendu qui ne lit pas ses demandes ne bloque que lui
-        CompletableFuture.runAsync(() -> {
-            try {
-                Echange.envoyer(processus.getOutputStream(), numero, demande);
-            } catch (IOException e) {
-                // le processus est mort, ou ferme son entrée : l'attente le constatera
-            }
-        });
+        if (demande.length <= TUBE) {
+            envoyer(numero, demande);
+        } else {
+            // dans un autre fil : un rendu qui ne lit pas ses demandes ne bloque que lui
+            CompletableFuture.runAsync(() -> envoyer(numero, demande));
+        }
         return new DataInputStream(new ByteArrayInputStream(attendre()));
+    }
+
+    private void envoyer(int numero, byte[] demande) {
+        try {
+            Echange.envoyer(processus.getOutputStream(), numero, demande);
+        } catch (IOException e) {
+            // le processus est mort, ou ferme son entrée : l'attente le constatera
+        }
     }
 
     private byte[] attendre() throws Arret {

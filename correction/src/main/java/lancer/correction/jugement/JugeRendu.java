@@ -149,7 +149,7 @@ final class JugeRendu implements AutoCloseable {
                 }
             }
         }
-        chercherCeQuiEstGarde(cachees);
+        chercherCeQuiEstGarde();
         // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
         cachees.removeIf(v -> SourcesDuCours.A_COMPLETER.stream().anyMatch(this::aUneFaute));
         for (Verification v : cachees) {
@@ -159,11 +159,14 @@ final class JugeRendu implements AutoCloseable {
     }
 
     /**
-     * Attribue, parmi ces vérifications, celles qui échouent quand elles suivent toutes les autres : la classe qui les fait échouer, seule
-     * avec celles du corrigé, garde quelque chose d'un appel à l'autre.
+     * Attribue, parmi les vérifications cachées, celles qui échouent quand elles suivent toutes les autres, à la classe dont les réponses
+     * changent d'un appel à l'autre.
      */
-    private void chercherCeQuiEstGarde(List<Verification> cachees) throws Arret {
-        for (String classe : changees(SourcesDuCours.A_COMPLETER)) {
+    private void chercherCeQuiEstGarde() throws Arret {
+        List<Verification> changeantes = verifications(v -> v.etape.equals(Verification.REPETITION)
+                && resultat.verdicts.get(v.id()).rate());
+        changeantes.forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
+        for (String classe : changeantes.stream().map(v -> v.classe).collect(Collectors.toSet())) {
             if (cachees.isEmpty()) {
                 break;
             }
@@ -176,8 +179,6 @@ final class JugeRendu implements AutoCloseable {
                 }
             }
         }
-        verifications(v -> v.etape.equals(Verification.REPETITION) && resultat.verdicts.get(v.id()).rate())
-                .forEach(v -> resultat.regarder(resultat.verdicts.get(v.id()).message));
     }
 
     private void charger(Verification v, Etat etat, String message, String classe) {
