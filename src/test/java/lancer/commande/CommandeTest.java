@@ -119,20 +119,6 @@ class CommandeTest extends EssaiCommande {
     }
 
     @Test
-    void lImageNeDependNiDesFilsNiDesRepetitions() throws IOException {
-        byte[] attendue = null;
-        for (String[] options : new String[][] {{}, {"--fils=1"}, {"--fils=2"}, {"--fils=7"}, {"--fils=1024"}, {"--repeter=3"},
-                {"--simple"}}) {
-            String[] arguments = Arrays.copyOf(options, options.length + 1);
-            arguments[options.length] = "--lineaire=" + pfm;
-            dessiner(arguments);
-            byte[] image = Files.readAllBytes(pfm);
-            attendue = attendue == null ? image : attendue;
-            assertArrayEquals(attendue, image, Arrays.toString(options));
-        }
-    }
-
-    @Test
     void lesRefletsEtLeSeuilChangentLImage() throws IOException {
         TreeSet<String> images = new TreeSet<>();
         for (String option : new String[] {"--reflets=0", "--reflets=1", "--reflets=5", "--seuil=0.3", "--seuil=1e9"}) {

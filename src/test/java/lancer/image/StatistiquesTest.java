@@ -1,7 +1,6 @@
 package lancer.image;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -45,22 +44,6 @@ class StatistiquesTest extends EssaiCommande {
             }
         } finally {
             Locale.setDefault(avant);
-        }
-    }
-
-    @Test
-    void lesComptesSontCeuxDUnDessin() {
-        Map<String, String> attendus = statistiques("--fils=1");
-        assertEquals("1200", attendus.get("rayons.primaires"));
-        assertNotEquals("0", attendus.get("rayons.ombre"));
-        assertNotEquals("0", attendus.get("rayons.reflechis"));
-        assertEquals("0", attendus.get("pixels.raffines"));
-        for (String option : new String[] {"--fils=2", "--fils=7", "--repeter=2", "--repeter=5"}) {
-            Map<String, String> valeurs = statistiques(option);
-            for (String nom : new String[] {"rayons.primaires", "rayons.ombre", "rayons.reflechis", "tests.spheres", "noeuds.visites",
-                "pixels.raffines"}) {
-                assertEquals(attendus.get(nom), valeurs.get(nom), nom + " avec " + option);
-            }
         }
     }
 
