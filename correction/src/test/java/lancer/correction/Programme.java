@@ -175,7 +175,7 @@ final class Programme {
     private static void lancer(ClassLoader chargeur, TestExecutionListener... ecoutes) {
         LauncherFactory.create().execute(LauncherDiscoveryRequestBuilder.request()
                 .selectors(DiscoverySelectors.selectClass(chargeur, "lancer.Tests"))
-                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "2").build(), ecoutes);
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "4").build(), ecoutes);
     }
 
     /** Finit les boucles sans fin de {@code etapes.txt}, dont les fils occuperaient la machine. */
