@@ -4,12 +4,12 @@ import lancer.precision.Intersection;
 import lancer.precision.Norme;
 
 /** Une sphère (cours, « Intersection de rayons et de sphères »). Sa géométrie est immuable. */
-public class Sphere extends Objet3D implements Cloneable {
+public class Sphere extends Objet3D {
 
     /** Normale que {@link #getNormale} rend au centre, où aucune n'est définie. */
     private static final Vecteur VERS_L_OEIL = new Vecteur(0, 0, -1);
 
-    private Point centre;
+    private final Point centre;
     private final double rayon;
 
     /** @throws IllegalArgumentException si le rayon n'est pas un nombre fini strictement positif */
@@ -19,18 +19,6 @@ public class Sphere extends Objet3D implements Cloneable {
         }
         this.centre = centre;
         this.rayon = rayon;
-    }
-
-    /** La même sphère, de même matière, à une autre place. */
-    public Sphere avecCentre(Point voulu) {
-        try {
-            // une copie garde aussi ce que l'on ajoute à la matière
-            Sphere copie = (Sphere) clone();
-            copie.centre = voulu;
-            return copie;
-        } catch (CloneNotSupportedException e) {
-            throw new IllegalStateException(e);
-        }
     }
 
     public Point getCentre() {

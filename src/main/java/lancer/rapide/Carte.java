@@ -9,6 +9,9 @@ import lancer.contrat.Recherche;
  */
 final class Carte {
 
+    /** Nombre d'objets d'une case au-delà duquel elle est pleine : l'arbre la remplace. */
+    private static final int PLEINE = 30;
+
     final PointDeVue point;
 
     /** Première place de chaque case ; celle de la suivante est sa fin. */
@@ -83,5 +86,10 @@ final class Carte {
         }
         objets = ranges;
         cases = null;
+    }
+
+    /** Dit si cette case a trop d'objets. */
+    boolean estPleine(int c) {
+        return debut[c + 1] - debut[c] > PLEINE;
     }
 }

@@ -98,7 +98,7 @@ final class Foule implements Recherche {
         pres = null;
         compteurs.noeudsVisites++;
         int c = carte == null ? -1 : carte.point.caseDe(P, V);
-        if (c >= 0) {
+        if (c >= 0 && !carte.estPleine(c)) {
             pres = carte.pres;
             avance = carte.point.avance(P, V);
             lire(carte.objets, carte.debut[c], carte.debut[c + 1]);

@@ -97,10 +97,14 @@ public final class SceneLue {
         return chose instanceof Lampe ? ((Lampe) chose).getPosition() : ((Sphere) chose).getCentre();
     }
 
-    /** La même scène, où cette lampe, ou cette sphère, a cette place. */
+    /** La même scène, où cette lampe, ou cette sphère qui n'est pas d'une autre classe, a cette place. */
     public SceneLue avec(Object chose, Point place) {
-        return remplacer(chose, chose instanceof Lampe ? new Lampe(place, ((Lampe) chose).getCouleur())
-                : ((Sphere) chose).avecCentre(place));
+        if (chose instanceof Lampe) {
+            return remplacer(chose, new Lampe(place, ((Lampe) chose).getCouleur()));
+        }
+        Sphere deplacee = new Sphere(place, ((Sphere) chose).getRayon());
+        deplacee.setMatiere((Sphere) chose);
+        return remplacer(chose, deplacee);
     }
 
     private SceneLue remplacer(Object ancienne, Object nouvelle) {

@@ -121,27 +121,18 @@ class PlacesEcritesTest {
         }
     }
 
-    /** Une matière à laquelle un étudiant ajoute une clé. */
-    private static final class Verre extends Sphere {
-
-        private double indice;
-
-        Verre() {
-            super(new Point(0, 0, 6), 1);
-        }
-    }
-
     @Test
-    void uneBouleDeplaceeGardeToutCeQuUnEtudiantAAjouteASaMatiere() throws IOException {
+    void uneBouleDeplaceeGardeSonRayonEtSaMatiere() throws IOException {
         SceneLue lue = lire(scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7"));
-        Verre boule = new Verre();
-        boule.indice = 1.5;
-        lue.ajouter(boule, "Sphere verre", 1, 2);
+        Sphere boule = (Sphere) lue.objets.get(0);
         SceneLue voulue = lue.avec(boule, new Point(1, 2, 3));
-        Verre deplacee = (Verre) voulue.objets.get(voulue.objets.size() - 1);
+        Sphere deplacee = (Sphere) voulue.objets.get(0);
         assertEquals(new Point(1, 2, 3), deplacee.getCentre());
-        assertEquals(1.5, deplacee.indice);
-        assertEquals(new Point(0, 0, 6), boule.getCentre(), "celle d'avant reste à sa place");
+        assertEquals(boule.getRayon(), deplacee.getRayon());
+        assertEquals(boule.getKd(), deplacee.getKd());
+        assertEquals(boule.getKs(), deplacee.getKs());
+        assertEquals(boule.getNs(), deplacee.getNs());
+        assertEquals(new Point(0, 0.2, 6), boule.getCentre(), "celle d'avant reste à sa place");
     }
 
     @Test
