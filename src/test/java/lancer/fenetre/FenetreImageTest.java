@@ -159,7 +159,8 @@ class FenetreImageTest extends EssaiFenetre {
 
     @Test
     void seuleLaCouleurDUnPixelDessineSeDitEtCelleDUnBrouillonEstDiteTelle() throws Exception {
-        banc = new BancFenetre(new MainLent(args()) {
+        // un fil par pavé : aucun n'attend qu'un autre ne soit plus retenu
+        banc = new BancFenetre(new MainLent(args("--fils=80")) {
             @Override
             void peindre(int ye, Runnable peindre) {
                 // le brouillon attend avant le bas de l'image
