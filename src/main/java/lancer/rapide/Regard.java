@@ -1,11 +1,14 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.PriorityQueue;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -138,11 +141,12 @@ public final class Regard {
         Recherche recherche = modele.getRecherche();
         boolean cache = recherche instanceof Preparation && !((Preparation) recherche).estEnPlace();
         if (!cache && acheve.getFautes().getPremiere() == null) {
-            if (differe(modele, image, profondeur)) {
+            List<Integer> pixels = choisir(image);
+            if (differe(modele, image, pixels, profondeur)) {
                 ecart = CHANGE;
                 return false;
             }
-            cache = recherche != null && differe(sansRecherche(modele), image, profondeur);
+            cache = recherche != null && differe(sansRecherche(modele), image, pixels, profondeur);
         }
         if (cache) {
             oter(modele);
@@ -150,19 +154,47 @@ public final class Regard {
         return cache;
     }
 
+    /** Des pixels, l'un au hasard, l'autre parmi les plus isolés : une faute n'en change parfois que quelques-uns. */
+    private List<Integer> choisir(ImageMemoire image) {
+        int nombre = image.largeur * image.hauteur;
+        int combien = Math.min(PIXELS, nombre / UN_SUR) / 2;
+        // l'isolement d'un pixel, puis son rang
+        PriorityQueue<Long> isoles = new PriorityQueue<>();
+        for (int k = 0; k < nombre && combien > 0; k++) {
+            double isolement = Math.min(semblable(image, k, 1), semblable(image, k, image.largeur));
+            long cle = (long) (1e6 * isolement) << 32 | k;
+            if (isoles.size() < combien) {
+                isoles.add(cle);
+            } else if (cle > isoles.peek()) {
+                isoles.remove();
+                isoles.add(cle);
+            }
+        }
+        return isoles.stream().flatMap(cle -> Stream.of(hasard.nextInt(nombre), cle.intValue()))
+                .collect(Collectors.toList());
+    }
+
+    /** L'écart d'un pixel à celui qui lui ressemble le plus, de ceux qui sont à ce pas de lui. Au plus 1. */
+    private static double semblable(ImageMemoire image, int k, int pas) {
+        double avant = k < pas ? 1 : image.ecart(k, k - pas);
+        double apres = k + pas >= image.largeur * image.hauteur ? 1 : image.ecart(k, k + pas);
+        return Math.min(1, Math.min(avant, apres));
+    }
+
     /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
-    private boolean differe(Modele modele, ImageMemoire image, int profondeur) {
+    private boolean differe(Modele modele, ImageMemoire image, List<Integer> pixels, int profondeur) {
         Lancer lancer = new Lancer(scene.avec(modele), camera);
         lancer.getFautes().tolerer();
         Echantillonnage choisi = modele.getEchantillonnage() == null ? null
                 : modele.getEchantillonnage().pour(scene.getObjets(), camera);
         boolean[] differe = new boolean[1];
         Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
-        int combien = Math.min(PIXELS, image.largeur * image.hauteur / UN_SUR);
-        for (int k = 0; k < combien && !differe[0]
-                && lancer.getScene().getCompteurs().testsSpheres < EXAMENS; k++) {
-            int i = hasard.nextInt(image.largeur);
-            int j = hasard.nextInt(image.hauteur);
+        for (int k : pixels) {
+            if (differe[0] || lancer.getScene().getCompteurs().testsSpheres >= EXAMENS) {
+                break;
+            }
+            int i = k % image.largeur;
+            int j = k / image.largeur;
             lancer.TracerPixels(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), choisi,
                     comparaison, profondeur);
         }

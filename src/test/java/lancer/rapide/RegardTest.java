@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -117,6 +118,24 @@ class RegardTest {
             dessiner(scene, regard, 1);
             assertEquals("la réponse change d'un appel à l'autre : un champ garde-t-il quelque chose ?", regard.getEcart());
             assertEquals(simple, scene.getModele().getRecherche() == null);
+        }
+    }
+
+    /** Là où deux fils se disputent un champ, quelques pixels seulement sont faux, mais aucun voisin ne leur ressemble. */
+    @Test
+    void unSeulPixelFauxEstVuOuQuIlSoit() {
+        for (int k : new int[] {0, 96, 97 * 30, 97 * 30 + 48, 97 * 61 - 1}) {
+            for (boolean lineaire : new boolean[] {false, true}) {
+                Scene scene = ScenesDEssai.foule(3, 60, 0).scene();
+                Regard regard = preparer(scene, false);
+                ImageMemoire image = new ImageMemoire(97, 61, !lineaire, lineaire);
+                Lancer lancer = new Lancer(scene, CAMERA);
+                lancer.TracerPixels(image, 3, 1);
+                Couleur c = image.getCouleur(k);
+                image.drawPixel(new Couleur(1 - Math.round(c.r), 1 - Math.round(c.v), 1 - Math.round(c.b)), k % 97, k / 97);
+                assertFalse(regard.cachait(lancer, image, 3), k + " : la recherche n'y est pour rien");
+                assertTrue(regard.getEcart().contains("change d'un appel à l'autre"), k + " : " + regard.getEcart());
+            }
         }
     }
 }
