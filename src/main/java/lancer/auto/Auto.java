@@ -121,7 +121,9 @@ public final class Auto {
         if (mesure.rienVu) {
             return "";
         }
-        return "erreur voulue " + (mesure.plus(SUR) <= voulue ? "tenue"
-                : mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine") + conseil;
+        if (mesure.plus(SUR) <= voulue) {
+            return "erreur voulue tenue";
+        }
+        return "erreur voulue " + (mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine") + conseil;
     }
 }

@@ -33,9 +33,9 @@ public final class Echelle {
         boolean fixes = gardeReflets || presents.getEtape() != Etape.REFLETS;
         Variante essayee = presents.getEssayee();
         if (essayee != null) {
+            int reflets = fixes ? presents.getReflets() : PROFONDEUR;
             presents.getSectionsProposees(essayee).forEach((section, seuil) -> echelle.add(presents
-                    .avecSection(essayee, section)
-                    .avecReflets(fixes ? presents.getReflets() : PROFONDEUR)
+                    .avecSection(essayee, section).avecReflets(reflets)
                     .avecSeuil(gardeSeuil ? presents.getSeuil() : seuil)));
             return echelle;
         }
@@ -52,10 +52,9 @@ public final class Echelle {
     /** Texte d'un échelon : la section à écrire dans la scène, et les options. */
     public static String dire(Reglages echelon) {
         Variante essayee = echelon.getEssayee();
-        String echantillonnage = essayee != null ? echelon.getSection(essayee).toString()
-                : echelon.getModele().getEchantillonnage() == null ? "un rayon par pixel"
+        String deLaScene = echelon.getModele().getEchantillonnage() == null ? "un rayon par pixel"
                 : "l'échantillonnage de la scène";
-        return echantillonnage + ", --reflets " + echelon.getProfondeur() + " --seuil "
+        return (essayee != null ? echelon.getSection(essayee).toString() : deLaScene) + ", --reflets " + echelon.getProfondeur() + " --seuil "
                 + BigDecimal.valueOf(echelon.getSeuil()).toPlainString();
     }
 }

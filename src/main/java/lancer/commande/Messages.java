@@ -19,8 +19,10 @@ public final class Messages {
     /** Écrit cet échec en une ligne. @return le statut de sortie */
     public static int dire(Throwable echec, PrintStream erreur) {
         avertir(Collections.singletonList(message(echec)), erreur);
-        return echec instanceof Echec ? ((Echec) echec).code
-                : echec instanceof SceneFautive ? Echec.DEMANDE : Echec.MACHINE;
+        if (echec instanceof Echec) {
+            return ((Echec) echec).code;
+        }
+        return echec instanceof SceneFautive ? Echec.DEMANDE : Echec.MACHINE;
     }
 
     public static String message(Throwable echec) {

@@ -242,8 +242,8 @@ public final class Reglages {
     /** Texte lisible, par exemple {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
-        String s = etape != Etape.REFLETS ? "étape " + etape : reflets + (reflets > 1 ? " réflexions" : " réflexion");
-        return s + (seuil == Constantes.SEUIL ? "" : ", seuil " + seuil)
+        String permises = reflets + (reflets > 1 ? " réflexions" : " réflexion");
+        return (etape != Etape.REFLETS ? "étape " + etape : permises) + (seuil == Constantes.SEUIL ? "" : ", seuil " + seuil)
                 + sections.keySet().stream().filter(this::estBranchee).map(v -> ", " + getSectionEntiere(v))
                 .collect(Collectors.joining());
     }

@@ -60,10 +60,12 @@ final class BarreEtat extends JPanel {
 
     /** La taille de l'image. @param reduction rapport de sa taille à l'écran à sa taille réelle */
     static String resume(ImageMemoire image, double reduction) {
-        String reduite = reduction < 1 ? " montrés à " + (int) (100 * reduction) + " %"
-                : reduction > 1 ? " à la loupe × " + Math.round(reduction) : "";
-        return (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
-                + " pixels" + reduite;
+        String taille = (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
+                + " pixels";
+        if (reduction < 1) {
+            return taille + " montrés à " + (int) (100 * reduction) + " %";
+        }
+        return reduction > 1 ? taille + " à la loupe × " + Math.round(reduction) : taille;
     }
 
     /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */

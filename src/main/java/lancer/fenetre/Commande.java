@@ -22,8 +22,9 @@ final class Commande extends AbstractAction {
         this.possible = possible;
         this.effet = effet;
         boolean mac = Toolkit.getDefaultToolkit().getMenuShortcutKeyMask() == InputEvent.META_MASK;
-        putValue(ACCELERATOR_KEY, touche == null ? null
-                : KeyStroke.getKeyStroke(mac ? touche.replace("ctrl", "meta") : touche));
+        if (touche != null) {
+            putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(mac ? touche.replace("ctrl", "meta") : touche));
+        }
     }
 
     /** Son article porte une coche tant que {@code condition} est vraie. */

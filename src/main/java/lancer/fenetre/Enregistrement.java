@@ -74,12 +74,15 @@ final class Enregistrement {
     private ImageMemoire imageOuAvis(String geste) {
         ImageMemoire image = controleur.getImageEntiere();
         String faute = controleur.direFautes();
-        if (faute != null || image == null) {
-            bandeau.dire(Sujet.AVIS, faute != null ? "Image non " + geste + " : " + faute + "."
-                    : controleur.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
+        if (faute != null) {
+            bandeau.dire(Sujet.AVIS, "Image non " + geste + " : " + faute + ".");
+            return null;
+        }
+        if (image == null) {
+            bandeau.dire(Sujet.AVIS, controleur.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
-        return faute == null ? image : null;
+        return image;
     }
 
     void enregistrer() {

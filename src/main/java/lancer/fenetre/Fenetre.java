@@ -191,8 +191,8 @@ final class Fenetre {
                         Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
             }
         }
-        cadre.setTitle(controleur.fichier == null ? programme : programme + " — "
-                + new File(controleur.fichier).getName() + (prise.estDeplace() ? " •" : ""));
+        String titre = controleur.fichier == null ? programme : programme + " — " + new File(controleur.fichier).getName();
+        cadre.setTitle(prise.estDeplace() ? titre + " •" : titre);
         rafraichir();
     }
 

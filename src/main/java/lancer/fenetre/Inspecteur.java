@@ -261,8 +261,10 @@ final class Inspecteur extends JPanel {
         boolean pareil = image.codes[k] == couleur.getCode() && (vu == null || vu[3 * k] == (float) couleur.r
                 && vu[3 * k + 1] == (float) couleur.v && vu[3 * k + 2] == (float) couleur.b);
         String dessine = String.format("#%06X", image.codes[k] & 0xFFFFFF);
-        return pareil ? "Au bit près, la couleur du pixel dessiné : " + dessine
-                : "Différent du pixel dessiné, qui est " + dessine
-                        + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);
+        if (pareil) {
+            return "Au bit près, la couleur du pixel dessiné : " + dessine;
+        }
+        return "Différent du pixel dessiné, qui est " + dessine
+                + (vu == null ? "" : " = " + vu[3 * k] + " " + vu[3 * k + 1] + " " + vu[3 * k + 2]);
     }
 }

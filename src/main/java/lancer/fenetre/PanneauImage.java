@@ -185,7 +185,8 @@ final class PanneauImage extends JPanel {
         // une image réduite passe d'abord à sa taille, un pixel pour un pixel
         Dimension max = getTailleMax(montree.largeur, montree.hauteur);
         int premiere = montree.largeur > max.width || montree.hauteur > max.height ? 1 : 2;
-        int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : loupe <= premiere ? 0 : loupe / 2;
+        int moins = loupe <= premiere ? 0 : loupe / 2;
+        int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : moins;
         Dimension libre = getLibre();
         Point ici = souris == null ? new Point(libre.width / 2, libre.height / 2) : souris;
         Rectangle place = getPlace(montree);
@@ -271,8 +272,11 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
-        return montree == null ? null : getPixel(montree, souris != null && getPlace(montree).contains(souris) ? souris
-                : new Point(getLibre().width / 2, getLibre().height / 2));
+        if (montree == null) {
+            return null;
+        }
+        boolean dedans = souris != null && getPlace(montree).contains(souris);
+        return getPixel(montree, dedans ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
     }
 
     /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */

@@ -123,7 +123,10 @@ final class Travail extends SwingWorker<Void, Runnable> {
 
     /** La part faite de la lecture, ou de l'image, de 0 à 1. */
     double getAvancement() {
-        return !lue ? partLue : aSonBrouillon() ? dessin.lancer.getAvancement() : 0;
+        if (!lue) {
+            return partLue;
+        }
+        return aSonBrouillon() ? dessin.lancer.getAvancement() : 0;
     }
 
     /** Ce que ce travail fait ou a fait, en une ligne. */

@@ -63,8 +63,11 @@ public final class Fautes {
 
     /** Phrase qui donne le nombre de pixels fautifs ; {@code null} s'il n'y en a pas. */
     public synchronized String enMots() {
-        return premiere == null ? null : pixels.cardinality() == 1 ? "un pixel n'a pu être calculé"
-                : pixels.cardinality() + " pixels n'ont pu être calculés";
+        if (premiere == null) {
+            return null;
+        }
+        int nombre = pixels.cardinality();
+        return nombre == 1 ? "un pixel n'a pu être calculé" : nombre + " pixels n'ont pu être calculés";
     }
 
     /** La première faute située, ligne par ligne, {@code null} s'il n'y en a pas. */

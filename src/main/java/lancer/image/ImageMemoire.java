@@ -89,7 +89,10 @@ public final class ImageMemoire implements Toile {
 
     /** Les nombres de ce pixel, comme {@link #sens} ; vide si l'image n'en garde pas. */
     public String dire(int k) {
-        return lineaire == null ? "" : lineaire[3 * k] == CIEL && lineaire[3 * k + 1] == CIEL ? "ciel"
+        if (lineaire == null) {
+            return "";
+        }
+        return lineaire[3 * k] == CIEL && lineaire[3 * k + 1] == CIEL ? "ciel"
                 // point décimal, comme dans les fichiers de scène
                 : String.format(Locale.ROOT, sens, lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
     }

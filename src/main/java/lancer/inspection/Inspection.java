@@ -142,8 +142,10 @@ public final class Inspection implements Vue, Toile {
 
     /** Rayon de l'échantillon choisi ou, à défaut, de celui qui échoue ; {@code null} s'il n'y en a pas. */
     public Rayon getDepart() {
-        return getSegments().isEmpty() ? null : faute != null ? camera.getRayon(faute.xe, faute.ye)
-                : camera.getRayon(choisi.xe, choisi.ye);
+        if (getSegments().isEmpty()) {
+            return null;
+        }
+        return faute != null ? camera.getRayon(faute.xe, faute.ye) : camera.getRayon(choisi.xe, choisi.ye);
     }
 
     public Echantillon getChoisi() {
@@ -158,7 +160,10 @@ public final class Inspection implements Vue, Toile {
     /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */
     public String nom(Object chose) {
         String origine = origines.apply(chose);
-        return origine != null ? origine : chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
+        if (origine != null) {
+            return origine;
+        }
+        return chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
     }
 

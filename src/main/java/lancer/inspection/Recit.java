@@ -100,8 +100,9 @@ public final class Recit {
             String partage = e.estDans(pixel.x, pixel.y) ? "" : " (partagé)";
             vus.add(dire("%s%s : %s", e, partage, e.couleur).choisissant(vus.size()));
         }
-        lignes.add(dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", siens == echantillons.size() ? ""
-                : " et " + (echantillons.size() - siens) + " partagés avec les voisins").sur(vus, false));
+        String autres = siens == echantillons.size() ? ""
+                : " et " + (echantillons.size() - siens) + " partagés avec les voisins";
+        lignes.add(dire("%d échantillon%s%s", siens, siens > 1 ? "s" : "", autres).sur(vus, false));
         if (!pixel.termes.isEmpty()) {
             lignes.add(dire("%d termes", pixel.termes.size()).sur(pixel.termes.stream().map(terme ->
                     dire("%s × %s = %s", terme.poids, terme, terme.couleur)).collect(Collectors.toList()), true));
@@ -185,8 +186,11 @@ public final class Recit {
                 lignes.add(dire("%s n'est pas ajoutée", nomDeLaVue(terme.suite)));
             }
             for (Couleur ajout : terme.ajouts) {
-                lignes.add(ajout != Apports.apport(terme) ? dire("autre terme = %s", ajout)
-                        : terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
+                if (ajout != Apports.apport(terme)) {
+                    lignes.add(dire("autre terme = %s", ajout));
+                } else {
+                    lignes.add(terme.lampe != null ? lampe(segment, terme) : reflet(segment, terme));
+                }
             }
         }
     }
@@ -208,11 +212,12 @@ public final class Recit {
         if (e.diffus == null) {
             return dire("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", nom, e.devant);
         }
+        if (e.L == null && !Apports.eclaire(e)) {
+            return dire("%s  N·L = %s  sans effet sur cette matière : pas de rayon d'ombre", nom, e.cosinus);
+        }
         if (!Apports.eclaire(e)) {
-            Noeud titre = dire("%s  N·L = %s  %s", nom, e.cosinus, e.L == null
-                    ? "sans effet sur cette matière : pas de rayon d'ombre"
-                    : e.cache == null ? "pas ajoutée" : "cachée par " + pixel.nom(e.cache.objet));
-            return e.L == null ? titre : titre.sur(Arrays.asList(dire("L = %s", e.L)), true);
+            return dire("%s  N·L = %s  %s", nom, e.cosinus, e.cache == null ? "pas ajoutée"
+                    : "cachée par " + pixel.nom(e.cache.objet)).sur(Arrays.asList(dire("L = %s", e.L)), true);
         }
         Couleur apport = Apports.apport(e);
         Noeud titre = dire(apport.equals(e.produit) ? "%s  N·L = %s  éclairée : diffus + reflet = %s"
@@ -294,7 +299,7 @@ public final class Recit {
             return dire("arrêt : poids %s < seuil %s", segment.poids.max(),
                     Nombre.ecrire(pixel.scene.getModele().getSeuil()));
         }
-        return dire("arrêt : %s", segment.contact.objet.getKs().estNoire() ? "Ks nul"
-                : pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion"));
+        String permises = pixel.profondeur + (pixel.profondeur > 1 ? " réflexions" : " réflexion");
+        return dire("arrêt : %s", segment.contact.objet.getKs().estNoire() ? "Ks nul" : permises);
     }
 }

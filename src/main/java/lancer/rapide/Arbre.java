@@ -139,7 +139,10 @@ final class Arbre {
             double x = haut[0] - bas[0];
             double y = haut[1] - bas[1];
             double z = haut[2] - bas[2];
-            return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+            if (x >= y && x >= z) {
+                return 0;
+            }
+            return y >= z ? 1 : 2;
         }
 
         /** La moitié de l'aire. */

@@ -32,8 +32,10 @@ public final class ErreurSysteme {
 
     /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, son nom en Java. */
     public static String raison(Exception e) {
-        String dit = e instanceof InvalidPathException ? "nom de fichier impossible"
-                : e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
+        if (e instanceof InvalidPathException) {
+            return "nom de fichier impossible";
+        }
+        String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
         String texte = dit == null ? e.getClass().getSimpleName() : dit;
         for (String[] connue : CONNUES) {
             if (texte.startsWith(connue[0])) {

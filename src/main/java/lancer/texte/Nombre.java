@@ -22,7 +22,8 @@ public final class Nombre {
 
     /** Arrondit une composante de couleur à trois décimales ou, si elle est plus petite, à un chiffre. */
     public static String arrondirComposante(double x) {
-        return x == 0 ? "0" : String.format(Locale.ROOT, Math.abs(x) >= 5e-4 ? "%.3f" : "%.0e", x).replace("e-0", "e-");
+        String format = Math.abs(x) >= 5e-4 ? "%.3f" : "%.0e";
+        return x == 0 ? "0" : String.format(Locale.ROOT, format, x).replace("e-0", "e-");
     }
 
     /** Le nombre écrit ; infini s'il déborde, NaN si le texte n'est pas un nombre. */

@@ -34,11 +34,15 @@ final class SousPixels {
     Couleur voir(int i, int j, int dx, int dy) {
         int x = dx == n ? 0 : dx;
         int y = dy == n ? 0 : dy;
-        int pixel = (dy == n ? j + 1 : j) * largeur + (dx == n ? i + 1 : i);
+        int ligne = dy == n ? j + 1 : j;
+        int pixel = ligne * largeur + (dx == n ? i + 1 : i);
         int k = y * n + x;
         Couleur[] vus = pixels[pixel];
-        if (vus == null || k >= vus.length) {
-            vus = vus == null ? new Couleur[k == 0 ? 1 : n * n] : Arrays.copyOf(vus, n * n);
+        if (vus == null) {
+            vus = new Couleur[k == 0 ? 1 : n * n];
+            pixels[pixel] = vus;
+        } else if (k >= vus.length) {
+            vus = Arrays.copyOf(vus, n * n);
             pixels[pixel] = vus;
         }
         if (vus[k] == null) {

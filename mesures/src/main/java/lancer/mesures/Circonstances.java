@@ -23,7 +23,10 @@ public final class Circonstances {
         String commit = premiereLigne("git", "rev-parse", "--short", "HEAD");
         // les mesures elles-mêmes écrivent dans resultats, qui n'est pas une source
         String change = premiereLigne("git", "status", "--porcelain", "--", ":/", ":(top,exclude)mesures/resultats");
-        return commit.isEmpty() ? "inconnu" : change.isEmpty() ? commit : commit + "+";
+        if (commit.isEmpty()) {
+            return "inconnu";
+        }
+        return change.isEmpty() ? commit : commit + "+";
     }
 
     /** La première ligne qu'écrit cette commande ; vide si elle n'écrit rien ou ne peut être lancée. */

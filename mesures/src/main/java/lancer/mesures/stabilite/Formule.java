@@ -63,6 +63,7 @@ public enum Formule {
     }
 
     private static double premiere(double t1, double t2) {
-        return t1 > 0 ? t1 : t2 > 0 ? t2 : Constantes.INFINI;
+        double seconde = t2 > 0 ? t2 : Constantes.INFINI;
+        return t1 > 0 ? t1 : seconde;
     }
 }
