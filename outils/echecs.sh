@@ -27,6 +27,7 @@ PARTIE="$partie" perl -0777 -e '
         print $f $texte;
     }'
 
-${MVN:-mvn -B -ntp} -q -fae -Dmaven.test.failure.ignore=true "$@" package > ../echecs.log 2>&1 || { tail -20 ../echecs.log >&2; exit 1; }
+${MVN:-mvn -B -ntp} -q -fae -Pgroupes -Dmaven.test.failure.ignore=true "$@" package > ../echecs.log 2>&1 || { tail -20 ../echecs.log >&2; exit 1; }
 find . -name 'TEST-*.xml' -exec perl -0777 -ne '
-    print "$2.$1\n" while /<testcase name="(\w+)[^>]*classname="[\w.]*\b(\w+)"[^>]*>\s*<(?:failure|error)/g' {} + | sort -u
+    my ($classe) = $ARGV =~ /(\w+)\.xml$/;
+    print "$classe.$1\n" while /<testcase name="(\w+)[^>]*>\s*<(?:failure|error)/g' {} + | sort -u

@@ -313,23 +313,28 @@ public final class Projet {
         return copies;
     }
 
-    /** Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. */
+    /**
+     * Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. Une copie qui n'a que de ces textes
+     * n'est plus une copie.
+     */
     private static void ecarter(Collection<Map<String, Type>> copies, List<String> laisses) {
+        Map<String, Type> meilleurs = new TreeMap<>();
+        copies.forEach(copie -> copie.forEach((nom, type) -> meilleurs.merge(nom, type, (a, b) -> b.provenance < a.provenance ? b : a)));
         Map<String, String> ecartes = new TreeMap<>();
-        for (String classe : SourcesDuCours.classes()) {
-            String nom = "lancer/" + classe;
-            Type meilleur = copies.stream().map(c -> c.get(nom)).filter(Objects::nonNull).min(Comparator.comparing(t -> t.provenance))
-                    .orElse(null);
-            for (Map<String, Type> copie : copies) {
-                Type type = copie.get(nom);
-                if (type != null && type.provenance > meilleur.provenance) {
-                    copie.put(nom, meilleur);
-                    String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
-                    ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, classe,
-                            (a, b) -> a + ", " + b);
-                }
+        copies.removeIf(copie -> {
+            List<Type> siennes = SourcesDuCours.classes().stream().map(c -> copie.get("lancer/" + c)).filter(Objects::nonNull)
+                    .collect(Collectors.toList());
+            List<Type> laissees = siennes.stream().filter(t -> t.provenance > meilleurs.get(t.chemin()).provenance)
+                    .collect(Collectors.toList());
+            for (Type type : laissees) {
+                copie.put(type.chemin(), meilleurs.get(type.chemin()));
+                String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
+                ecartes.merge(type.source.chemin.replaceFirst("[^/]*$", "") + Contenu.DE_COTE + pourquoi, type.nom,
+                        (a, b) -> a + ", " + b);
             }
-        }
+            return laissees.stream().anyMatch(Projet::aCompleter)
+                    && siennes.stream().filter(Projet::aCompleter).allMatch(laissees::contains);
+        });
         ecartes.forEach((pourquoi, classes) -> laisses.add(pourquoi + " : " + classes));
     }
 

@@ -1,6 +1,7 @@
 package lancer.correction.depot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -294,6 +295,7 @@ class ProjetTest extends DepotEssai {
         assertEquals(Set.of(), intact.changees, "rien n'y est de lui");
         assertTrue(intact.aRegarder.contains("base-java/src/lancer/ : laissé de côté, c'est le texte du corrigé ; un autre est jugé : "
                 + String.join(", ", toutes)), intact.aRegarder.toString());
+        assertFalse(intact.aRegarder.toString().contains("plusieurs copies"), "une seule est jugée, et ce n'est pas celle du corrigé");
         // ce qu'il a écrit, même faux ; ce qu'il a laissé est celui du projet à compléter
         classes("lancer-base", c -> SourcesDuCours.corrige(c).replace("* v.y", "* v.x"), "Vecteur");
         Projet commence = projet(lire(rendus).get("11"));
