@@ -155,7 +155,7 @@ public final class Options {
             this(nom, null, null, aide, (options, rien) -> lecture.accept(options));
         }
 
-        String dire() {
+        String getLigne() {
             String marge = "\n" + String.format("%" + (2 + LARGEUR_DES_NOMS) + "s", "");
             return String.format("  %-" + LARGEUR_DES_NOMS + "s", exemple == null ? nom : nom + " " + exemple)
                     + aide.replace("\n", marge) + "\n";
@@ -176,7 +176,7 @@ public final class Options {
         StringBuilder aide = new StringBuilder("Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n\n"
                 + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n\n");
         for (Entree entree : TABLE) {
-            aide.append(entree.aide == null ? "" : entree.dire());
+            aide.append(entree.aide == null ? "" : entree.getLigne());
         }
         return aide + "\nUne option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
                 + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";

@@ -207,7 +207,7 @@ final class Fenetre {
         Travail travail = controleur.travail;
         boolean tenue = panneau.tenue != null;
         Dessin dessin = tenue ? controleur.avant : controleur.montre;
-        String texte = travail == null ? "" : travail.dire();
+        String texte = travail == null ? "" : travail.getTexte();
         barre.avancer(controleur.enCours ? travail.getAvancement() : 0, texte);
         if (tenue || controleur.entiere && !controleur.enCours) {
             texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin.image, panneau.getReduction(dessin.image))

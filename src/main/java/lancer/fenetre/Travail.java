@@ -130,7 +130,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     }
 
     /** Ce que ce travail fait ou a fait, en une ligne. */
-    String dire() {
+    String getTexte() {
         // le résumé d'une image donne le temps du dessin seul ; celui-ci compte aussi la lecture
         String temps = String.format(Locale.FRANCE, " — %.2f s",
                 ((fin != 0 ? fin : System.nanoTime()) - debut) / 1e9);

@@ -160,10 +160,17 @@ public final class SectionLue extends Section {
         String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
         boolean borne = max < Double.MAX_VALUE;
         if (min == Double.MIN_VALUE) {
-            return nombres + " plus grand que 0" + (borne ? ", au plus " + Nombre.ecrire(max) : "");
+            return nombres + " plus grand que 0" + (borne ? auPlus(max) : "");
         }
         return nombres + (borne ? " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
                 : " d'au moins " + Nombre.ecrire(min));
+    }
+
+    /** Une borne exclue, 180, est donnée par le nombre qui la précède. */
+    private static String auPlus(double max) {
+        double suivant = Math.nextUp(max);
+        return max != Math.rint(max) && suivant == Math.rint(suivant) ? ", plus petit que " + Nombre.ecrire(suivant)
+                : ", au plus " + Nombre.ecrire(max);
     }
 
     @Override

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import lancer.Main;
 import org.ini4j.spi.IniParser;
 import org.junit.jupiter.api.AfterEach;
@@ -61,17 +62,27 @@ public abstract class EssaiProcessus {
         return commande;
     }
 
-    /** Cette commande, par des liens là où un chemin de classes a un accent : sans langue, Java ne saurait pas le lire. */
+    /** Cette commande, sur des copies : sans langue, Java ne saurait pas lire un chemin de classes qui a un accent. */
     protected List<String> sansAccents(List<String> commande) throws IOException {
-        List<String> liens = new ArrayList<>();
+        List<String> copies = new ArrayList<>();
         int k = commande.indexOf("-cp") + 1;
         for (String chemin : commande.get(k).split(File.pathSeparator)) {
-            Path lien = erreur.resolveSibling("chemin" + liens.size());
-            Files.deleteIfExists(lien);
-            liens.add(Files.createSymbolicLink(lien, Paths.get(chemin)).toString());
+            Path copie = erreur.resolveSibling("chemin" + copies.size());
+            if (Files.notExists(copie)) {
+                copier(Paths.get(chemin), copie);
+            }
+            copies.add(copie.toString());
         }
-        commande.set(k, String.join(File.pathSeparator, liens));
+        commande.set(k, String.join(File.pathSeparator, copies));
         return commande;
+    }
+
+    private static void copier(Path source, Path copie) throws IOException {
+        try (Stream<Path> fichiers = Files.walk(source)) {
+            for (Path fichier : (Iterable<Path>) fichiers::iterator) {
+                Files.copy(fichier, copie.resolve(source.relativize(fichier).toString()));
+            }
+        }
     }
 
     /** Cette commande, dans le dossier du test, ses flux dans des fichiers. */

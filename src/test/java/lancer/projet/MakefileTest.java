@@ -154,6 +154,17 @@ class MakefileTest extends EssaiProcessus {
         }
     }
 
+    /** Eclipse lit un dossier et les modules que nomme son pom.xml, sans chercher plus loin ; Maven et IntelliJ, ensemble.xml. */
+    @Test
+    void tousLesModulesSImportentEnsemble() throws Exception {
+        for (String pom : new String[] {"ensemble.xml", "pom.xml"}) {
+            String texte = new String(Files.readAllBytes(Paths.get(pom)), StandardCharsets.UTF_8);
+            for (String module : new String[] {"brume", "blinn", "antialias", "mesures", "correction"}) {
+                assertTrue(texte.contains("<module>" + module + "</module>"), pom + ", " + module);
+            }
+        }
+    }
+
     @Test
     void unCloneDeWindowsALesMemesFinsDeLigne() throws Exception {
         assumeTrue(new File(".git").exists(), "pas un clone");

@@ -58,15 +58,17 @@ public final class Bareme {
         if (section == null) {
             throw new Panne(2, fichier + " : la section [Barème] manque");
         }
-        section.forEach((nom, ecrits) -> {
+        for (Map.Entry<String, String> ligne : section.entrySet()) {
+            String nom = ligne.getKey();
             String faute = fichier + ", [Barème], " + nom;
             boolean connue = etapes.contains(nom);
             if (!connue && etapes.stream().anyMatch(e -> debut(e).equals(debut(nom)))) {
                 throw new Panne(2, faute + " : étape inconnue ; attendu : une parmi " + String.join(", ", etapes)
                         + ", ou une ligne libre, qui ne commence pas comme une étape");
             }
-            String texte = ecrits == null ? "" : ecrits.trim().replace(',', '.');
-            if (!texte.matches((connue ? nom.equals(GrilleDeNotation.CONSIGNES) ? "-?" : "" : "[+-]?") + NOMBRE)) {
+            String texte = ligne.getValue() == null ? "" : ligne.getValue().trim().replace(',', '.');
+            String signe = nom.equals(GrilleDeNotation.CONSIGNES) ? "-?" : "";
+            if (!texte.matches((connue ? signe : "[+-]?") + NOMBRE)) {
                 throw new Panne(2, faute + " : « " + texte + " » ; attendu : un nombre de 0 à 9999"
                         + (connue ? "" : ", de signe + pour un bonus, - pour une pénalité"));
             } else if (!connue) {
@@ -76,7 +78,7 @@ public final class Bareme {
                 horsTotal.add(nom);
             }
             points.put(nom, nom.equals(GrilleDeNotation.CONSIGNES) ? -Math.abs(Double.parseDouble(texte)) : Double.valueOf(texte));
-        });
+        }
         somme = points.entrySet().stream().filter(p -> !horsTotal(p.getKey())).mapToDouble(Map.Entry::getValue).sum();
         if (somme == 0) {
             throw new Panne(2, fichier + " : la somme des points est nulle");
