@@ -314,8 +314,8 @@ public final class Projet {
     }
 
     /**
-     * Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. Une copie qui n'a que de ces textes
-     * n'est plus une copie.
+     * Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. Une copie qui n'a que ces textes
+     * disparaît.
      */
     private static void ecarter(Collection<Map<String, Type>> copies, List<String> laisses) {
         Map<String, Type> meilleurs = new TreeMap<>();

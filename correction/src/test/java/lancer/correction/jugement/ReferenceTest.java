@@ -123,6 +123,10 @@ class ReferenceTest extends JuryEssai {
     @Test
     void uneBouleDansSaPropreOmbreEstUneFauteDOmbre() {
         verifier("ombre-de-soi", "ombres");
+        // la faute y est, et non dans getColor, que l'on a appelée
+        Map<String, String> methodes = resultats.get("ombre-de-soi").methodes;
+        assertTrue(!methodes.isEmpty() && methodes.values().stream().allMatch(m -> m.contains("private boolean estALOmbre(")),
+                "la méthode privée est montrée aussi : " + methodes);
     }
 
     @Test
