@@ -114,7 +114,10 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             Repetition.Ecoute ecoute = new Repetition.Ecoute();
             System.setOut(ecoute);
             try {
-                limiter(() -> vu.bilan = new Repetition.Bilan(ecoute), patience, new Vu());
+                Repetition.Bilan[] fini = new Repetition.Bilan[1];
+                limiter(() -> fini[0] = new Repetition.Bilan(ecoute), patience, new Vu());
+                // ici, et non dans l'autre fil : abandonné, il finirait peut-être plus tard
+                vu.bilan = fini[0];
             } catch (Throwable sansFin) {
                 // les vérifications le disent
                 vu.bilan = new Repetition.Bilan();

@@ -20,7 +20,10 @@ import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Le programme complet avec une faute honnête à la fois ({@code banc.txt}) : la note suit le travail, et la rangée le dit. */
+/**
+ * Le programme complet avec une faute honnête à la fois ({@code banc.txt}) : la note suit le travail, et la rangée le dit. D'autres fautes
+ * des mêmes sortes ({@code banc-long.txt}) sont essayées avec {@code -Dtests.longs}.
+ */
 @EnabledForJreRange(min = JRE.JAVA_17)
 class BancTest extends ClasseEssai {
 
@@ -102,10 +105,10 @@ class BancTest extends ClasseEssai {
         }
     }
 
-    private static List<Essai> lire() throws IOException {
+    private static List<Essai> lire(String fichier) throws IOException {
         List<Essai> essais = new ArrayList<>();
         Essai essai = null;
-        for (String ligne : Files.readAllLines(RENDUS.resolve("banc.txt"))) {
+        for (String ligne : Files.readAllLines(RENDUS.resolve(fichier))) {
             if (ligne.isEmpty() || ligne.startsWith("#")) {
                 if (essai != null) {
                     essai.recette.add("fin");
@@ -130,8 +133,11 @@ class BancTest extends ClasseEssai {
 
     @TestFactory
     List<DynamicTest> laNoteSuitLeTravail() throws IOException {
-        List<Essai> essais = lire();
+        List<Essai> essais = lire("banc.txt");
         assertFalse(essais.isEmpty());
+        if (Boolean.getBoolean("tests.longs")) {
+            essais.addAll(lire("banc-long.txt"));
+        }
         for (Essai essai : essais) {
             essai.ecrire(dossier.resolve("rendus").resolve(essai.nom));
         }

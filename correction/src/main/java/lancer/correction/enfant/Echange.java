@@ -1,5 +1,6 @@
 package lancer.correction.enfant;
 
+import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
@@ -43,7 +44,7 @@ public final class Echange {
     /** Répond sans fin aux demandes de cette entrée. La sortie des réponses ne reçoit plus rien d'autre. */
     public static void servir(InputStream entree, OutputStream reponses, Traitement traitement) throws IOException {
         System.setOut(System.err);
-        DataInputStream demandes = new DataInputStream(entree);
+        DataInputStream demandes = new DataInputStream(new BufferedInputStream(entree));
         while (true) {
             int numero = demandes.readInt();
             byte[] demande = demandes.readNBytes(demandes.readInt());

@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.lang.reflect.UndeclaredThrowableException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,6 +46,8 @@ public final class Execution {
     public static final String IMPOSSIBLE = "I";
 
     private Classes classes;
+    /** Les méthodes déjà appelées, par leur nom complet : les chercher durerait plus que l'appel. */
+    private final Map<String, Method> methodes = new HashMap<>();
     private final List<Object> objets = new ArrayList<>();
     private final Map<Object, Integer> numeros = new IdentityHashMap<>();
 
@@ -184,7 +187,13 @@ public final class Execution {
 
     private Object invoquer(String classe, String methode, List<Class<?>> types, Object... arguments) {
         try {
-            return Class.forName(classe, true, classes).getMethod(methode, types.toArray(new Class<?>[0])).invoke(null, arguments);
+            String nom = classe + "." + methode;
+            Method trouvee = methodes.get(nom);
+            if (trouvee == null) {
+                trouvee = Class.forName(classe, true, classes).getMethod(methode, types.toArray(new Class<?>[0]));
+                methodes.put(nom, trouvee);
+            }
+            return trouvee.invoke(null, arguments);
         } catch (InvocationTargetException e) {
             throw new UndeclaredThrowableException(e.getCause());
         } catch (ReflectiveOperationException e) {

@@ -9,6 +9,7 @@ public final class Texte {
     /** Caractères qui commandent un terminal ou changent le sens d'écriture, moitiés de caractères ; ni tabulation, ni fin de ligne. */
     public static final Pattern NUISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}&&[^\n\t]]");
 
+    private static final Pattern BLANCS = Pattern.compile("\\s+");
     private static final int TEXTE_MAX = 2000;
     private static final int LIGNES_MAX = 30;
 
@@ -23,7 +24,7 @@ public final class Texte {
     /** Le même, d'au plus {@code max} caractères, puis « … » s'il est coupé. */
     public static String protege(String texte, int max) {
         String court = texte.length() > max ? couper(texte, max) + "…" : texte;
-        return NUISIBLES.matcher(court).replaceAll(" ").replaceAll("\\s+", " ").trim();
+        return BLANCS.matcher(NUISIBLES.matcher(court).replaceAll(" ")).replaceAll(" ").trim();
     }
 
     /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */

@@ -130,7 +130,8 @@ final class JugeRendu implements AutoCloseable {
 
     /**
      * Attribue à une autre classe les vérifications que la classe visée réussit seule. Si l'autre classe n'a aucune faute par ailleurs, la
-     * vérification lui coûte des points. Si aucune classe n'échoue seule, la vérification coûte à la classe visée.
+     * vérification lui coûte des points ; une classe donnée achevée, que l'étudiant a changée, paie tout ce qu'elle rend faux. Si aucune
+     * classe n'échoue seule, la vérification coûte à la classe visée.
      */
     private void imputer() throws Arret {
         List<String> suspectes = new ArrayList<>(SourcesDuCours.A_COMPLETER);
@@ -140,7 +141,7 @@ final class JugeRendu implements AutoCloseable {
             if (cachees.isEmpty() || seules.containsKey(classe) && seules.get(classe).arrete) {
                 continue;
             }
-            boolean paie = aUneFaute(classe);
+            boolean paie = SourcesDuCours.A_COMPLETER.contains(classe) && aUneFaute(classe);
             Map<String, Verdict> parElle = lancer(seule(classe), cachees).verdicts;
             for (Verification v : List.copyOf(cachees)) {
                 if (parElle.get(v.id()).etat != Etat.REUSSI) {
