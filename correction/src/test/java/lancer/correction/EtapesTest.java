@@ -98,7 +98,7 @@ class EtapesTest {
     /** Les graines du correcteur : vingt si l'on demande les tests longs. */
     private static final int GRAINES = Boolean.getBoolean("tests.longs") ? 20 : 1;
 
-    /** Cent fautes, l'une par qui en est à son étape, la suivante par qui a tout écrit ; par les deux si {@code -Dtests.longs}. */
+    /** Cent fautes, l'une par qui en est à son étape, la suivante par qui a tout écrit ; par les deux avec {@code -Dtests.longs}. */
     @TestFactory
     List<DynamicTest> chaqueFauteEstDiteLaOuElleEst() throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
