@@ -116,7 +116,7 @@ public final class GraphiqueVitesse extends JPanel {
             ecrire(g, nombre(e), MARGE - 6, y(e) + 4, 1);
         });
         ecrire(g, "temps du dessin, en secondes", (MARGE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur, en niveaux", 6, 14, 0);
+        ecrire(g, "erreur, en niveaux", MARGE, 14, 0);
     }
 
     /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
