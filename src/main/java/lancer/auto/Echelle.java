@@ -54,7 +54,8 @@ public final class Echelle {
         Variante essayee = echelon.getEssayee();
         String deLaScene = echelon.getModele().getEchantillonnage() == null ? "un rayon par pixel"
                 : "l'échantillonnage de la scène";
-        return (essayee != null ? echelon.getSection(essayee).toString() : deLaScene) + ", --reflets " + echelon.getProfondeur() + " --seuil "
+        String echantillonnage = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
+        return echantillonnage + ", --reflets " + echelon.getProfondeur() + " --seuil "
                 + BigDecimal.valueOf(echelon.getSeuil()).toPlainString();
     }
 }

@@ -243,7 +243,8 @@ public final class Reglages {
     @Override
     public String toString() {
         String permises = reflets + (reflets > 1 ? " réflexions" : " réflexion");
-        return (etape != Etape.REFLETS ? "étape " + etape : permises) + (seuil == Constantes.SEUIL ? "" : ", seuil " + seuil)
+        String choisi = etape != Etape.REFLETS ? "étape " + etape : permises;
+        return choisi + (seuil == Constantes.SEUIL ? "" : ", seuil " + seuil)
                 + sections.keySet().stream().filter(this::estBranchee).map(v -> ", " + getSectionEntiere(v))
                 .collect(Collectors.joining());
     }

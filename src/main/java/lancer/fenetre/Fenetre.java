@@ -191,7 +191,8 @@ final class Fenetre {
                         Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
             }
         }
-        String titre = controleur.fichier == null ? programme : programme + " — " + new File(controleur.fichier).getName();
+        String titre = controleur.fichier == null ? programme
+                : programme + " — " + new File(controleur.fichier).getName();
         cadre.setTitle(prise.estDeplace() ? titre + " •" : titre);
         rafraichir();
     }

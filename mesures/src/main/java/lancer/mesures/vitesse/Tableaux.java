@@ -48,7 +48,6 @@ final class Tableaux {
         Map<String, Optional<Mesure>> lignes = new LinkedHashMap<>();
         lignes.put("aller au plus vite", choix.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
         lignes.put("le mieux, en deux fois ce temps", choix.lePlusJuste(Catalogue.COURS, 2));
-        lignes.put("deux niveaux au plus", choix.lePlusRapide(Catalogue.COURS, 2));
         lignes.put("un niveau au plus", choix.lePlusRapide(Catalogue.COURS, 1));
         lignes.put("moins que l'arrondi de l'écran", choix.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
         StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>réglage</th><th>erreur</th><th>pire scène</th>"

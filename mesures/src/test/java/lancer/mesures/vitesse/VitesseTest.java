@@ -155,8 +155,8 @@ class VitesseTest {
         String table = new Tableaux(resultats).pages().get("choisir");
         assertTrue(table.contains("<td>aller au plus vite</td><td>un rayon</td><td>3 niveaux</td><td>12 niveaux (miroirs)</td><td>× 1</td>"
                 + "<td>0,4 s, l'unité</td>"), table);
-        assertTrue(table.contains("<td>deux niveaux au plus</td><td>partage n=4 seuil=0.2</td><td>0,9 niveau</td>"
-                + "<td>1,2 niveau (miroirs)</td><td>× 1,5</td><td>0,6 s, × 1,5 (de 1,43 à 1,58)</td>"), table);
+        assertTrue(table.contains("<td>le mieux, en deux fois ce temps</td><td>partage n=8 seuil=0.06</td><td>0,6 niveau</td>"
+                + "<td>0,94 niveau (miroirs)</td><td>× 2</td><td>0,8 s, × 2 (de 1,9"), table);
         // l'erreur de la grille n'est connue que d'une scène
         assertTrue(table.contains("<td>un niveau au plus</td><td>--auto erreur=1</td><td>0,7 niveau</td>"), table);
         assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.03\n\n"), table);
