@@ -31,6 +31,10 @@ final class Catalogue {
 
     private static final List<String> CHRONOMETREES = Arrays.asList(COURS, "bowling", "miroirs", "tournesol");
 
+    /** Ceux des réglages qui sont chronométrés aussi hors de la scène du cours : les autres y prendraient dix minutes. */
+    private static final List<String> PARTOUT = Arrays.asList(Reglage.UN_RAYON.nom(), Reglage.grille(2).nom(),
+            Reglage.coins(3, 0.05).nom(), Reglage.partage(4, 0.2).nom(), Reglage.partage(8, 0.06).nom(), Reglage.auto(1).nom());
+
     /** Réglages de « partage » : n, puis le seuil. */
     private static final double[][] PARTAGES = {{4, 0.2}, {8, 0.1}, {8, 0.06}, {16, 0.03}, {16, 0.01}};
 
@@ -72,6 +76,7 @@ final class Catalogue {
     /** Ce qui est chronométré. */
     List<Groupe> temps() throws IOException {
         List<Groupe> groupes = CHRONOMETREES.stream().map(this::choix).collect(Collectors.toList());
+        groupes.stream().filter(g -> !g.scene.equals(COURS)).forEach(g -> g.essais.removeIf(e -> !PARTOUT.contains(e.reglage.nom())));
         groupes.add(couts());
         groupes.add(lampes());
         groupes.add(pixels());
