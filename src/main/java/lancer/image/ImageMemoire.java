@@ -57,20 +57,22 @@ public final class ImageMemoire implements Toile {
 
     /** La couleur de ce pixel, arrondie si l'image n'a que des codes. @param k son rang, ligne par ligne */
     public Couleur getCouleur(int k) {
-        return new Couleur(composante(k, 0), composante(k, 1), composante(k, 2));
-    }
-
-    /** La plus grande différence de leurs composantes. @param k rang d'un pixel @param autre celui d'un autre */
-    public double ecart(int k, int autre) {
-        double ecart = 0;
-        for (int c = 0; c < 3; c++) {
-            ecart = Math.max(ecart, Math.abs(composante(k, c) - composante(autre, c)));
+        if (lineaire != null) {
+            return new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
         }
-        return ecart;
+        return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
     }
 
-    private double composante(int k, int c) {
-        return lineaire != null ? lineaire[3 * k + c] : (codes[k] >> 16 - 8 * c & 0xFF) / 255.0;
+    /** La plus grande différence de leurs composantes, en niveaux. @param k rang d'un pixel @param autre celui d'un autre */
+    public int ecart(int k, int autre) {
+        int a = getCode(k);
+        int b = getCode(autre);
+        return Math.max(Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF)),
+                Math.max(Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF)), Math.abs((a & 0xFF) - (b & 0xFF))));
+    }
+
+    private int getCode(int k) {
+        return codes != null ? codes[k] : getCouleur(k).getCode();
     }
 
     /** Dit si ce pixel est celui que cette couleur dessinerait. */

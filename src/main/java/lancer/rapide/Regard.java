@@ -157,27 +157,26 @@ public final class Regard {
     private List<Integer> choisir(ImageMemoire image) {
         int nombre = image.largeur * image.hauteur;
         int combien = Math.min(PIXELS, nombre / UN_SUR) / 2;
-        // l'isolement d'un pixel, puis son rang
+        int[] voisins = {-1, 1, -image.largeur, image.largeur};
+        // l'isolement d'un pixel, puis son rang ; un pixel moins isolé que tous ceux-là n'en fait pas partie
         PriorityQueue<Long> isoles = new PriorityQueue<>();
+        int moindre = -1;
         for (int k = 0; k < nombre && combien > 0; k++) {
-            double isolement = Math.min(semblable(image, k, 1), semblable(image, k, image.largeur));
-            long cle = (long) (1e6 * isolement) << 32 | k;
-            if (isoles.size() < combien) {
-                isoles.add(cle);
-            } else if (cle > isoles.peek()) {
-                isoles.remove();
-                isoles.add(cle);
+            int isolement = 255;
+            for (int n = 0; n < voisins.length && isolement > moindre; n++) {
+                int voisin = k + voisins[n];
+                isolement = voisin < 0 || voisin >= nombre ? isolement : Math.min(isolement, image.ecart(k, voisin));
+            }
+            if (isolement > moindre) {
+                isoles.add((long) isolement << 32 | k);
+                if (isoles.size() > combien) {
+                    isoles.remove();
+                    moindre = (int) (isoles.peek() >> 32);
+                }
             }
         }
         return isoles.stream().flatMap(cle -> Stream.of(hasard.nextInt(nombre), cle.intValue()))
                 .collect(Collectors.toList());
-    }
-
-    /** L'écart d'un pixel à celui qui lui ressemble le plus, de ceux qui sont à ce pas de lui. Au plus 1. */
-    private static double semblable(ImageMemoire image, int k, int pas) {
-        double avant = k < pas ? 1 : image.ecart(k, k - pas);
-        double apres = k + pas >= image.largeur * image.hauteur ? 1 : image.ecart(k, k + pas);
-        return Math.min(1, Math.min(avant, apres));
     }
 
     /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
