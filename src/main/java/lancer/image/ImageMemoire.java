@@ -63,7 +63,7 @@ public final class ImageMemoire implements Toile {
         return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
     }
 
-    /** La plus grande différence de leurs composantes, en niveaux. @param k rang d'un pixel @param autre celui d'un autre */
+    /** La plus grande différence des composantes, en niveaux. @param k rang d'un pixel @param autre celui d'un autre */
     public int ecart(int k, int autre) {
         int a = getCode(k);
         int b = getCode(autre);

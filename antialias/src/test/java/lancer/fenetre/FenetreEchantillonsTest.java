@@ -62,9 +62,15 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         GraphiqueVitesse graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         String debut = "[Antialias] n=2 methode=partage seuil=0.4, --reflets 1000 --seuil 0.015625 : ";
-        attendre("la deuxième", () -> viser(graphique, etat, debut) != null);
-        Point ou = surFilEvenements(() -> viser(graphique, etat, debut));
-        banc.cliquer(graphique, ou.x, ou.y);
+        // les points bougent tant que les mesures durent : rien ne se passe entre la visée et le clic
+        attendre("la deuxième", () -> {
+            Point ou = viser(graphique, etat, debut);
+            if (ou != null) {
+                graphique.dispatchEvent(new MouseEvent(graphique, MouseEvent.MOUSE_PRESSED, 0, 0, ou.x, ou.y, 1, false,
+                        MouseEvent.BUTTON1));
+            }
+            return ou != null;
+        });
         attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.015625, [Antialias] n=2 "));
         ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
         assertArrayEquals(attendue("--reflets=1000", "--seuil=0.015625"), banc.imageAchevee().codes);
