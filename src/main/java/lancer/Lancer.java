@@ -1,10 +1,9 @@
 package lancer;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -134,12 +133,18 @@ public final class Lancer {
     private void partager(int fils, boolean brouillon, Echantillonnage prepare, Toile toile, int profondeur) {
         long debut = System.nanoTime();
         List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
-        List<Lancer> siens = Stream.generate(() -> new Lancer(this)).limit(Math.min(fils, paves.size()))
-                .collect(Collectors.toList());
-        equipe.faire(paves.size(), siens.stream().<IntConsumer>map(sien -> rang ->
-                sien.tracer(paves.get(rang), brouillon, prepare, toile, profondeur)).collect(Collectors.toList()));
+        List<Lancer> siens = new ArrayList<>();
+        List<IntConsumer> travaux = new ArrayList<>();
+        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
+            Lancer sien = new Lancer(this);
+            siens.add(sien);
+            travaux.add(rang -> sien.tracer(paves.get(rang), brouillon, prepare, toile, profondeur));
+        }
+        equipe.faire(paves.size(), travaux);
         Compteurs total = new Compteurs();
-        siens.forEach(sien -> total.ajouter(sien.scene.getCompteurs()));
+        for (Lancer sien : siens) {
+            total.ajouter(sien.scene.getCompteurs());
+        }
         compteurs = total;
         dureeNs = System.nanoTime() - debut;
     }

@@ -6,8 +6,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiConsumer;
-import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.texte.Nombre;
@@ -27,61 +25,50 @@ public final class Options {
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
 
-    /** Les options, dans l'ordre de l'aide : nom, exemple de sa valeur, valeur attendue, aide, et lecture. */
+    /** Les options, dans l'ordre de l'aide : nom, exemple de sa valeur, valeur attendue et aide. */
     private static final Entree[] TABLE = {
         new Entree("--image", "FICHIER.png", "un fichier dont le nom finit par .png",
-                "écrit l'image, sans fenêtre ni écran", (o, v) -> o.image = finissant(v, ".png")),
+                "écrit l'image, sans fenêtre ni écran"),
         new Entree("--lineaire", "FICHIER.pfm", "un fichier dont le nom finit par .pfm",
-                "écrit les couleurs non limitées (PFM) ; peut aller avec --image",
-                (o, v) -> o.lineaire = finissant(v, ".pfm")),
+                "écrit les couleurs non limitées (PFM) ; peut aller avec --image"),
         new Entree("--taille", "800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
                 + " chacune, et au plus " + PIXELS_MAX + " pixels",
-                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté", Options::lireTaille),
+                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté"),
         new Entree("--reflets", "5", "un entier de 0 à " + REFLETS_MAX,
-                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX,
-                (o, v) -> o.reglages = o.reglages.avecReflets(entier(v, 0, REFLETS_MAX))),
+                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
         new Entree("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
-                "le cours étape par étape : lambert, phong, ombres, puis reflets",
-                (o, v) -> o.reglages = o.reglages.avecEtape(choisir(Arrays.asList(Etape.values()), v))),
+                "le cours étape par étape : lambert, phong, ombres, puis reflets"),
         new Entree("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
                 "avec --image, en fausses couleurs : normales, distance, lampes,\n"
-                + "rayons ou difference, qui se compare à 64 rayons par pixel",
-                (o, v) -> o.vue = choisir(VUES, v)),
+                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
         new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
-                "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-                (o, v) -> o.reglages = o.reglages.avecSeuil(reel(v, 0, Double.MAX_VALUE))),
+                "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
         new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-                "sans ces variantes, même si elles sont dans le chemin des classes", Options::lireVariantes),
+                "sans ces variantes, même si elles sont dans le chemin des classes"),
         new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur",
-                (o, v) -> o.fils = entier(v, 1, FILS_MAX)),
-        new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX,
-                "dessine N fois avant d'écrire, pour mesurer", (o, v) -> o.repeter = entier(v, 1, REPETER_MAX)),
-        new Entree("--statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun",
-                o -> o.statistiques = true),
-        new Entree("--simple", "les boucles du cours au lieu de la recherche rapide : la même image",
-                o -> o.reglages = o.reglages.avecLesBoucles()),
+                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur"),
+        new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX, "dessine N fois avant d'écrire, pour mesurer"),
+        new Entree("--statistiques", null, null, "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
+        new Entree("--simple", null, null, "les boucles du cours au lieu de la recherche rapide : la même image"),
         new Entree("--pixel", "421,426",
                 "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
                 "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", Options::lirePixel),
+                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran"),
         new Entree("--auto", "erreur=1", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
                 "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
                 + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", Options::lireErreur),
+                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire"),
         new Entree("--comparer", "REF.png", "une image PNG ou PFM",
                 "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-                + "pareilles, 1 différentes ; --image : l'image des différences",
-                (o, v) -> o.comparer = finissant(v, ".png", ".pfm")),
+                + "pareilles, 1 différentes ; --image : l'image des différences"),
         new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
-                "avec --comparer, l'écart permis, en niveaux sur 255",
-                (o, v) -> o.tolerance = reel(v, 0, Double.MAX_VALUE)),
+                "avec --comparer, l'écart permis, en niveaux sur 255"),
         new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-                "avec --comparer, les pixels qui peuvent dépasser cet écart", Options::lirePart),
-        new Entree("--aide", "ce texte, comme --help et -h", o -> o.aide = true),
-        new Entree("--help", null, o -> o.aide = true),
-        new Entree("-h", null, o -> o.aide = true),
-        new Entree("--version", "la version", o -> o.version = true)};
+                "avec --comparer, les pixels qui peuvent dépasser cet écart"),
+        new Entree("--aide", null, null, "ce texte, comme --help et -h"),
+        new Entree("--help", null, null, null),
+        new Entree("-h", null, null, null),
+        new Entree("--version", null, null, "la version")};
 
     /** Une option, puis celles qui ne vont pas avec elle ; une option, puis celles dont une doit aller avec elle. */
     private static final String[][] SEPAREES = {
@@ -140,19 +127,12 @@ public final class Options {
         final String attendu;
         /** {@code null} si l'aide n'a pas de ligne de cette option. */
         final String aide;
-        /** Lève {@link IllegalArgumentException} si la valeur est refusée. */
-        final BiConsumer<Options, String> lecture;
 
-        Entree(String nom, String exemple, String attendu, String aide, BiConsumer<Options, String> lecture) {
+        Entree(String nom, String exemple, String attendu, String aide) {
             this.nom = nom;
             this.exemple = exemple;
             this.attendu = attendu;
             this.aide = aide;
-            this.lecture = lecture;
-        }
-
-        Entree(String nom, String aide, Consumer<Options> lecture) {
-            this(nom, null, null, aide, (options, rien) -> lecture.accept(options));
         }
 
         String getLigne() {
@@ -167,6 +147,7 @@ public final class Options {
         Options options = new Options();
         options.separer(arguments);
         if (!options.aide && !options.version) {
+            options.lireLesValeurs();
             options.accorder();
         }
         return options;
@@ -250,11 +231,8 @@ public final class Options {
             if (!seule && valeur.isEmpty()) {
                 throw demande("option sans sa valeur : " + nom, entree.attendu);
             }
-            try {
-                entree.lecture.accept(this, valeur);
-            } catch (IllegalArgumentException e) {
-                throw impossible(nom, entree.attendu);
-            }
+            aide = nom.equals("--aide") || nom.equals("--help") || nom.equals("-h");
+            version = nom.equals("--version");
         }
     }
 
@@ -268,34 +246,53 @@ public final class Options {
         scene = nom;
     }
 
-    private void lireTaille(String valeur) {
-        String[] cotes = deux(valeur, "x");
-        largeur = entier(cotes[0], 1, COTE_MAX);
-        hauteur = entier(cotes[1], 1, COTE_MAX);
-        exiger((long) largeur * hauteur <= PIXELS_MAX);
-    }
-
-    private void lireVariantes(String valeur) {
-        List<String> variantes = Arrays.asList(valeur.split(",", -1));
-        exiger(!variantes.contains(""));
-        reglages = reglages.sans(variantes);
-    }
-
-    private void lirePixel(String valeur) {
-        String[] place = deux(valeur, ",");
-        pixelX = entier(place[0], 0, Constantes.INFINI);
-        pixelY = entier(place[1], 0, Constantes.INFINI);
-    }
-
-    private void lireErreur(String valeur) {
-        exiger(valeur.startsWith("erreur="));
-        erreurVoulue = reel(valeur.substring("erreur=".length()), 0.01, 255);
+    /** Lit les valeurs données ; ce qui n'est pas demandé garde sa valeur. */
+    private void lireLesValeurs() {
+        image = fichier("--image", ".png");
+        lineaire = fichier("--lineaire", ".pfm");
+        int[] cotes = deuxEntiers("--taille", "x", COTE_MAX);
+        if (cotes != null) {
+            largeur = cotes[0];
+            hauteur = cotes[1];
+            exiger(largeur >= 1 && hauteur >= 1 && (long) largeur * hauteur <= PIXELS_MAX, "--taille");
+        }
+        reglages = reglages.avecReflets(entier("--reflets", 0, REFLETS_MAX, reglages.getReflets()));
+        reglages = reglages.avecSeuil(reel("--seuil", Double.MAX_VALUE, reglages.getSeuil()));
+        reglages = reglages.avecEtape(choisie("--etape", Arrays.asList(Etape.values()), reglages.getEtape()));
+        if (estDonnee("--sans")) {
+            List<String> variantes = Arrays.asList(donnees.get("--sans").split(",", -1));
+            exiger(!variantes.contains(""), "--sans");
+            reglages = reglages.sans(variantes);
+        }
+        if (estDonnee("--simple")) {
+            reglages = reglages.avecLesBoucles();
+        }
+        vue = choisie("--vue", VUES, null);
+        fils = entier("--fils", 1, FILS_MAX, fils);
+        repeter = entier("--repeter", 1, REPETER_MAX, repeter);
+        statistiques = estDonnee("--statistiques");
+        int[] pixel = deuxEntiers("--pixel", ",", Constantes.INFINI);
+        if (pixel != null) {
+            pixelX = pixel[0];
+            pixelY = pixel[1];
+        }
+        if (estDonnee("--auto")) {
+            String souhait = donnees.get("--auto");
+            erreurVoulue = souhait.startsWith("erreur=") ? Nombre.lire(souhait.substring("erreur=".length())) : 0;
+            exiger(erreurVoulue >= 0.01 && erreurVoulue <= 255, "--auto");
+        }
+        comparer = fichier("--comparer", ".png", ".pfm");
+        tolerance = reel("--tolerance", Double.MAX_VALUE, tolerance);
+        if (estDonnee("--part")) {
+            lirePart(donnees.get("--part"));
+        }
     }
 
     private void lirePart(String valeur) {
         boolean pourCent = valeur.endsWith("%");
-        String nombre = valeur.replaceFirst("%$", "");
-        part = reel(nombre, 0, pourCent ? 100 : 1);
+        String nombre = pourCent ? valeur.substring(0, valeur.length() - 1) : valeur;
+        part = Nombre.lire(nombre);
+        exiger(part >= 0 && part <= (pourCent ? 100 : 1), "--part");
         // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
         part = pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
     }
@@ -309,8 +306,9 @@ public final class Options {
             }
         }
         for (String[] une : SERVANTES) {
-            if (estDonnee(une[0]) && Arrays.stream(une).skip(1).noneMatch(this::estDonnee)) {
-                throw demande(une[0] + " ne sert pas seule", "avec elle, " + Arrays.stream(une).skip(1)
+            List<String> autres = Arrays.asList(une).subList(1, une.length);
+            if (estDonnee(une[0]) && Collections.disjoint(autres, donnees.keySet())) {
+                throw demande(une[0] + " ne sert pas seule", "avec elle, " + autres.stream()
                         .map(autre -> autre + " " + entree(autre).exemple).collect(Collectors.joining(" ou ")));
             }
         }
@@ -325,36 +323,55 @@ public final class Options {
         }
     }
 
-    private static <T> T choisir(List<T> choix, String valeur) {
-        return choix.stream().filter(un -> un.toString().equals(valeur)).findFirst()
-                .orElseThrow(IllegalArgumentException::new);
+    private <T> T choisie(String nom, List<T> choix, T defaut) {
+        for (T une : choix) {
+            if (une.toString().equals(donnees.get(nom))) {
+                return une;
+            }
+        }
+        exiger(!estDonnee(nom), nom);
+        return defaut;
     }
 
-    private static String finissant(String valeur, String... fins) {
-        exiger(Arrays.stream(fins).anyMatch(fin -> finit(valeur, fin)));
-        return valeur;
+    private String fichier(String nom, String... fins) {
+        String fichier = donnees.get(nom);
+        boolean juste = fichier == null;
+        for (String fin : fins) {
+            juste = juste || finit(fichier, fin);
+        }
+        exiger(juste, nom);
+        return fichier;
     }
 
-    private static String[] deux(String valeur, String separateur) {
-        String[] deux = valeur.split(separateur, -1);
-        exiger(deux.length == 2);
-        return deux;
+    /** Deux entiers de 0 à {@code max} ; {@code null} si l'option n'est pas donnée. */
+    private int[] deuxEntiers(String nom, String separateur, double max) {
+        if (!estDonnee(nom)) {
+            return null;
+        }
+        String[] deux = donnees.get(nom).split(separateur, -1);
+        exiger(deux.length == 2, nom);
+        return new int[] {entier(deux[0], nom, 0, max), entier(deux[1], nom, 0, max)};
     }
 
-    private static int entier(String valeur, double min, double max) {
-        exiger(valeur.matches("[0-9]+"));
-        return (int) reel(valeur, min, max);
+    private int entier(String nom, int min, int max, int defaut) {
+        return estDonnee(nom) ? entier(donnees.get(nom), nom, min, max) : defaut;
     }
 
-    private static double reel(String valeur, double min, double max) {
-        double n = Nombre.lire(valeur);
-        exiger(n >= min && n <= max);
+    private int entier(String valeur, String nom, double min, double max) {
+        double n = Nombre.lireEntier(valeur);
+        exiger(n >= min && n <= max, nom);
+        return (int) n;
+    }
+
+    private double reel(String nom, double max, double defaut) {
+        double n = estDonnee(nom) ? Nombre.lire(donnees.get(nom)) : defaut;
+        exiger(n >= 0 && n <= max, nom);
         return n;
     }
 
-    private static void exiger(boolean juste) {
+    private void exiger(boolean juste, String nom) {
         if (!juste) {
-            throw new IllegalArgumentException();
+            throw impossible(nom, entree(nom).attendu);
         }
     }
 

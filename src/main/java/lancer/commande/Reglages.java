@@ -60,8 +60,13 @@ public final class Reglages {
      */
     public Reglages pour(Map<Variante, Section> lues) {
         Map<Variante, Section> gardees = new LinkedHashMap<>(lues);
-        this.lues.forEach((avant, lue) -> gardees.replaceAll((apres, section) ->
-                apres.getSection().equals(avant.getSection()) && section.equals(lue) ? sections.get(avant) : section));
+        for (Variante avant : this.lues.keySet()) {
+            for (Variante apres : lues.keySet()) {
+                if (apres.getSection().equals(avant.getSection()) && lues.get(apres).equals(this.lues.get(avant))) {
+                    gardees.put(apres, sections.get(avant));
+                }
+            }
+        }
         return new Reglages(etape, reflets, seuil, simple, debranchees, lues, gardees);
     }
 
@@ -194,12 +199,13 @@ public final class Reglages {
     public Modele getModele() {
         Modele modele = new Modele();
         modele.setSeuil(seuil);
-        sections.forEach((variante, section) -> {
+        for (Variante variante : sections.keySet()) {
+            Section section = sections.get(variante);
             if (estBranchee(variante) || section == lues.get(variante)) {
                 variante.installer(section, estBranchee(variante) ? modele : new Modele());
                 section.verifierCles();
             }
-        });
+        }
         if (etape == Etape.LAMBERT) {
             modele.oterSpecularite();
         }

@@ -121,7 +121,9 @@ public final class Ecriture {
         } catch (IOException e) {
             throw enCours.impossible(raison(e));
         } finally {
-            fichiers.keySet().forEach(fichier -> fichier.provisoire.toFile().delete());
+            for (Ecriture fichier : fichiers.keySet()) {
+                fichier.provisoire.toFile().delete();
+            }
         }
     }
 

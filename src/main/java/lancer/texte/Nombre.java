@@ -28,9 +28,19 @@ public final class Nombre {
 
     /** Le nombre écrit ; infini s'il déborde, NaN si le texte n'est pas un nombre. */
     public static double lire(String s) {
+        return lire(s, ".eE+-");
+    }
+
+    /** L'entier écrit, en chiffres seuls ; infini s'il déborde, NaN si le texte n'est pas un entier. */
+    public static double lireEntier(String s) {
+        return lire(s, "");
+    }
+
+    /** @param signes les caractères permis, outre les chiffres */
+    private static double lire(String s, String signes) {
         for (int i = 0; i < s.length(); i++) {
             char c = s.charAt(i);
-            if ((c < '0' || c > '9') && ".eE+-".indexOf(c) < 0) {
+            if ((c < '0' || c > '9') && signes.indexOf(c) < 0) {
                 return Double.NaN;
             }
         }
