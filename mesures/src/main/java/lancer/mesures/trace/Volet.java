@@ -15,6 +15,8 @@ import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.labels.ItemLabelAnchor;
+import org.jfree.chart.labels.ItemLabelPosition;
 import org.jfree.chart.labels.XYItemLabelGenerator;
 import org.jfree.chart.plot.DefaultDrawingSupplier;
 import org.jfree.chart.plot.ValueMarker;
@@ -127,6 +129,9 @@ public final class Volet {
         XYItemLabelGenerator textes = (donnees, s, k) -> points.get(k).texte;
         rendu.setSeriesItemLabelGenerator(rang, textes);
         rendu.setSeriesItemLabelsVisible(rang, true);
+        // deux séries voisines sont souvent proches : leurs noms ne sont pas du même côté de leurs points
+        rendu.setSeriesPositiveItemLabelPosition(rang, rang % 2 == 0 ? new ItemLabelPosition()
+                : new ItemLabelPosition(ItemLabelAnchor.OUTSIDE6, TextAnchor.TOP_CENTER));
         rendu.setSeriesLinesVisible(rang, Boolean.valueOf(reliee));
         rendu.setSeriesItemLabelPaint(rang, COULEURS[rang % COULEURS.length]);
         return this;
