@@ -64,11 +64,12 @@ public final class Mesure {
         return new Mesure(poids, pourChacun(k -> carres[k] - autre.carres[k]).toArray());
     }
 
-    /** L'erreur et son intervalle, si un écart a été vu ; et ce qui peut manquer, si tous les pixels n'ont pas été tirés. */
+    /** L'erreur et son intervalle, ou qu'aucun écart n'a été vu ; et ce qui peut manquer. */
     public String enMots() {
         String vu = rienVu ? "aucun écart sur " + poids.length + " pixels"
                 : String.format(Locale.ROOT, "erreur de %.2f ± %.2f", erreur, incertitude);
-        return plusGrand == 1 ? vu : String.format(Locale.ROOT, "%s ; un détail de moins d'un pixel sur %.0f peut manquer",
-                vu, Arrays.stream(poids).sum() / plusGrand / 3);
+        double detail = Arrays.stream(poids).sum() / plusGrand / 3;
+        return plusGrand == 1 ? vu
+                : String.format(Locale.ROOT, "%s ; un détail de moins d'un pixel sur %.0f peut manquer", vu, detail);
     }
 }

@@ -19,7 +19,8 @@ class CommandeAutoTest extends EssaiCommande {
         String[] lignes = e.erreur.split(System.lineSeparator());
         assertEquals(2, lignes.length, e.erreur);
         assertTrue(lignes[0].matches("lancer : auto, choisi : un rayon par pixel, --reflets [0-9]+ --seuil [0-9.]+"), lignes[0]);
-        assertTrue(lignes[1].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ ; un détail de moins d'un pixel sur [0-9]+ peut manquer ; "
+        assertTrue(lignes[1].matches("lancer : auto, mesuré : erreur de [0-9.]+ ± [0-9.]+ ; "
+                + "un détail de moins d'un pixel sur [0-9]+ peut manquer ; "
                 + "dessin en [0-9.]+ s, essais en [0-9.]+ s ; erreur voulue tenue"), lignes[1]);
         verifierFichiers("image.png", "image.pfm");
     }
