@@ -3,6 +3,7 @@ package lancer.auto;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.commande.Reglages;
@@ -16,8 +17,6 @@ public final class Auto {
 
     /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
-    /** Part des rayons de l'image dessinée que peut demander son contrôle. */
-    private static final double PART = 0.6;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
 
@@ -27,11 +26,8 @@ public final class Auto {
     private final int fils;
     private final SplittableRandom hasard;
     private int rang;
-    private boolean repris;
     private Lancer lancer;
-    private Echantillon echantillon;
     private Mesure mesure;
-    private String conseil = "";
     private long rayons;
 
     /** @param prepare la scène, préparée @param echelle un réglage au moins @param voulue l'erreur, en niveaux */
@@ -42,18 +38,17 @@ public final class Auto {
         this.fils = fils;
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
-        echantillon = new Echantillon(prepare, fils, null, voulue,
-                prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur(), hasard);
-        choisir();
+        int pixels = prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur();
+        choisir(new Echantillon(prepare, fils, rang -> Constantes.CIEL, voulue, pixels, hasard));
     }
 
     /** Monte jusqu'au premier échelon qui convient à cet échantillon, ou que le suivant n'améliore pas assez. */
-    private void choisir() {
+    private void choisir(Echantillon echantillon) {
         Mesure ici = echantillon.essayer(getChoisi());
         while (PRUDENCE * ici.erreur > voulue && rang < echelle.size() - 1) {
             Mesure suivante = echantillon.essayer(echelle.get(rang + 1));
             // ce qui reste n'est peut-être que le hasard des références : seule leur différence en est libre
-            if (ici.plus(-SUR) == 0 && ici.gain(suivante, SUR) < voulue * voulue / 4) {
+            if (ici.plus(-SUR) == 0 && ici.moins(suivante).plus(SUR) < voulue / 2) {
                 break;
             }
             rang++;
@@ -79,32 +74,18 @@ public final class Auto {
      * @return faux s'il faut dessiner, une fois, l'échelon désormais choisi
      */
     public boolean controler(IntFunction<Couleur> dessinee) {
-        echantillon = new Echantillon(prepare, fils, dessinee, voulue,
-                (long) (PART * lancer.getCompteurs().rayons()), hasard);
-        mesure = echantillon.mesurer();
-        boolean depassee = mesure.plus(-SUR) > voulue;
-        if (depassee && rang < echelle.size() - 1 && !repris) {
-            repris = true;
+        boolean premiere = mesure == null;
+        Echantillon controle = new Echantillon(prepare, fils, dessinee, voulue,
+                lancer.getCompteurs().primaires, hasard);
+        mesure = controle.mesurer(dessinee);
+        if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
             rang++;
             rayons += lancer.getCompteurs().rayons();
-            choisir();
+            choisir(controle);
             return false;
         }
-        conseil = mesure.plus(SUR) <= voulue ? "" : conseiller();
-        rayons += echantillon.rayons;
+        rayons += controle.rayons;
         return true;
-    }
-
-    /** Ce qui, sur les pixels du contrôle, diminue l'erreur ; rien, si rien ne le fait. */
-    private String conseiller() {
-        if (rang < echelle.size() - 1) {
-            return mesure.gain(echantillon.essayer(echelle.get(rang + 1)), -SUR) <= 0 ? ""
-                    : " : demander deux fois moins d'erreur aiderait";
-        }
-        // toutes les réflexions sont suivies : ce qui reste est le crénelage
-        return lancer.getScene().getModele().getEchantillonnage() != null
-                || getChoisi().getProfondeur() < Echelle.PROFONDEUR ? ""
-                : " : il faudrait l'anticrénelage, celui d'antialias/target/antialias.jar";
     }
 
     public Mesure getMesure() {
@@ -116,14 +97,9 @@ public final class Auto {
         return rayons;
     }
 
-    /** L'erreur voulue est tenue, dépassée ou incertaine, et un conseil ; vide là où rien n'est vu. */
+    /** L'erreur voulue est tenue, dépassée ou incertaine : ce qui se dit d'une erreur qui a été vue. */
     public String getVerdict() {
-        if (mesure.rienVu) {
-            return "";
-        }
-        if (mesure.plus(SUR) <= voulue) {
-            return "erreur voulue tenue";
-        }
-        return "erreur voulue " + (mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine") + conseil;
+        String autrement = mesure.plus(-SUR) > voulue ? "dépassée" : "incertaine";
+        return "erreur voulue " + (mesure.plus(SUR) <= voulue ? "tenue" : autrement);
     }
 }

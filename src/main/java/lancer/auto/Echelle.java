@@ -1,9 +1,9 @@
 package lancer.auto;
 
 import java.math.BigDecimal;
-import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.commande.Etape;
 import lancer.commande.Reglages;
@@ -14,8 +14,6 @@ public final class Echelle {
 
     /** Nombre de réflexions d'un rayon que rien ne limite. */
     static final int PROFONDEUR = 1000;
-    /** Les réflexions des échelons d'une scène dont aucune variante ne propose de sections. */
-    private static final int[] REFLETS = {0, 1, 2, Constantes.MAX_REFLETS, PROFONDEUR};
 
     private Echelle() {
     }
@@ -29,24 +27,19 @@ public final class Echelle {
      * @return un échelon au moins
      */
     public static List<Reglages> de(Reglages presents, boolean gardeReflets, boolean gardeSeuil) {
-        List<Reglages> echelle = new ArrayList<>();
         boolean fixes = gardeReflets || presents.getEtape() != Etape.REFLETS;
         Variante essayee = presents.getEssayee();
-        if (essayee != null) {
-            int reflets = fixes ? presents.getReflets() : PROFONDEUR;
-            presents.getSectionsProposees(essayee).forEach((section, seuil) -> echelle.add(presents
-                    .avecSection(essayee, section).avecReflets(reflets)
-                    .avecSeuil(gardeSeuil ? presents.getSeuil() : seuil)));
-            return echelle;
+        if (essayee == null) {
+            Reglages base = gardeSeuil ? presents : presents.avecSeuil(Constantes.SEUIL);
+            int[] reflets = fixes ? new int[] {presents.getReflets()}
+                    : new int[] {0, 1, 2, Constantes.MAX_REFLETS, PROFONDEUR};
+            return Arrays.stream(reflets).mapToObj(base::avecReflets).collect(Collectors.toList());
         }
-        Reglages base = gardeSeuil ? presents : presents.avecSeuil(Constantes.SEUIL);
-        if (fixes) {
-            return Collections.singletonList(base);
-        }
-        for (int reflets : REFLETS) {
-            echelle.add(base.avecReflets(reflets));
-        }
-        return echelle;
+        Reglages base = fixes ? presents : presents.avecReflets(PROFONDEUR);
+        return presents.getSectionsProposees(essayee).entrySet().stream()
+                .map(proposee -> base.avecSection(essayee, proposee.getKey())
+                        .avecSeuil(gardeSeuil ? presents.getSeuil() : proposee.getValue()))
+                .collect(Collectors.toList());
     }
 
     /** Texte d'un échelon : la section à écrire dans la scène, et les options. */
@@ -54,8 +47,8 @@ public final class Echelle {
         Variante essayee = echelon.getEssayee();
         String deLaScene = echelon.getModele().getEchantillonnage() == null ? "un rayon par pixel"
                 : "l'échantillonnage de la scène";
-        String echantillonnage = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
-        return echantillonnage + ", --reflets " + echelon.getProfondeur() + " --seuil "
+        String choisi = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
+        return choisi + ", --reflets " + echelon.getProfondeur() + " --seuil "
                 + BigDecimal.valueOf(echelon.getSeuil()).toPlainString();
     }
 }

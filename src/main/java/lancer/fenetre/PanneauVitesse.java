@@ -9,9 +9,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
+import java.util.function.IntFunction;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingWorker;
+import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
@@ -80,16 +83,15 @@ final class PanneauVitesse extends JPanel {
         protected Void doInBackground() {
             Dessin prepare = new Dessin(demande);
             // les bords se cherchent dans l'image, et non dans une vue
-            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), montre.demande.vue == null
-                    ? montre.image::getCouleur : null, VOULUE, Long.MAX_VALUE, new SplittableRandom(1));
+            IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
+                    : rang -> Constantes.CIEL;
+            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), dessinee, VOULUE,
+                    Long.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
-                lancer.TracerPixels((couleur, xe, ye) -> {
-                    prepare.image.drawPixel(couleur, xe, ye);
-                    echantillon.drawPixel(couleur, xe, ye);
-                }, moins.reglages.getProfondeur(), controleur.getFils());
-                Mesure mesure = echantillon.mesurer();
+                lancer.TracerPixels(prepare.image, moins.reglages.getProfondeur(), controleur.getFils());
+                Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
                 siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getDureeNs()),
                         mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));

@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
@@ -61,14 +62,15 @@ class AutoAntialiasTest {
         List<Reglages> echelle = Echelle.de(new Reglages().pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(9, echelle.size());
-        Echantillon tous = new Echantillon(prepare, 2, null, 0.125, Long.MAX_VALUE, new SplittableRandom(1));
+        Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, new SplittableRandom(1));
+        Couleur[] image = new Couleur[80 * 50];
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;
         for (Reglages echelon : echelle) {
-            Mesure essai = tous.essayer(echelon);
+            Mesure essai = tires.essayer(echelon);
             Lancer lancer = prepare.avec(echelon.getModele());
-            lancer.TracerPixels(tous, echelon.getProfondeur(), 2);
-            assertEquals(tous.mesurer().erreur, essai.erreur, echelon.toString());
+            lancer.TracerPixels((couleur, i, j) -> image[j * 80 + i] = couleur, echelon.getProfondeur(), 2);
+            assertEquals(tires.mesurer(rang -> image[rang]).erreur, essai.erreur, echelon.toString());
             assertTrue(essai.plus(-1) <= avant, echelon + " : " + essai.erreur + " après " + avant);
             assertTrue(lancer.getCompteurs().rayons() > rayons, echelon.toString());
             avant = essai.plus(1);

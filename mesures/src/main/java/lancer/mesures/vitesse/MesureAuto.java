@@ -8,9 +8,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import lancer.Constantes;
 import lancer.Lancer;
 import lancer.Scene;
@@ -30,24 +31,23 @@ import lancer.scene.SectionLue;
 
 /**
  * Mesure de {@code --auto erreur=E} : l'erreur annoncée est-elle juste, l'erreur voulue est-elle tenue, et à quel prix ? Les scènes sont
- * les scènes livrées, deux foules, et celles où quelques pixels portent l'erreur. Chaque échelon est dessiné en entier : le prix de la
- * commande, en rayons, est comparé à celui du moins cher des échelons qui tiennent l'erreur.
+ * les scènes livrées, des foules, et celles où quelques pixels portent l'erreur. Les échelons sont dessinés en entier : le prix de la
+ * commande, en rayons, est comparé à celui du moins cher de ceux qui tiennent l'erreur.
  */
 public final class MesureAuto {
 
     private static final String COLONNES =
             "scene,taille,voulue,reglage,vraie,mesuree,incertitude,verdict,rayons,essais,moins_cher,commit,date";
 
-    private static final Taille TAILLE = new Taille(200, 150);
+    private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
-    /** Une taille ordinaire, pour quelques scènes seulement. */
-    private static final Taille GRANDE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
-    private static final List<String> SCENES_EN_GRAND = Arrays.asList("scene1", "bowling", "diffus", "ombres", "ombres-fines", "etincelles",
-            "fentes");
-    private static final int PAS_EN_GRAND = 4;
+    /** Un pixel de chaque carré de ce côté est mesuré, ou tous, là où quelques-uns portent l'erreur ; rayons de chacun, deux fois. */
+    private static final int PAS = 3;
+    private static final int COTE = 8;
+    private static final int COTE_DE_TOUS = 5;
 
-    /** Côté de la grille de rayons de chacune des deux images de vérité. */
-    private static final int COTE = 11;
+    /** Au-dessous de cette erreur, en niveaux, les échelons suivants ne sont pas dessinés : ils tiennent toutes celles qui sont voulues. */
+    private static final double ASSEZ = 0.25;
 
     private static final double[] VOULUES = {0.5, 1, 2, 4};
 
@@ -111,17 +111,13 @@ public final class MesureAuto {
         List<String> noms = new ArrayList<>(Arrays.asList(args).subList(1, args.length));
         if (noms.isEmpty()) {
             noms.addAll(Catalogue.livrees());
-            noms.addAll(Arrays.asList("foule-300", "foule-10000"));
-            noms.addAll(Scenes.DIFFICILES);
+            noms.addAll(Arrays.asList("foule-300", "ombres-fines", "poussiere"));
             noms.addAll(Scenes.RARES);
         }
         for (String nom : noms) {
-            Scene scene = Scenes.lire(Scenes.fichier(nom, dossier));
-            for (Taille taille : SCENES_EN_GRAND.contains(nom) ? new Taille[] {TAILLE, GRANDE} : new Taille[] {TAILLE}) {
-                for (Reponse reponse : repondre(nom, scene, taille, VOULUES)) {
-                    lignes.add(reponse.ligne());
-                    System.out.println(reponse.ligne());
-                }
+            for (Reponse reponse : repondre(nom, Scenes.lire(Scenes.fichier(nom, dossier)), TAILLE, VOULUES)) {
+                lignes.add(reponse.ligne());
+                System.out.println(reponse.ligne());
             }
         }
         Files.write(csv, lignes);
@@ -130,16 +126,18 @@ public final class MesureAuto {
 
     /** Choix, mesure et verdict du programme pour chaque erreur voulue ; l'erreur vraie ; le moins cher des échelons qui la tiennent. */
     static List<Reponse> repondre(String nom, Scene scene, Taille taille, double... voulues) {
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, taille.pixels() > TAILLE.pixels() ? PAS_EN_GRAND : 1, COTE);
+        boolean tous = Scenes.RARES.contains(nom);
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
         List<Reglages> echelle = Echelle.de(new Reglages().pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))),
                 false, false);
-        // l'erreur de chaque échelon, et ses rayons
-        double[][] dessines = echelle.stream().map(e -> {
-            Lancer lancer = prepare.avec(e.getModele());
-            ImageLineaire image = ImageLineaire.de(lancer, e.getProfondeur(), taille.fils);
-            return new double[] {erreur(image, gabarit), (double) lancer.getCompteurs().rayons() / taille.pixels()};
-        }).toArray(double[][]::new);
+        // le prix du moins cher des échelons qui tiennent chaque erreur
+        NavigableMap<Double, Double> prix = new TreeMap<>();
+        for (int rang = 0; rang < echelle.size() && (prix.isEmpty() || prix.firstKey() > ASSEZ); rang++) {
+            Lancer lancer = prepare.avec(echelle.get(rang).getModele());
+            double vraie = erreur(ImageLineaire.de(lancer, echelle.get(rang).getProfondeur(), taille.fils), gabarit);
+            prix.put(vraie, (double) lancer.getCompteurs().rayons() / taille.pixels());
+        }
         Circonstances c = new Circonstances();
         List<Reponse> reponses = new ArrayList<>();
         for (double voulue : voulues) {
@@ -156,11 +154,10 @@ public final class MesureAuto {
             r.vraie = erreur(image, gabarit);
             r.mesuree = auto.getMesure().erreur;
             r.incertitude = auto.getMesure().rienVu ? Double.NaN : auto.getMesure().incertitude;
-            r.verdict = auto.getMesure().rienVu ? "rien vu" : auto.getVerdict().replaceAll("erreur voulue | : .*", "");
+            r.verdict = auto.getMesure().rienVu ? "rien vu" : auto.getVerdict().replace("erreur voulue ", "");
             r.rayons = (double) auto.getLancer().getCompteurs().rayons() / taille.pixels();
             r.essais = (double) auto.getRayonsDesEssais() / taille.pixels();
-            r.moinsCher = IntStream.range(0, dessines.length).filter(k -> dessines[k][0] <= voulue).mapToDouble(k -> dessines[k][1]).min()
-                    .orElse(Double.NaN);
+            r.moinsCher = prix.headMap(voulue, true).values().stream().mapToDouble(p -> p).min().orElse(Double.NaN);
             r.commit = c.commit;
             r.date = c.date.replaceFirst("T.*", "");
             reponses.add(r);
