@@ -165,28 +165,6 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     @Test
-    void depuisLImageUneFlecheMeneAuPixelVoisinEtCtrlHautGrossit() throws Exception {
-        ouvrir();
-        cliquer(160, 120);
-        EssaiInspecteur.attendreTitre(160, 120);
-        assertTrue(surFilEvenements(banc.panneau::isFocusOwner), "le clavier est à l'image");
-        banc.frapper(KeyEvent.VK_RIGHT);
-        EssaiInspecteur.attendreTitre(161, 120);
-        banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
-        attendre("grossie", () -> banc.panneau.getReduction(banc.panneau.montree) == 2);
-    }
-
-    @Test
-    void leCielNeSePrendPasEtLaFenetreLeDit() throws Exception {
-        ouvrir();
-        saisir(new Point(30, 20));
-        // cet avis s'efface au bout de quelques secondes
-        banc.attendreMessage("rien ne se tire ici");
-        glisser(new Point(30, 20), 30, 30);
-        assertFalse(banc.cadre.getTitle().contains("•"), "rien n'est déplacé");
-    }
-
-    @Test
     void chaqueVueEstCelleDeLaLigneDeCommandeEtDitSaValeurSousLaSouris() throws Exception {
         ouvrir();
         String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "écart : \\d+\\.\\d\\d niveaux"};
