@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -108,12 +107,6 @@ class VitesseTest {
         String panne = assertThrows(IOException.class,
                 () -> new Lancement(dossier.resolve("pris"), "sh", "-c", "echo panne >&2 ; exit 3").reussi()).getMessage();
         assertTrue(panne.endsWith("statut 3 : panne"), panne);
-    }
-
-    @Test
-    void lesOptionsMesureesSontCellesQueMakeDonne() throws IOException {
-        String commun = new String(Files.readAllBytes(Paths.get("../commun.mk")), StandardCharsets.UTF_8);
-        assertTrue(commun.contains(" " + String.join(" ", Reglage.MAKE.machine()) + ","), commun);
     }
 
     // ---- ce qu'on en dit
