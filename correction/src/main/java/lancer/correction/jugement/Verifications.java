@@ -43,7 +43,8 @@ final class Verifications {
     /** Demande à JUnit, sans les réglages de l'environnement : les doublures dépendent du fil qui exécute. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
-                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0").build();
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0")
+                .configurationParameter("junit.jupiter.extensions.autodetection.enabled", "true").build();
     }
 
     List<Verification> lister() {
@@ -79,6 +80,7 @@ final class Verifications {
             if (!test.isTest()) {
                 return;
             }
+            Throwable cause = fin.getThrowable().orElseGet(Bilan::achever);
             // après trop d'arrêts, chaque vérification dit pourquoi elle n'est pas exécutée
             String arret = coupe() ? null : dialogue.recommencer();
             if (arret != null) {
@@ -90,16 +92,24 @@ final class Verifications {
             }
             Verification v = new Verification("", test);
             verdicts.put(v.id(), arret != null ? new Verdict(Etat.FAUSSE, v.classe, arret)
-                    : new Verdict(etat(fin), v.classe, fin.getThrowable().map(Bilan::message).orElse("")));
+                    : new Verdict(etat(fin.getStatus(), cause), v.classe, cause == null ? "" : message(cause)));
         }
 
-        private static Etat etat(TestExecutionResult fin) {
-            Throwable cause = fin.getThrowable().orElse(null);
+        /** Fait ce qui reste à faire à la fin d'une vérification réussie. @return l'échec qu'elle n'a pas vu, ou {@code null} */
+        private static Throwable achever() {
+            try {
+                Dialogue.achever();
+                return null;
+            } catch (Dialogue.Echec | StackOverflowError e) {
+                return e;
+            }
+        }
+
+        private static Etat etat(TestExecutionResult.Status fin, Throwable cause) {
             if (cause instanceof Dialogue.Echec && ((Dialogue.Echec) cause).impossible) {
                 return Etat.NON_EVALUABLE;
             }
-            return fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
-                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
+            return cause == null ? Etat.REUSSI : fin == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
         }
 
         private static String message(Throwable e) {
