@@ -30,13 +30,8 @@ public final class Execution {
 
     /** Donne les classes du rendu, une seule fois : le nom puis les octets de chacune. */
     public static final String CLASSES = "C";
-    /**
-     * Appelle une méthode, par son numéro dans {@code lancer.Appels} ; rend son résultat, puis les champs publics de celui-ci. Avant elle,
-     * d'autres, dont le résultat ne se lit pas : il a le numéro donné avec chacune. Si l'une échoue, la dernière n'est pas appelée.
-     */
+    /** Appelle une méthode, par son numéro dans {@code lancer.Appels} ; rend son résultat, puis les champs publics de celui-ci. */
     public static final String APPEL = "A";
-    /** Le numéro d'aucune méthode : rien ne suit les autres. */
-    public static final int AUCUNE = -1;
     /** Appelle une méthode de la sonde, avec la scène qu'elle lit ; rend une image, en octets, ou une liste de textes. */
     public static final String SONDE = "S";
     /** Oublie les objets déjà rendus ; rend le nombre de fils que le rendu a laissés. */
@@ -53,7 +48,7 @@ public final class Execution {
     private Classes classes;
     /** Les méthodes déjà appelées, par leur nom complet : les chercher durerait plus que l'appel. */
     private final Map<String, Method> methodes = new HashMap<>();
-    private final Map<Integer, Object> objets = new HashMap<>();
+    private final List<Object> objets = new ArrayList<>();
     private final Map<Object, Integer> numeros = new IdentityHashMap<>();
 
     private Execution() {
@@ -129,14 +124,14 @@ public final class Execution {
 
     private byte[] repondre(DataInputStream message) throws IOException {
         try {
-            List<?> demande = (List<?>) Echange.lire(message, o -> o);
+            List<?> demande = (List<?>) Echange.lire(message, o -> objets.get(o.numero));
             return Echange.message(traiter((String) demande.get(0), demande.subList(1, demande.size())), this::nommer);
         } catch (Throwable e) {
             return Echange.message(cause(e instanceof UndeclaredThrowableException ? e.getCause() : e), this::nommer);
         }
     }
 
-    private List<?> traiter(String sorte, List<?> demande) throws Throwable {
+    private List<?> traiter(String sorte, List<?> demande) throws IOException {
         if (sorte.equals(CLASSES)) {
             Map<String, byte[]> octets = new HashMap<>();
             for (int k = 0; k < demande.size(); k += 2) {
@@ -146,8 +141,11 @@ public final class Execution {
             Thread.currentThread().setContextClassLoader(classes);
             return List.of(RENDU);
         } else if (sorte.equals(APPEL)) {
-            faireDAbord((List<?>) demande.get(0));
-            Object rendu = demande.get(1).equals(AUCUNE) ? null : appeler(demande.get(1), demande.get(2));
+            Object rendu = invoquer("lancer.Appels", "m" + demande.get(0), List.of(Object[].class),
+                    (Object) ((List<?>) demande.get(1)).toArray());
+            if (rendu instanceof Object[]) {
+                rendu = remplacer((Object[]) rendu);
+            }
             return Arrays.asList(RENDU, rendu, Arrays.asList((Object[]) invoquer("lancer.Appels", "champs", List.of(Object.class), rendu)));
         } else if (sorte.equals(SONDE)) {
             return List.of(RENDU, sonder((String) demande.get(0), (byte[]) demande.get(1), (List<?>) demande.get(2)));
@@ -157,57 +155,21 @@ public final class Execution {
         return List.of(RENDU, Thread.currentThread().getThreadGroup().activeCount() - 1);
     }
 
-    /** Toutes, même si l'une échoue : ce que donnent les suivantes peut servir encore. @throws Throwable le premier échec */
-    private void faireDAbord(List<?> appels) throws Throwable {
-        Throwable premier = null;
-        for (Object appel : appels) {
-            try {
-                Object rendu = appeler(((List<?>) appel).get(1), ((List<?>) appel).get(2));
-                if (rendu != null) {
-                    retenir((Integer) ((List<?>) appel).get(0), rendu);
-                }
-            } catch (Throwable e) {
-                premier = premier == null ? e : premier;
-            }
-        }
-        if (premier != null) {
-            throw premier;
-        }
-    }
-
-    private Object appeler(Object methode, Object arguments) {
-        Object rendu = invoquer("lancer.Appels", "m" + methode, List.of(Object[].class),
-                (Object) ((List<?>) trouver(arguments)).toArray());
-        return rendu instanceof Object[] ? remplacer((Object[]) rendu) : rendu;
-    }
-
-    /** Cette valeur, où chaque objet désigné est celui qui est ici. */
-    private Object trouver(Object valeur) {
-        if (valeur instanceof List) {
-            List<Object> liste = new ArrayList<>();
-            ((List<?>) valeur).forEach(v -> liste.add(trouver(v)));
-            return liste;
-        }
-        return valeur instanceof Echange.Objet ? objets.get(((Echange.Objet) valeur).numero) : valeur;
-    }
-
-    private void retenir(int numero, Object objet) {
-        numeros.put(objet, numero);
-        objets.put(numero, objet);
-    }
-
     /** Une scène lue d'un fichier, puis des objets et leurs copies, que cette scène contient : chacune prend le numéro du sien. */
     private Object remplacer(Object[] scene) {
         for (int k = 1; k < scene.length; k += 2) {
-            retenir(numeros.remove(scene[k]), scene[k + 1]);
+            Integer numero = numeros.remove(scene[k]);
+            numeros.put(scene[k + 1], numero);
+            objets.set(numero, scene[k + 1]);
         }
         return scene[0];
     }
 
     private Echange.Objet nommer(Object objet) {
-        if (!numeros.containsKey(objet)) {
-            retenir(objets.size(), objet);
-        }
+        numeros.computeIfAbsent(objet, o -> {
+            objets.add(o);
+            return objets.size() - 1;
+        });
         return new Echange.Objet(numeros.get(objet), (String) invoquer("lancer.Appels", "nom", List.of(Object.class), objet));
     }
 

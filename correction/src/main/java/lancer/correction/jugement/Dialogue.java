@@ -1,7 +1,6 @@
 package lancer.correction.jugement;
 
 import java.lang.reflect.InvocationTargetException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -22,9 +21,6 @@ public final class Dialogue {
 
     private final Machines.Rendue machine;
     private final Map<Integer, Doublure> doublures = new HashMap<>();
-    /** Les appels dont rien n'est à lire : le prochain qui attend une réponse les emporte. Puis, le numéro du dernier objet nommé ici. */
-    private final List<List<?>> avant = new ArrayList<>();
-    private int dernier;
     /** Raison de ne plus rien demander à la machine virtuelle, ou {@code null}. */
     String refus;
     private Panne panne;
@@ -52,8 +48,6 @@ public final class Dialogue {
         String arret = refus;
         refus = null;
         doublures.clear();
-        avant.clear();
-        dernier = 0;
         try {
             machine.oublier();
         } catch (Arret e) {
@@ -125,46 +119,15 @@ public final class Dialogue {
 
     /** Appelle une méthode du rendu. @param rend type attendu du résultat */
     public static <T> T appeler(Class<T> rend, int methode, Object... arguments) {
-        return rendre(rend, COURANT.get().demander(methode, Arrays.asList(arguments)));
-    }
-
-    private Object demander(int methode, List<?> arguments) {
-        continuer();
-        List<?> ceux = List.copyOf(avant);
-        avant.clear();
-        try {
-            return machine.appeler(ceux, methode, arguments);
-        } catch (Arret e) {
-            refus = e.getMessage();
-            throw new Echec(refus);
-        }
-    }
-
-    private void continuer() {
-        if (refus != null) {
-            throw new Echec(refus);
-        }
-    }
-
-    /** Construit un objet du rendu, sans champ public, avant le prochain appel qui attend une réponse : c'est lui qui dirait un échec. */
-    public static Recu construire(String classe, int methode, Object... arguments) {
         Dialogue ici = COURANT.get();
-        ici.continuer();
-        // les numéros que choisit l'autre machine virtuelle ne sont pas négatifs
-        ici.dernier--;
-        ici.avant.add(Arrays.asList(ici.dernier, methode, Arrays.asList(arguments)));
-        return new Recu(new Echange.Objet(ici.dernier, classe));
-    }
-
-    /** Appelle de même une méthode qui ne rend rien. */
-    public static void faire(int methode, Object... arguments) {
-        construire("", methode, arguments);
-    }
-
-    /** Fait ce qui attend encore. */
-    static void achever() {
-        if (!COURANT.get().avant.isEmpty()) {
-            COURANT.get().demander(Execution.AUCUNE, List.of());
+        if (ici.refus != null) {
+            throw new Echec(ici.refus);
+        }
+        try {
+            return rendre(rend, ici.machine.appeler(methode, Arrays.asList(arguments)));
+        } catch (Arret e) {
+            ici.refus = e.getMessage();
+            throw new Echec(ici.refus);
         }
     }
 

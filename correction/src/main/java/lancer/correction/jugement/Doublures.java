@@ -29,14 +29,11 @@ final class Doublures {
     private static final List<String> CLASSES = List.of("Couleur", "Tuple", "Point", "Vecteur", "PointContact", "Rayon",
             "Camera", "Lampe", "Objet3D", "Sphere", "Scene", "Lancer");
 
-    /** Celles dont on n'attend pas qu'un objet soit construit : une vérification lui demande ensuite quelque chose. */
-    private static final Set<String> SANS_ATTENDRE = Set.of("Rayon", "Lampe", "Sphere");
-
     private static final Set<Class<?>> SIMPLES = Set.of(double.class, int.class, boolean.class, Object.class,
             List.class);
 
     /** Les types qu'un appel rend dans un objet. */
-    private static final Map<Class<?>, String> EN_OBJET = Map.of(double.class, "Double", int.class, "Integer",
+    private static final Map<Class<?>, String> EN_OBJET = Map.of(void.class, "Object", double.class, "Double", int.class, "Integer",
             boolean.class, "Boolean");
 
     private static final String ENTETE = "package lancer;\nimport lancer.correction.jugement.Dialogue;\n";
@@ -105,9 +102,8 @@ final class Doublures {
                 // le cours ne demande pas le constructeur d'une scène par deux listes
                 boolean listes = nom.equals("Scene") && c.getParameterTypes()[0] == List.class;
                 int numero = numeroter((listes ? "scene(" : "new " + nom + "(") + passes(c, 0) + ")", false);
-                String demande = SANS_ATTENDRE.contains(nom) && publics.isEmpty() ? "construire(\"" + nom + "\", "
-                        : "appeler(" + RECU + ".class, ";
-                source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue." + demande + numero + arguments(c) + ")); }\n");
+                source.append("public " + nom + "(" + parametres(c) + ") { this(Dialogue.appeler(" + RECU + ".class, "
+                        + numero + arguments(c) + ")); }\n");
             }
         }
         Method[] methodes = classe.getDeclaredMethods();
@@ -129,8 +125,8 @@ final class Doublures {
         String type = rend.getSimpleName();
         String passe = (statique ? "" : ", this") + arguments(m);
         return "public " + (statique ? "static " : "") + type + " " + m.getName() + "(" + parametres(m) + ") { "
-                + (rend == void.class ? "Dialogue.faire(" : "return Dialogue.appeler(" + EN_OBJET.getOrDefault(rend, type) + ".class, ")
-                + numero + passe + "); }\n";
+                + (rend == void.class ? "" : "return ") + "Dialogue.appeler(" + EN_OBJET.getOrDefault(rend, type) + ".class, " + numero
+                + passe + "); }\n";
     }
 
     /** Ajoute un appel. @return son numéro */

@@ -252,14 +252,14 @@ final class Machines {
             enfant.commencer(fois * limites.calcul);
         }
 
-        /** Appelle une méthode, par son numéro, après d'autres ; si elle rend un objet, ses champs le suivent. */
-        Object appeler(List<?> avant, int methode, List<?> arguments) throws Arret {
+        /** Appelle une méthode, par son numéro ; si elle rend un objet, ses champs le suivent. */
+        Object appeler(int methode, List<?> arguments) throws Arret {
             return demander(Echange.REPONSE_MAX, reponse -> {
                 if (reponse.get(0) instanceof Dialogue.Recu) {
                     ((Dialogue.Recu) reponse.get(0)).champs = (List<?>) reponse.get(1);
                 }
                 return reponse.get(0);
-            }, Execution.APPEL, avant, methode, arguments);
+            }, Execution.APPEL, methode, arguments);
         }
 
         /** Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène. */

@@ -43,8 +43,7 @@ final class Verifications {
     /** Demande à JUnit, sans les réglages de l'environnement : les doublures dépendent du fil qui exécute. */
     private static LauncherDiscoveryRequest demande(List<? extends DiscoverySelector> selecteurs) {
         return LauncherDiscoveryRequestBuilder.request().selectors(selecteurs)
-                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0")
-                .configurationParameter("junit.jupiter.extensions.autodetection.enabled", "true").build();
+                .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "0").build();
     }
 
     List<Verification> lister() {
@@ -80,7 +79,6 @@ final class Verifications {
             if (!test.isTest()) {
                 return;
             }
-            Throwable cause = fin.getThrowable().orElseGet(Bilan::achever);
             // après trop d'arrêts, chaque vérification dit pourquoi elle n'est pas exécutée
             String arret = coupe() ? null : dialogue.recommencer();
             if (arret != null) {
@@ -92,24 +90,16 @@ final class Verifications {
             }
             Verification v = new Verification("", test);
             verdicts.put(v.id(), arret != null ? new Verdict(Etat.FAUSSE, v.classe, arret)
-                    : new Verdict(etat(fin.getStatus(), cause), v.classe, cause == null ? "" : message(cause)));
+                    : new Verdict(etat(fin), v.classe, fin.getThrowable().map(Bilan::message).orElse("")));
         }
 
-        /** Fait ce qui reste à faire à la fin d'une vérification réussie. @return l'échec qu'elle n'a pas vu, ou {@code null} */
-        private static Throwable achever() {
-            try {
-                Dialogue.achever();
-                return null;
-            } catch (Dialogue.Echec | StackOverflowError e) {
-                return e;
-            }
-        }
-
-        private static Etat etat(TestExecutionResult.Status fin, Throwable cause) {
+        private static Etat etat(TestExecutionResult fin) {
+            Throwable cause = fin.getThrowable().orElse(null);
             if (cause instanceof Dialogue.Echec && ((Dialogue.Echec) cause).impossible) {
                 return Etat.NON_EVALUABLE;
             }
-            return cause == null ? Etat.REUSSI : fin == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
+            return fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
+                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
         }
 
         private static String message(Throwable e) {
