@@ -54,8 +54,8 @@ class FenetreLeconTest extends EssaiFenetre {
 
     private void glisser(Point de, int dx, int dy) throws Exception {
         Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
-        for (int k = 1; k <= 10; k++) {
-            banc.robot.mouseMove(coin.x + de.x + dx * k / 10, coin.y + de.y + dy * k / 10);
+        for (int k = 1; k <= 4; k++) {
+            banc.robot.mouseMove(coin.x + de.x + dx * k / 4, coin.y + de.y + dy * k / 4);
             banc.robot.waitForIdle();
         }
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
