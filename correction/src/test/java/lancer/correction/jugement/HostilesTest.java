@@ -16,6 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.modele.SourcesDuCours;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -119,9 +120,11 @@ class HostilesTest extends JuryEssai {
         });
     }
 
-    /** Ceux dont le confinement n'est pas ce qui les arrête. */
+    /** Ceux dont le confinement n'est pas ce qui les arrête : il faut juger le corrigé une fois de plus. */
+    @Tag("long")
     @Test
     void sansConfinementNonPlus() throws IOException {
+        assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         List<String> noms = List.of("mathematiques", "falsification", "faux-junit");
         ecrireHostiles(rendus, noms::contains);
@@ -140,11 +143,11 @@ class HostilesTest extends JuryEssai {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         ecrireCorrige(rendus.resolve("deux"));
-        Confinement sans = new Confinement(false, "");
-        Jury jury = JuryPartage.de(sans);
+        Confinement confinement = Confinement.essayer();
+        Jury jury = JuryPartage.de(confinement);
         int dureeMax = jury.dureeMax;
         jury.dureeMax = 0;
-        Resultat resultat = juger(rendus, sans, PATIENTES).get("un");
+        Resultat resultat = juger(rendus, confinement, PATIENTES).get("un");
         jury.dureeMax = dureeMax;
         assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
         assertEquals(List.of("arrêté : plus de 0 s en tout"), resultat.refus);
