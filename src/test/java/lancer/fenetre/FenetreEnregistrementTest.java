@@ -58,15 +58,6 @@ class FenetreEnregistrementTest extends EssaiFenetre {
     }
 
     @Test
-    void unEnregistrementReussiEffaceLEchecDAvant() throws Exception {
-        ouvrir();
-        enregistrerSous(dossier.resolve("absent").resolve("image.png"));
-        banc.attendreMessage(dossier.resolve("absent").resolve("image.png") + " : écriture impossible");
-        enregistrerSous(dossier.resolve("image.png"));
-        banc.attendreMessage("enregistrée : image.png");
-    }
-
-    @Test
     void unDessinQuiSAcheveNEffacePasUnEnregistrementQuiAEchoue() throws Exception {
         ouvrir();
         Path perdue = dossier.resolve("absent").resolve("image.png");
@@ -75,17 +66,6 @@ class FenetreEnregistrementTest extends EssaiFenetre {
         ecrire(BLEUE);
         banc.attendreCodes("l'image suit sa scène", attendue(L, H));
         assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
-    }
-
-    @Test
-    void unEchecRemplaceLAvisDAvant() throws Exception {
-        ouvrir();
-        enregistrerSous(dossier.resolve("avant.png"));
-        banc.attendreMessage("enregistrée : avant.png");
-        Path perdue = dossier.resolve("absent").resolve("image.png");
-        enregistrerSous(perdue);
-        attendre("l'échec se lit seul", () -> banc.panneau.bandeau.getText().equals(
-                perdue + " : écriture impossible, le dossier n'existe pas"));
     }
 
     @Test

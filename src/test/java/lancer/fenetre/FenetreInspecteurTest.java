@@ -113,22 +113,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     }
 
     @Test
-    void aCoteDUneImageSansHauteurLaChaineSeLitAussi() throws Exception {
-        banc = new BancFenetre("--taille=320x8", scene.toString());
-        banc.imageAchevee();
-        banc.robot.mouseMove(0, 0);
-        banc.frapper(KeyEvent.VK_ENTER);
-        attendreVerdict("Au bit près");
-        JTree recit = composant("recit", JTree.class);
-        faire(() -> {
-            banc.cadre.setSize(banc.cadre.getWidth(), 500);
-            banc.cadre.validate();
-        });
-        int lignes = surFilEvenements(() -> recit.getVisibleRect().height / recit.getRowBounds(0).height);
-        assertTrue(lignes >= 12, lignes + " lignes en vue");
-    }
-
-    @Test
     void lesFlechesLeMenentDUnPixelOuDeDixSansSortirDeLImage() throws Exception {
         ouvrir();
         cliquer(150, 100);
@@ -175,15 +159,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.enCours));
-    }
-
-    @Test
-    void auClavierSeulEntreeLOuvreAuMilieuEtLesTouchesDuCadreYRepondent() throws Exception {
-        ouvrir();
-        ouvrirAuMilieu();
-        presser(KeyEvent.VK_SUBTRACT);
-        banc.attendreCodes("moins de réflexions", attendue("--reflets=2"));
-        attendreVerdict("Au bit près");
     }
 
     @Test

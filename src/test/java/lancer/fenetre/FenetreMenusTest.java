@@ -107,18 +107,6 @@ class FenetreMenusTest extends EssaiFenetre {
         assertNull(BancFenetre.chercher("pixel", Inspecteur.class), "l'inspecteur ne s'est pas ouvert derrière");
     }
 
-    @Test
-    void altEtUneLettreOuvrentUnMenuQuEchapFerme() throws Exception {
-        ouvrir();
-        banc.frapper(KeyEvent.VK_ALT, KeyEvent.VK_F);
-        attendre("le menu est ouvert", () -> auBout() != null);
-        for (int k = 0; designe() != null; k++) {
-            assertTrue(k < 3, "Échap ferme le menu");
-            presser(KeyEvent.VK_ESCAPE);
-        }
-        assertTrue(banc.cadre.isShowing());
-    }
-
     /** Le programme, ouvert, puis une touche telle que Java l'écrit. */
     static final class Ailleurs {
 

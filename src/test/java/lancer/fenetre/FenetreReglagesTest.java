@@ -46,21 +46,6 @@ class FenetreReglagesTest extends EssaiFenetre {
     }
 
     @Test
-    void lesEtapesDuCoursSeSuiventAuClavier() throws Exception {
-        ouvrir();
-        int[] touches = {KeyEvent.VK_F6, KeyEvent.VK_F7, KeyEvent.VK_F8, KeyEvent.VK_F9};
-        String[] noms = {"lambert", "phong", "ombres", "reflets"};
-        for (int k = 0; k < noms.length; k++) {
-            int rang = k;
-            banc.frapper(touches[k]);
-            banc.attendreImage(noms[k], attendue("--etape=" + noms[k]));
-            attendre("et la ligne de l'image", () -> banc.resume.getText().contains("étape " + noms[rang]) == (rang < 3));
-        }
-        banc.frapper(KeyEvent.VK_F6);
-        attendre("la commande la dit", () -> banc.controleur.demande.getCommande("").contains(" --etape lambert"));
-    }
-
-    @Test
     void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);
@@ -87,26 +72,6 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
         assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
-    }
-
-    @Test
-    void unNombreDeReflexionsImpossibleSeDitLaOuIlEstTape() throws Exception {
-        ouvrir();
-        banc.frapper(KeyEvent.VK_F2);
-        JTextField champ = composant("réflexions", JTextField.class);
-        banc.cliquer(champ, 5, 5);
-        attendre("le clavier y est", champ::isFocusOwner);
-        for (String faux : new String[] {"2000", "abc", "1.5"}) {
-            faire(() -> champ.setText(faux));
-            banc.frapper(KeyEvent.VK_ENTER);
-            banc.attendreMessage("réflexions : valeur impossible, « " + faux + " » ; attendu : un entier de 0 à 1000");
-            assertEquals(faux, surFilEvenements(champ::getText), "il reste à corriger");
-            fermerLeMessage();
-            faire(champ::requestFocusInWindow);
-        }
-        faire(() -> champ.setText("2"));
-        banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreImage("un nombre possible", attendue("--reflets=2"));
     }
 
     @Test

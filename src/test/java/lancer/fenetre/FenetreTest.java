@@ -2,19 +2,14 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Toolkit;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -22,13 +17,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.Arrays;
-import java.util.HashSet;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import javax.swing.JComponent;
-import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import lancer.Camera;
 import lancer.Constantes;
@@ -39,25 +29,6 @@ import org.junit.jupiter.api.Test;
 
 /** La fenêtre elle-même : ses menus, ses touches, son icône, et l'écran qui manque. */
 class FenetreTest extends EssaiFenetre {
-
-    @Test
-    void unArticleDeMenuQuiNePeutRienEstGrise() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        JMenuItem arreter = article("Arrêter le dessin, sinon fermer le panneau");
-        attendre("on peut arrêter", arreter::isEnabled);
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("il n'y a plus rien à arrêter", () -> !arreter.isEnabled());
-        assertTrue(article(0, "Relire la scène et redessiner").isEnabled(), "on peut redessiner");
-    }
-
-    @Test
-    void chaqueMenuSOuvreParUneLettreQueLesAutresNOntPas() throws Exception {
-        ouvrir();
-        List<Integer> lettres = Arrays.stream(banc.cadre.getJMenuBar().getComponents())
-                .map(menu -> ((JMenuItem) menu).getMnemonic()).collect(Collectors.toList());
-        assertEquals(lettres.size(), new HashSet<>(lettres).size(), lettres.toString());
-        assertFalse(lettres.contains(KeyEvent.VK_UNDEFINED), lettres.toString());
-    }
 
     private static final Class<JTabbedPane> ONGLETS = JTabbedPane.class;
 
@@ -82,23 +53,6 @@ class FenetreTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("le cadre reprend sa taille", () -> banc.cadre.getSize().equals(avant));
         assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a toujours pas bougé");
-    }
-
-    @Test
-    void unDoubleClicDitLePixelDuPremierClicMemeSiLImageSeReduit() throws Exception {
-        ouvrir();
-        // plus de place à droite : le panneau prend sur l'image
-        faire(() -> banc.cadre.setLocation(Toolkit.getDefaultToolkit().getScreenSize().width - banc.cadre.getWidth(), 0));
-        banc.viser(banc.panneau, (banc.panneau.getWidth() + L) / 2 - 10, banc.panneau.getHeight() / 2);
-        attendre("la souris est vue", () -> banc.pixel.getText().startsWith("pixel "));
-        Point pixel = surFilEvenements(banc.panneau::getPixelVise);
-        for (int k = 0; k < 2; k++) {
-            banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-            banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-            banc.robot.waitForIdle();
-        }
-        attendreOnglet("Pixel");
-        EssaiInspecteur.attendreTitre(pixel.x, pixel.y);
     }
 
     @Test

@@ -32,13 +32,13 @@ import org.junit.jupiter.api.Test;
 class FenetreTouchesTest extends EssaiInspecteur {
 
     /** Donne cette disposition au clavier de l'écran ; les tests qui suivent retrouvent l'anglaise. */
-    private static void disposer(String clavier) throws Exception {
+    private void disposer(String clavier) throws Exception {
         try {
             assertEquals(0, new ProcessBuilder("setxkbmap", clavier).inheritIO().start().waitFor());
         } catch (IOException e) {
             assumeTrue(false, "pas de setxkbmap : le paquet x11-xkb-utils");
         }
-        Thread.sleep(200);
+        banc.robot.waitForIdle();
     }
 
     private void attendreEtape(String quoi, Etape etape) throws Exception {
@@ -50,10 +50,10 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     @Test
-    void lesTouchesServentSurUnClavierAnglaisFrancaisAllemandSuisseEtAuPave() throws Exception {
+    void lesTouchesServentSurUnClavierFrancaisOuAllemandEtAuPave() throws Exception {
         ouvrir();
         try {
-            for (String clavier : new String[] {"us", "fr", "de", "ch"}) {
+            for (String clavier : new String[] {"fr", "de"}) {
                 disposer(clavier);
                 for (Etape etape : Etape.values()) {
                     banc.frapper(KeyEvent.VK_F6 + etape.ordinal());

@@ -89,16 +89,6 @@ class FenetreVitesseTest extends EssaiFenetre {
     }
 
     @Test
-    void laOuRienNeSeVoitAucunIntervalleNEstDit() throws Exception {
-        // rien que du ciel : aucune erreur à mesurer
-        ecrire("[Sphere loin]\ncentre=0 50 6\nrayon=1\nKd=1 1 1\n[Lampe 1]\nposition=-4 6 -3\ncouleur=1 1 1\n");
-        ouvrirLePanneau();
-        attendreLaFin();
-        String dit = viserLePlusRapide();
-        assertTrue(dit.endsWith("), aucun écart vu"), dit);
-    }
-
-    @Test
     void laPlaceDuGraphiqueNeChangePasQuandUnTexteEstLongEtIlALaSienneDansUnePetiteFenetre() throws Exception {
         banc = new BancFenetre("--taille=200x150", scene.toString());
         banc.imageAchevee();

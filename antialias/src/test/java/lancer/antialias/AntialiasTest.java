@@ -73,13 +73,6 @@ class AntialiasTest {
         EssaiPixel.verifier(SEULE, dossier, scene, 40, 36);
     }
 
-    @Test
-    void unPixelDemandeSeulEstCeluiDeLImageDesTroisVariantes() throws IOException {
-        Path scene = scene(ini("p2-sol.ini"), "[Antialias]", "n=4", "methode=partage", "[Blinn]", "facteur=3", "[Brume]", "densite=0.05");
-        List<Path> toutes = Arrays.asList(Essai.origine(Antialias.class), Essai.origine(Brume.class), Essai.origine(Blinn.class));
-        EssaiPixel.verifier(toutes, dossier, scene, 36, 40, "--reflets=2");
-    }
-
     /** Aucune équation n'est ici celle des variantes : tout est refait à part. */
     @ParameterizedTest
     @CsvSource({"n=3|seuil=0, 2, 0.05, 5", "n=4|seuil=0.05, 0.5, 0.2, 1", "n=1, 1, 0, 3",

@@ -2,7 +2,6 @@ package lancer.antialias;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -87,23 +86,6 @@ class CasesTest {
         int coupes = new Partage(2, 0.1).tracer(new Pave(0, 0, 32, 32), new Pave(0, 0, 32, 32), vue, SANS_TOILE);
         assertEquals(16, coupes, "les quatre cases qui touchent le pixel, et leurs voisines");
         assertEquals(33 * 33 + 3 * coupes, rayons);
-    }
-
-    @Test
-    void uneLigneOublieeEstRevueEtElleSeule() {
-        SousPixels sousPixels = new SousPixels(3, new Pave(0, 0, 4, 3), comptee((xe, ye) -> new Couleur(xe, ye, 0)));
-        Couleur dessus = sousPixels.voir(3, 0, 1, 2);
-        Couleur ligne = sousPixels.voir(2, 1, 1, 2);
-        Couleur premier = sousPixels.voir(2, 1, 0, 0);
-        Couleur dessous = sousPixels.voir(0, 2, 1, 2);
-        assertEquals(4, rayons);
-        sousPixels.oublier(1);
-        assertSame(dessus, sousPixels.voir(3, 0, 1, 2));
-        assertSame(dessous, sousPixels.voir(0, 2, 1, 2));
-        assertEquals(4, rayons);
-        assertEquals(ligne, sousPixels.voir(2, 1, 1, 2));
-        assertEquals(premier, sousPixels.voir(2, 1, 0, 0));
-        assertEquals(6, rayons);
     }
 
     @Test

@@ -93,15 +93,6 @@ class CoinsTest {
         assertEquals(11 * 8, lancer.getCompteurs().primaires);
     }
 
-    /** L'image de 3 × 3 pixels d'une sphère, sous cet échantillonnage. */
-    private static Couleur[] image(List<Sphere> spheres, List<Lampe> lampes, Echantillonnage echantillonnage) {
-        Scene base = new Scene(spheres, lampes);
-        Scene scene = base.avec(base.getModele().avec(echantillonnage, Constantes.SEUIL));
-        Couleur[] image = new Couleur[9];
-        new Lancer(scene, new Camera(3, 3)).TracerPixels((couleur, i, j) -> image[3 * j + i] = couleur, 0, 1);
-        return image;
-    }
-
     /** La part de disques de rayon rho (en pixels), jetés au hasard, qu'aucun point de l'image ne voit. */
     private static double partManquee(Echantillonnage echantillonnage, double rho, int essais) {
         Random hasard = new Random(39);
@@ -134,11 +125,5 @@ class CoinsTest {
         double attendue = 1 - 4 * Math.PI * rho * rho + 4 * lentille(rho, 1.0 / n);
         double ecartType = Math.sqrt(attendue * (1 - attendue) / essais);
         assertEquals(attendue, partManquee(new Coins(n, 0.05), rho, essais), 4 * ecartType);
-    }
-
-    @Test
-    void laGrilleCompleteManqueMoins() {
-        double rho = 0.12;
-        assertEquals(1 - 9 * Math.PI * rho * rho, partManquee(new Coins(3, 0), rho, 20_000), 0.015);
     }
 }

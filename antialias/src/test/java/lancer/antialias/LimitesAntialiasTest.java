@@ -117,12 +117,4 @@ class LimitesAntialiasTest {
         assertTrue(grille < 0.1, "la grille : " + grille);
         Rangee.montre("uneTachePlusPetiteQuUnPixelEstManqueeParToutCeQuiNEstPasLaGrille", unRayon, grille, 0);
     }
-
-    private static Couleur[] image(Scene modele, Echantillonnage echantillonnage, int cote) {
-        Scene scene = echantillonnage == null ? modele
-                : modele.avec(modele.getModele().avec(echantillonnage, modele.getModele().getSeuil()));
-        Couleur[] image = new Couleur[cote * cote];
-        new Lancer(scene, new Camera(cote, cote)).TracerPixels((couleur, i, j) -> image[cote * j + i] = couleur, 3, 2);
-        return image;
-    }
 }

@@ -1,6 +1,5 @@
 package lancer.antialias;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,7 +10,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicInteger;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -23,12 +21,10 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.essai.CameraDeplacee;
-import lancer.inspection.Inspection;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,22 +61,6 @@ class PartageTest {
             assertEquals(new Coins(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE), new Partage(n, 0).tracer(PAVE, PAVE, vue, SANS_TOILE),
                     "raffinés");
         }
-    }
-
-    /** Dans un ciel uni, où la méthode de partage ne prend que les coins des neuf cases où un bord ferait couper celle du pixel. */
-    @ParameterizedTest
-    @CsvSource({"coins, 4, 0, 16", "coins, 4, 0.5, 4", "partage, 4, 0, 16", "partage, 1, 0.5, 1", "partage, 4, 0.5, 16"})
-    void unPixelDemandeSeulCouteLeSienOuCeluiDesVoisinsQuiEnDecident(String methode, int n, double seuil, int attendus) {
-        AtomicInteger rayons = new AtomicInteger();
-        Modele modele = new Modele();
-        modele.setAtmosphere((vue, distance) -> {
-            rayons.incrementAndGet();
-            return new Couleur();
-        });
-        modele.setEchantillonnage(methode.equals("coins") ? Antialias.coins(n, seuil) : Antialias.partage(n, seuil));
-        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
-        new Inspection(vide, chose -> null, new Camera(64, 64), 0, 40, 40).faire();
-        assertEquals(attendus + 1, rayons.get(), "et un de nouveau, pour sa chaîne");
     }
 
     /** Chaque rayon passe par le centre d'un sous-pixel du pavé, et aucun n'est lancé deux fois. */
@@ -269,16 +249,6 @@ class PartageTest {
             Pave pave = Pave.autour(i, j, L, H);
             partage.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, (couleur, x, y) -> assertEquals(entiere[L * y + x], couleur));
         }
-    }
-
-    @Test
-    void uneGrosseBouleNeFaitRienLancerDePlus() {
-        Scene scene = poussiere(3);
-        long[] sans = new long[1];
-        long[] avec = new long[1];
-        double[] aveugle = rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, pave, vue, toile), sans);
-        assertArrayEquals(aveugle, rouges(scene, new Partage(8, 0.06), avec), 0);
-        assertEquals(sans[0], avec[0]);
     }
 
     /**

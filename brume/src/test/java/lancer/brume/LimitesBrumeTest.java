@@ -16,10 +16,6 @@ class LimitesBrumeTest {
         return Math.min(1, Math.max(0, 1 - Math.exp(-densite * (d - debut))));
     }
 
-    private static double lineaireNaive(double debut, double fin, double d) {
-        return Math.min(1, Math.max(0, (d - debut) / (fin - debut)));
-    }
-
     /** Le ciel est à une distance infinie : une brume sans densité y fait 0·∞, et les limites laissent passer NaN. */
     @Test
     void zeroFoisLInfiniNEstPasUneBrume() {
@@ -41,16 +37,6 @@ class LimitesBrumeTest {
         double naive = exponentielleNaive(0, 1e-12, 1);
         assertTrue(Math.abs(naive / 1e-12 - 1) > 1e-5, "il en reste quatre chiffres : " + naive);
         assertEquals(1, new Brume(new Couleur(1), 0, Double.NaN, 1e-12).k(1) / 1e-12, 1e-11);
-    }
-
-    /** debut = fin : un objet juste là est à 0/0. La lecture le refuse, la loi n'a pas à y répondre. */
-    @Test
-    void uneBrumeSansEpaisseurEstUnZeroSurZero() {
-        assertTrue(Double.isNaN(lineaireNaive(5, 5, 5)));
-        // le refus : BrumeTest.uneValeurImpossibleEstRefuseeEnUneLigne ; et l'épaisseur la plus mince qui reste permise :
-        Brume mince = new Brume(new Couleur(1), 5, Math.nextUp(5.0), 0);
-        assertEquals(0, mince.k(5));
-        assertEquals(1, mince.k(Math.nextUp(5.0)));
     }
 
     /** Cumuler les longueurs d'un rayon et de ses reflets mettrait un objet vu dans un miroir derrière deux brumes à la fois. */

@@ -186,19 +186,6 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     @Test
-    void auClavierUneFlecheMeneUneGlissiereAuCranVoisin() throws Exception {
-        ouvrir();
-        JSlider fin = glissiere("Brume.fin");
-        int cran = surFilEvenements(fin::getValue);
-        surFilEvenements(fin::requestFocusInWindow);
-        attendre("le clavier est à la glissière", fin::hasFocus);
-        banc.frapper(SwingUtilities.getWindowAncestor(fin), KeyEvent.VK_LEFT);
-        attendre("elle a bougé d'un cran", () -> fin.getValue() == cran - 1);
-        attendre("et l'image avec elle", () -> banc.controleur.demande.reglages.toString().contains("fin=" + cran));
-        banc.imageAchevee();
-    }
-
-    @Test
     void laCouleurSeRegleParComposanteDeZeroAUnCommeDansLesScenes() throws Exception {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();

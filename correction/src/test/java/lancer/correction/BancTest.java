@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -22,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Le programme complet avec une faute honnête à la fois ({@code banc.txt}) : la note suit le travail, et la rangée le dit. D'autres fautes
- * des mêmes sortes ({@code banc-long.txt}) sont essayées avec {@code -Dtests.longs}.
+ * des mêmes sortes ({@code banc-long.txt}) sont essayées à leur place avec {@code -Dtests.longs}.
  */
 @EnabledForJreRange(min = JRE.JAVA_17)
 class BancTest extends ClasseEssai {
@@ -131,13 +132,11 @@ class BancTest extends ClasseEssai {
         return essais;
     }
 
+    @Tag("long")
     @TestFactory
     List<DynamicTest> laNoteSuitLeTravail() throws IOException {
-        List<Essai> essais = lire("banc.txt");
+        List<Essai> essais = lire(Boolean.getBoolean("tests.longs") ? "banc-long.txt" : "banc.txt");
         assertFalse(essais.isEmpty());
-        if (Boolean.getBoolean("tests.longs")) {
-            essais.addAll(lire("banc-long.txt"));
-        }
         for (Essai essai : essais) {
             essai.ecrire(dossier.resolve("rendus").resolve(essai.nom));
         }

@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import org.apache.commons.csv.CSVFormat;
@@ -235,21 +234,6 @@ class ClasseTest extends ClasseEssai {
         Essai essai = executer("--noter", "--sortie", copie);
         assertEquals(2, essai.code);
         contient(essai.erreur, "102.json manque, ou est abîmé");
-    }
-
-    @Test
-    void unCheminTresLongSeCoupePourNePasElargirLIndex(@TempDir Path copie) throws IOException {
-        copier(dossier, copie);
-        String chemin = "dossier/".repeat(112);
-        Path sien = copie.resolve("resultats/102.json");
-        Files.writeString(sien, Files.readString(sien).replace("\"refus\":[]", "\"refus\":[\"" + chemin + "\"]")
-                .replace("\"aRegarder\":[", "\"aRegarder\":[\"" + chemin + "\","));
-        assertEquals(0, executer("--noter", "--sortie", copie).code);
-        String index = index(copie);
-        contient(index, ".petit,.avis,li,h1{overflow-wrap:anywhere}");
-        List<String> cases = Stream.of(index.split("<td")).filter(c -> c.contains(chemin)).collect(Collectors.toList());
-        assertEquals(2, cases.size(), "à regarder, et sa rangée");
-        cases.forEach(c -> assertTrue(c.startsWith(" class=\"petit\""), c));
     }
 
     @Test

@@ -99,7 +99,7 @@ class EtapesTest {
     private static final int GRAINES = Boolean.getBoolean("tests.longs") ? 20 : 1;
 
     /**
-     * Une faute sur deux, par qui en est à son étape ou par qui a tout écrit, tour à tour : celles qui se suivent sont de la même étape.
+     * Une faute sur quatre, par qui en est à son étape ou par qui a tout écrit, tour à tour : celles qui se suivent sont de la même étape.
      * Toutes, et par les deux, avec {@code -Dtests.longs}.
      */
     @TestFactory
@@ -109,11 +109,11 @@ class EtapesTest {
         List<Faute> ecrites = fautes(dossier, false);
         assertTrue(ecrites.size() >= 100, ecrites.size() + " fautes");
         for (int k = 0; k < ecrites.size(); k++) {
-            if (GRAINES > 1 || k % 4 == 0) {
+            if (GRAINES > 1 || k % 8 == 0) {
                 Faute faute = enChemin.get(k);
                 tests.add(DynamicTest.dynamicTest(faute + ", en chemin", () -> dite(faute, 0)));
             }
-            if (GRAINES > 1 || k % 4 == 3) {
+            if (GRAINES > 1 || k % 8 == 5) {
                 Faute faute = ecrites.get(k);
                 tests.add(DynamicTest.dynamicTest(faute.nom, () -> ditePourChaqueGraine(faute)));
             }

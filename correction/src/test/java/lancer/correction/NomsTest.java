@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,10 +12,6 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
@@ -106,23 +101,5 @@ class NomsTest extends ClasseEssai {
         Essai profil = executer("--profil-bwrap");
         assertEquals(0, profil.code);
         contient(profil.sortie, "profile bwrap /usr/bin/bwrap flags=(unconfined) {\n  userns,\n", "/etc/apparmor.d/bwrap");
-    }
-
-    @Test
-    void chaqueAttaqueDeLaDocumentationAUnEssaiQuiExiste() throws IOException {
-        List<String> rangees = Files.readAllLines(DOCUMENT).stream().filter(l -> l.startsWith("|") && l.contains("Test."))
-                .collect(Collectors.toList());
-        assertTrue(rangees.size() >= 10, "une table de dix rangées au moins");
-        for (String rangee : rangees) {
-            Matcher essai = Pattern.compile("`(\\w+Test)\\.(\\w+)`").matcher(rangee);
-            assertTrue(essai.find(), rangee);
-            do {
-                String nom = essai.group(1) + ".java";
-                try (Stream<Path> flux = Files.walk(Paths.get("src", "test", "java"))) {
-                    File source = flux.filter(f -> f.endsWith(nom)).findFirst().orElseThrow(() -> new AssertionError(nom)).toFile();
-                    contient(Files.readString(source.toPath()), "void " + essai.group(2) + "(");
-                }
-            } while (essai.find());
-        }
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -223,23 +225,21 @@ class NotesTest extends ClasseEssai {
 
     @Test
     void deuxCorrecteursALaFoisDonnentLUnion() throws Exception {
-        Path achevee = jugee.resolve("rendus/Ólafur Þór_7001_assignsubmission_file");
-        for (String nom : List.of("TP1", "TP2")) {
-            copier(achevee, dossier.resolve(nom).resolve(nom + " de plus"));
-            Path vide = Files.createDirectories(dossier.resolve(nom).resolve(nom + " vide"));
-            Files.writeString(vide.resolve("rapport.pdf"), "x");
-        }
-        Process autre = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", System.getProperty("java.class.path"), "-Dfile.encoding=UTF-8",
-                Correction.class.getName(), "--sans-confinement", "--sortie", dossier.toString(), dossier.resolve("TP1").toString())
-                .redirectErrorStream(true).redirectOutput(dossier.resolve("TP1.txt").toFile()).start();
-        Essai ici = executer("--sans-confinement", "--sortie", dossier, dossier.resolve("TP2"));
-        assertEquals(0, ici.code, ici.erreur);
-        assertEquals(0, autre.waitFor(), Files.readString(dossier.resolve("TP1.txt")));
-        assertEquals(Set.of("7001", "7002", "TP1 de plus", "TP1 vide", "TP2 de plus", "TP2 vide"), classe(dossier).keySet());
-        assertEquals("17.00/20.00", note("TP2 de plus"));
-        assertEquals(0, renoter().code);
-        contient(Files.readString(dossier.resolve("index.html")), "6 entrées, 6 lignes", "etudiants/TP1%2520de%2520plus.html");
+        CompletableFuture<?>[] correcteurs = Stream.of("TP1", "TP2").map(nom -> CompletableFuture.runAsync(() -> {
+            try {
+                Path rendus = Files.createDirectories(dossier.resolve(nom));
+                for (String fin : List.of(" à déplier", " vide")) {
+                    Files.writeString(Files.createDirectories(rendus.resolve(nom + fin)).resolve("rapport.pdf"), "x");
+                }
+                Essai essai = executer("--sans-confinement", "--sortie", dossier, rendus);
+                assertEquals(0, essai.code, essai.erreur);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        })).toArray(CompletableFuture[]::new);
+        CompletableFuture.allOf(correcteurs).join();
+        assertEquals(Set.of("7001", "7002", "TP1 à déplier", "TP1 vide", "TP2 à déplier", "TP2 vide"), classe(dossier).keySet());
+        contient(Files.readString(dossier.resolve("index.html")), "6 entrées, 6 lignes", "etudiants/TP1%2520vide.html");
     }
 
     @Test

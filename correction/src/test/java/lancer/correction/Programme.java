@@ -33,6 +33,8 @@ import org.junit.platform.launcher.core.LauncherFactory;
 final class Programme {
 
     private static final String GRAINE = "tests.graine";
+    /** Finit les boucles sans fin de {@code etapes.txt}, dont les fils occuperaient la machine. */
+    private static final String ARRET = "tests.arret";
 
     private final Path dossier;
     private final Map<String, String> sources = SourcesDuCours.tout(SourcesDuCours::corrige);
@@ -173,16 +175,11 @@ final class Programme {
     }
 
     private static void lancer(ClassLoader chargeur, TestExecutionListener... ecoutes) {
+        System.clearProperty(ARRET);
         LauncherFactory.create().execute(LauncherDiscoveryRequestBuilder.request()
                 .selectors(DiscoverySelectors.selectClass(chargeur, "lancer.Tests"))
                 .enableImplicitConfigurationParameters(false).configurationParameter("tests.patience", "4").build(), ecoutes);
-    }
-
-    /** Finit les boucles sans fin de {@code etapes.txt}, dont les fils occuperaient la machine. */
-    private static void arreter() throws InterruptedException {
-        System.setProperty("tests.arret", "true");
-        Thread.sleep(20);
-        System.clearProperty("tests.arret");
+        System.setProperty(ARRET, "true");
     }
 
     /** Les classes de ce programme, à la place de celles de la base. */
@@ -191,12 +188,12 @@ final class Programme {
     }
 
     /** Ce que dit « make test » : le bilan de la classe {@code Etapes}. */
-    String bilan() throws IOException, ReflectiveOperationException, InterruptedException {
+    String bilan() throws IOException, ReflectiveOperationException {
         return bilan(0, new Rates());
     }
 
     /** @param graine d'où tirer les valeurs, 0 si elles ne le sont pas ; @param rates reçoit ce qui ne réussit pas */
-    String bilan(long graine, Rates rates) throws IOException, ReflectiveOperationException, InterruptedException {
+    String bilan(long graine, Rates rates) throws IOException, ReflectiveOperationException {
         tirer(graine);
         Path projet = Files.createTempDirectory(dossier, "sources");
         for (Map.Entry<String, String> source : sources.entrySet()) {
@@ -210,7 +207,6 @@ final class Programme {
             ClassLoader chargeur = chargeur();
             lancer(chargeur, (TestExecutionListener) chargeur.loadClass("lancer.Etapes").getConstructor().newInstance(), rates);
         } finally {
-            arreter();
             System.setOut(sortie);
             System.clearProperty("etapes.sources");
         }

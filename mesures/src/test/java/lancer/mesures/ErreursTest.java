@@ -21,6 +21,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.dessin.Dessin;
 import lancer.mesures.scenes.Scenes;
 import lancer.scene.FichierScene;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -31,7 +32,7 @@ class ErreursTest {
     private static final int H = 30;
 
     /** Points d'un côté du pixel, pour chacune des deux vérités. */
-    private static final int FIN = 12;
+    private static final int FIN = System.getProperty("tests.longs") != null ? 12 : 8;
     private static final int SANS_LIMITE = 40;
 
     private final List<double[]> spheres = new ArrayList<>();
@@ -171,6 +172,7 @@ class ErreursTest {
         return carres;
     }
 
+    @Tag("long")
     @ParameterizedTest(name = "{0}, {1} × {1}, contraste {2}, {3} reflets, seuil 1/{4}")
     @CsvSource({"scene1, 1, -1, 5, 1024", "scene1, 2, -1, 5, 1024", "scene1, 3, -1, 5, 1024", "scene1, 3, 0.05, 5, 1024",
         "scene1, 1, -1, 0, 1024", "scene1, 1, -1, 2, 1024", "scene1, 1, -1, 1000, 16", "bowling, 1, -1, 5, 1024",

@@ -199,17 +199,6 @@ class ProjetTest extends DepotEssai {
     }
 
     @Test
-    void uneMethodeCoupeeNeLEstPasAuMilieuDUnCaractere() throws IOException {
-        for (int decalage = 0; decalage < 2; decalage++) {
-            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Camera.java"), "package lancer; class Camera { "
-                    + " ".repeat(decalage) + "Rayon getRayon() { /*" + "x".repeat(decalage) + "\uD835\uDC31".repeat(4000)
-                    + "*/ return null; } }");
-            String texte = projet(lire(rendus).get("11")).type("Camera").methodes.get(0).texte;
-            assertEquals(texte, new String(texte.getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8));
-        }
-    }
-
-    @Test
     void desSourcesEnDeuxDossiersSontUnSeulProjetEtUneAncienneVersionEstLaissee() throws IOException {
         Path projet = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         for (String classe : List.of("src/Vecteur", "src/Point", "src/Rayon", "src/Camera", "src2/Sphere", "src2/Scene", "src2/Objet3D",

@@ -18,7 +18,6 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
 import java.util.concurrent.FutureTask;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Echange;
@@ -43,18 +42,11 @@ class EnfantTest {
                 int numero = entree.readInt();
                 byte[] dit = entree.readNBytes(entree.readInt());
                 String texte = new String(dit, StandardCharsets.UTF_8);
-                if (texte.startsWith("brut")) {
-                    // des octets au hasard, de la graine qui suit
-                    byte[] octets = new byte[1 + texte.length() * 37 % 400];
-                    new Random(Long.parseLong(texte.substring(4))).nextBytes(octets);
-                    sortie.write(octets);
-                } else {
-                    int longueur = texte.equals("trop long") ? Integer.MAX_VALUE : texte.equals("négatif") ? -1 : dit.length;
-                    for (int k = texte.equals("deux fois") ? 2 : 1; k > 0; k--) {
-                        sortie.writeInt(texte.equals("autre numéro") ? numero + 1 : numero);
-                        sortie.writeInt(longueur);
-                        sortie.write(dit);
-                    }
+                int longueur = texte.equals("trop long") ? Integer.MAX_VALUE : texte.equals("négatif") ? -1 : dit.length;
+                for (int k = texte.equals("deux fois") ? 2 : 1; k > 0; k--) {
+                    sortie.writeInt(texte.equals("autre numéro") ? numero + 1 : numero);
+                    sortie.writeInt(longueur);
+                    sortie.write(dit);
                 }
                 sortie.flush();
             }
@@ -114,17 +106,6 @@ class EnfantTest {
                 demander(enfant, "et encore");
             });
             assertEquals("arrêté : a répondu ce qu'on ne lui demandait pas", arret.getMessage());
-        }
-    }
-
-    @Test
-    void desOctetsAuHasardNeSontJamaisUneReponse() throws Exception {
-        for (int graine = 1; graine <= 4; graine++) {
-            String texte = "brut" + graine;
-            try (Enfant enfant = echo(new Confinement(false, ""))) {
-                Arret arret = assertThrows(Arret.class, () -> demander(enfant, texte));
-                assertTrue(arret.getMessage().startsWith("arrêté"), arret.getMessage());
-            }
         }
     }
 

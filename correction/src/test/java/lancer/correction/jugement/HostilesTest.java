@@ -16,6 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.correction.isolement.Confinement;
 import lancer.correction.modele.SourcesDuCours;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
@@ -59,6 +60,20 @@ class HostilesTest extends JuryEssai {
             changer(noir, "Couleur", "this." + composante + " = " + composante + ";", "this." + composante + " = 0;");
         }
         ecrireHostiles(rendus, nom -> true);
+        attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
+                + "catch (InterruptedException e) { } }).start();");
+        attaque(rendus.resolve("message"), "throw new RuntimeException() { public String getMessage() { while (true) { } } };");
+        attaque(rendus.resolve("pile"),
+                "throw new RuntimeException() { public StackTraceElement[] getStackTrace() { throw new Error(); } };");
+        ecrire(ecrireCorrige(rendus.resolve("java-lang")), "Deux", "p\\u0061ckage java.lang;\npublic cl\\u0061ss Deux { }\n");
+        // dans chacune, une table de 15 000 méthodes : des classes qu'une machine ne peut prendre
+        Path classes = ecrireCorrige(rendus.resolve("classes"));
+        ecrire(classes, "A", "package lancer; class A { " + methodes(15_000) + "}");
+        for (int k = 0; k < 19; k++) {
+            String nom = "B" + k + "x";
+            ecrire(classes, nom, "package lancer;\n" + IntStream.range(0, 99).mapToObj(n -> "class " + nom + n + " extends A {}\n")
+                    .collect(Collectors.joining()));
+        }
         ecrireCorrige(rendus.resolve("ordinaire"));
         // remplir la mémoire, ou la sortie, demande du calcul, et plus encore sur une machine chargée
         Path gourmands = Files.createDirectories(dossier.resolve("gourmands"));
@@ -67,19 +82,22 @@ class HostilesTest extends JuryEssai {
         }
         Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
         assertEquals(new TreeSet<>(List.of(rendus.toFile().list())), new TreeSet<>(resultats.keySet()), "une ligne chacun");
+        // là où la mémoire suffit, elles se chargent : ailleurs, le noyau tue ce rendu
+        resultats.remove("classes");
         resultats.putAll(juger(gourmands, confinement, PATIENTES));
 
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         assertTrue(imageJuste(resultats.get("ordinaire")));
         rate(resultats, "imprime", "a répondu ce qu'on ne lui demandait pas");
-        rate(resultats, "recursion", "appels sans fin");
         rate(resultats, "boucle", "s de calcul");
         rate(resultats, "interblocage", "bloqué");
         rate(resultats, "sortie", "arrêté de lui-même");
         rate(resultats, "memoire", "mémoire épuisée");
         rate(resultats, "memoire-native", "OutOfMemoryError");
-        rate(resultats, "imitation", "a répondu ce qu'on ne lui demandait pas");
-        rate(resultats, "balises", "<script>alert(1)</script>");
+        rate(resultats, "processus", "Operation not permitted");
+        rate(resultats, "fils-sans-fin", "lance sans fin des fils");
+        rate(resultats, "message", "s de calcul");
+        rate(resultats, "pile", "arrêté de lui-même");
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");
@@ -95,59 +113,25 @@ class HostilesTest extends JuryEssai {
                     resultats.get(nom).verdicts.get("vecteurs.leProduitScalaireAjouteLesProduitsDesComposantes").etat,
                     nom + " ne coûte pas les autres vérifications");
         }
-    }
-
-    /** Ceux dont le confinement n'est pas ce qui les arrête. */
-    @Test
-    void sansConfinementNonPlus() throws IOException {
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        ecrireHostiles(rendus, List.of("imitation", "mathematiques", "falsification", "faux-junit", "sortie")::contains);
-        ecrireCorrige(rendus.resolve("ordinaire"));
-        Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
-        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
-        rate(resultats, "sortie", "arrêté de lui-même");
-        rate(resultats, "imitation", "a répondu ce qu'on ne lui demandait pas");
-        for (String nom : List.of("mathematiques", "falsification", "faux-junit")) {
-            rate(resultats, nom, "obtenu : (");
-        }
-    }
-
-    @Test
-    void confineUnRenduNeLanceAucunProgrammeEtRienDeLuiNeFaitUnePanne() throws IOException {
-        Confinement confinement = Confinement.essayer();
-        assumeTrue(confinement.confine, confinement.manque);
-        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
-        ecrireCorrige(rendus.resolve("ordinaire"));
-        attaque(rendus.resolve("programme"), "try { new ProcessBuilder(\"/bin/sh\", \"-c\", \"true\").start(); } "
-                + "catch (java.io.IOException e) { throw new IllegalStateException(e.getMessage()); }");
-        attaque(rendus.resolve("fils-sans-fin"), "for (int k = 0; k < 9000; k++) new Thread(() -> { try { Thread.sleep(99999); } "
-                + "catch (InterruptedException e) { } }).start();");
-        attaque(rendus.resolve("message"), "throw new RuntimeException() { public String getMessage() { while (true) { } } };");
-        attaque(rendus.resolve("pile"),
-                "throw new RuntimeException() { public StackTraceElement[] getStackTrace() { throw new Error(); } };");
-        ecrire(ecrireCorrige(rendus.resolve("java-lang")), "Deux", "p\\u0061ckage java.lang;\npublic cl\\u0061ss Deux { }\n");
-        // dans chacune, une table de 15 000 méthodes : des classes qu'une machine ne peut prendre
-        Path classes = ecrireCorrige(rendus.resolve("classes"));
-        ecrire(classes, "A", "package lancer; class A { " + methodes(15_000) + "}");
-        for (int k = 0; k < 19; k++) {
-            String nom = "B" + k + "x";
-            ecrire(classes, nom, "package lancer;\n" + IntStream.range(0, 99).mapToObj(n -> "class " + nom + n + " extends A {}\n")
-                    .collect(Collectors.joining()));
-        }
-        Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
-        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
-        assertTrue(imageJuste(resultats.get("ordinaire")));
-        rate(resultats, "programme", "Operation not permitted");
-        rate(resultats, "fils-sans-fin", "lance sans fin des fils");
-        rate(resultats, "message", "s de calcul");
-        rate(resultats, "pile", "arrêté de lui-même");
-        // là où la mémoire suffit, elles se chargent : ailleurs, le noyau tue ce rendu
-        resultats.remove("classes");
         assertEquals(Verdict.Etat.REUSSI, resultats.get("java-lang").verdicts.get(SOUSTRACTION).etat);
         resultats.forEach((nom, resultat) -> {
             assertFalse(resultat.nonCorrige, nom + " : " + resultat.refus);
             assertEquals(List.of(), resultat.refus, nom);
         });
+    }
+
+    /** Ceux dont le confinement n'est pas ce qui les arrête : il faut juger le corrigé une fois de plus. */
+    @Tag("long")
+    @Test
+    void sansConfinementNonPlus() throws IOException {
+        assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        List<String> noms = List.of("mathematiques", "falsification", "faux-junit");
+        ecrireHostiles(rendus, noms::contains);
+        Map<String, Resultat> resultats = juger(rendus, new Confinement(false, ""), COURTES);
+        for (String nom : noms) {
+            rate(resultats, nom, "obtenu : (");
+        }
     }
 
     private static String methodes(int combien) {
@@ -159,11 +143,11 @@ class HostilesTest extends JuryEssai {
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
         ecrireCorrige(rendus.resolve("un"));
         ecrireCorrige(rendus.resolve("deux"));
-        Confinement sans = new Confinement(false, "");
-        Jury jury = JuryPartage.de(sans);
+        Confinement confinement = Confinement.essayer();
+        Jury jury = JuryPartage.de(confinement);
         int dureeMax = jury.dureeMax;
         jury.dureeMax = 0;
-        Resultat resultat = juger(rendus, sans, PATIENTES).get("un");
+        Resultat resultat = juger(rendus, confinement, PATIENTES).get("un");
         jury.dureeMax = dureeMax;
         assertFalse(resultat.nonCorrige, "ce n'est pas une panne");
         assertEquals(List.of("arrêté : plus de 0 s en tout"), resultat.refus);

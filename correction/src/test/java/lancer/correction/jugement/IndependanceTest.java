@@ -28,13 +28,10 @@ class IndependanceTest extends JuryEssai {
     @TempDir
     Path dossier;
 
-    /** Trois témoins : l'un achevé, l'un qui a une faute, l'un qui n'a rien commencé. */
+    /** Deux témoins : l'un achevé, l'autre qui a une faute. */
     private void temoins(Path rendus) throws IOException {
         ecrireCorrige(rendus.resolve("acheve"));
         ecrire(ecrireCorrige(rendus.resolve("fautif")), "Vecteur", SourcesDuCours.corrige("Vecteur").replace("x * v.x + y", "x * v.x - y"));
-        for (String classe : SourcesDuCours.A_COMPLETER) {
-            ecrire(Files.createDirectories(rendus.resolve("vide/src/lancer")), classe, SourcesDuCours.squelette(classe));
-        }
     }
 
     private static Map<String, String> etats(Resultat resultat) {
@@ -64,13 +61,9 @@ class IndependanceTest extends JuryEssai {
         ecrire(sources(rendus.resolve("milliers")), "Vecteur", SourcesDuCours.corrige("Vecteur") + "class Z {}\n".repeat(40_000));
         ecrire(sources(rendus.resolve("parentheses")), "Vecteur", SourcesDuCours.corrige("Vecteur")
                 .replaceFirst("return new Vecteur\\(x \\+", "return new Vecteur(" + "(".repeat(20_000) + "x +"));
-        String sortie = "try { java.io.DataOutputStream s = new java.io.DataOutputStream("
-                + "new java.io.FileOutputStream(java.io.FileDescriptor.out));";
-        attaque(rendus.resolve("brut"), sortie + " s.writeBytes(\"REUSSI\\n\"); } catch (Exception e) { }");
-        attaque(rendus.resolve("avance"), sortie + " for (int k = 0; k < 99; k++) { s.writeInt(k); s.writeInt(2); s.writeChar('R'); } }"
-                + " catch (Exception e) { }");
-        attaque(rendus.resolve("demesure"), sortie + " for (int k = 0; k < 9; k++) { s.writeInt(k); s.writeInt(40 << 20); } } "
-                + "catch (Exception e) { }");
+        attaque(rendus.resolve("avance"), "try { java.io.DataOutputStream s = new java.io.DataOutputStream("
+                + "new java.io.FileOutputStream(java.io.FileDescriptor.out)); for (int k = 0; k < 99; k++) { "
+                + "s.writeInt(k); s.writeInt(2); s.writeChar('R'); } } catch (Exception e) { }");
         attaque(rendus.resolve("sans-retour"), "throw new Error(\"Unresolved compilation problem: \\n\\tThe method \" + \"from the type "
                 + "refers to in the type \".repeat(20_000));");
         attaque(rendus.resolve("curieux"), "StringBuilder t = new StringBuilder(\"vu\"); for (String c : new String[] {"
@@ -90,11 +83,9 @@ class IndependanceTest extends JuryEssai {
             assertEquals(etats(attendus.get(temoin)), etats(resultats.get(temoin)), temoin);
         }
         assertFalse(Files.exists(evade));
-        for (String nom : List.of("brut", "avance", "demesure")) {
-            String dit = resultats.get(nom).verdicts.get(SOUSTRACTION).message;
-            assertTrue(dit.startsWith("arrêté : a répondu"), nom + " : " + dit);
-            assertTrue(resultats.get(nom).aRegarder.toString().contains("arrêté : a répondu"), nom + " se voit à l'index");
-        }
+        String dit = resultats.get("avance").verdicts.get(SOUSTRACTION).message;
+        assertTrue(dit.startsWith("arrêté : a répondu"), dit);
+        assertTrue(resultats.get("avance").aRegarder.toString().contains("arrêté : a répondu"), "cela se voit à l'index");
         assertTrue(resultats.get("paquet").aRegarder.toString().contains(" : laissé de côté, "));
         Resultat curieux = resultats.get("curieux");
         String vu = curieux.verdicts.get(SOUSTRACTION).message;

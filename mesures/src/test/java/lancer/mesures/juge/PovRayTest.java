@@ -1,6 +1,5 @@
 package lancer.mesures.juge;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,10 +8,8 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import lancer.Couleur;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,24 +35,6 @@ class PovRayTest {
 
     private static WritableRaster image() {
         return ScenesJugees.image(ScenesJugees.deuxBoules(new Couleur(0.5)));
-    }
-
-    @Test
-    void lImageDe16BitsSeLitTelleQuElleEstEcrite() throws IOException {
-        Raster lue = dessiner(0, image());
-        assertArrayEquals(image().getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null),
-                lue.getPixels(0, 0, ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, (int[]) null));
-        assertEquals("la scène", new String(Files.readAllBytes(dossier.resolve("essai.pov")), StandardCharsets.UTF_8));
-        assertEquals(Arrays.asList("+I" + dossier.resolve("essai.pov") + " +O" + dossier.resolve("essai.png")
-                + " +FN16 File_Gamma=1 +W40 +H30 -D -P -V -J -A"), Files.readAllLines(dossier.resolve("demandes")));
-        assertEquals("POV-Ray 3.9.1", povray.nom());
-    }
-
-    @Test
-    void sesOptionsLuiSontTransmisesEtSonTempsEstCeluiDeLaCommande() throws IOException {
-        dessiner(0, image(), "+A0.1", "+R3");
-        assertTrue(povray.pris()[0] > 0);
-        assertTrue(Files.readAllLines(dossier.resolve("demandes")).get(0).endsWith(" -J +A0.1 +R3"));
     }
 
     @Test

@@ -1,6 +1,5 @@
 package lancer.mesures.juge;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -69,28 +68,6 @@ class TraductionPovTest {
                 new Vecteur(8, 0, 0), 90)).texte(0);
         assertTrue(texte.contains("location <1024.0, 2048.0, 3072.0> direction <1.0, 0.0, 0.0> right <0.0, 0.0, -2.0>"
                 + " up <0.0, 1.5, 0.0> }"), texte);
-    }
-
-    @Test
-    void laTableDuCielEstCelleDuRayon() {
-        // f(y) = 0,5 + y/4 entre les entrées de la table, par interpolation linéaire
-        for (int k = -100; k <= 100; k++) {
-            double y = k / 100.0;
-            Couleur bas = y > 0 ? new Couleur(0.7, 0.7, 1) : new Couleur(0.5, 0.4, 0.1);
-            Couleur bout = y > 0 ? new Couleur(0, 0, 1) : new Couleur(0.5, 0.2, 0.1);
-            double t = (0.5 + y / 4 - 0.5) / (y > 0 ? 0.25 : -0.25);
-            Couleur table = bas.mul(1 - t).add(bout.mul(t));
-            Couleur ciel = new Rayon(Camera.OEIL, new Vecteur(Math.sqrt(1 - y * y), y, 0), new Couleur(1)).getSkyColor();
-            assertArrayEquals(new double[] {ciel.r, ciel.v, ciel.b}, new double[] {table.r, table.v, table.b}, 1e-15, "y = " + y);
-        }
-    }
-
-    @Test
-    void uneSceneImmenseEstMoinsAgrandie() {
-        Sphere sol = ScenesJugees.boule(0, -20000.75, 8, 20000, new Couleur(0.5), new Couleur());
-        // 20000 + 20000, fois 64 : 2,56 millions ; fois 128, ce serait plus de 4 millions
-        assertTrue(texte(ScenesJugees.scene(sol, ScenesJugees.boule(0, 900, 6, 0.5, new Couleur(1), new Couleur())), 5, 0)
-                .contains(", 32.0 pigment"));
     }
 
     @Test

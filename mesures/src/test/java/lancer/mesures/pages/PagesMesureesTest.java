@@ -4,11 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.util.Collections;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,17 +33,5 @@ class PagesMesureesTest {
         IllegalArgumentException faute = assertThrows(IllegalArgumentException.class,
                 () -> PagesMesurees.remplacer("<!--v:b-->0<!--/v-->", Collections.singletonMap("a", "1")));
         assertTrue(faute.getMessage().contains("« b »"), faute.getMessage());
-    }
-
-    @Test
-    void unePageNEstReecriteQueSIlsChangent() throws IOException {
-        Path page = dossier.resolve("page.md");
-        Files.write(page, "<!--v:a-->0<!--/v-->\n".getBytes(StandardCharsets.UTF_8));
-        PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
-        assertEquals("<!--v:a-->1<!--/v-->\n", new String(Files.readAllBytes(page), StandardCharsets.UTF_8));
-        FileTime jadis = FileTime.fromMillis(0);
-        Files.setLastModifiedTime(page, jadis);
-        PagesMesurees.reecrire(page, Collections.singletonMap("a", "1"));
-        assertEquals(jadis, Files.getLastModifiedTime(page));
     }
 }

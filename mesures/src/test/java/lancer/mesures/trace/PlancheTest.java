@@ -41,12 +41,4 @@ class PlancheTest {
         assertEquals(0, petit.graphique().getXYPlot().getDomainAxis().getLowerBound());
         assertTrue(petit.graphique().getXYPlot().getDomainAxis().getUpperBound() >= 100);
     }
-
-    @Test
-    void uneVignetteEstAgrandieSousSonNom() {
-        BufferedImage rouge = new BufferedImage(4, 3, BufferedImage.TYPE_INT_RGB);
-        rouge.setRGB(2, 1, 0xFF0000);
-        BufferedImage planche = new Planche(4, 420).vignette(rouge, "un nom", "un détail").dessiner();
-        assertTrue(pixels(planche, 0xFF0000) > 5000, "un pixel devient un carré");
-    }
 }

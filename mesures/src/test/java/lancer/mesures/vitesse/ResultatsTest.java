@@ -32,7 +32,7 @@ class ResultatsTest {
     private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
     /** Nombre de réglages que le test compte de nouveau, et rayons que chacun ne dépasse pas. */
-    private static final int ESSAYES = System.getProperty("tests.longs") != null ? 4 : 2;
+    private static final int ESSAYES = System.getProperty("tests.longs") != null ? 4 : 1;
     private static final double RAYONS_MAX = 5e6;
 
     @TempDir

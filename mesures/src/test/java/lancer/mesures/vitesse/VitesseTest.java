@@ -1,14 +1,12 @@
 package lancer.mesures.vitesse;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -49,14 +47,6 @@ class VitesseTest {
         assertTrue(erreurs.toString().startsWith("Vitesse : ") && erreurs.toString().trim().split("\n").length == 1, erreurs.toString());
     }
 
-    @Test
-    void ailleursQuALaRacineDuProjetRienNEstEcrit() {
-        ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
-        assertEquals(2, Vitesse.executer(new String[] {"--dessiner"}, new PrintStream(sortie), new PrintStream(erreurs)));
-        assertTrue(erreurs.toString().contains("à lancer à la racine du projet"), erreurs.toString());
-        assertFalse(Files.exists(Paths.get("mesures")), "le dossier du module n'en a pas d'autre de ce nom");
-    }
-
     // ---- des commandes entières, en petit
 
     /** Les variantes sont sur ce chemin des classes, non dans un jar. */
@@ -83,11 +73,11 @@ class VitesseTest {
         assertTrue(resultats.de(Reglage.auto(4)).get().rayons > grille.rayons, "les rayons des essais comptent");
     }
 
-    /** De tous les paramètres d'une méthode, le premier. */
+    /** D'un module, le premier réglage ; tous, si l'on demande les tests longs. */
     @Tag("long")
     @Test
     void toutReglageDuCatalogueSeLanceEtSeChronometre() throws IOException {
-        Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.methode;
+        Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.module;
         Set<String> deja = new HashSet<>();
         Groupe tous = new Groupe(Catalogue.CHOIX, "bowling", Catalogue.COURS);
         new Catalogue(true).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
@@ -117,12 +107,6 @@ class VitesseTest {
         String panne = assertThrows(IOException.class,
                 () -> new Lancement(dossier.resolve("pris"), "sh", "-c", "echo panne >&2 ; exit 3").reussi()).getMessage();
         assertTrue(panne.endsWith("statut 3 : panne"), panne);
-    }
-
-    @Test
-    void lesOptionsMesureesSontCellesQueMakeDonne() throws IOException {
-        String commun = new String(Files.readAllBytes(Paths.get("../commun.mk")), StandardCharsets.UTF_8);
-        assertTrue(commun.contains(" " + String.join(" ", Reglage.MAKE.machine()) + ","), commun);
     }
 
     // ---- ce qu'on en dit
@@ -187,14 +171,5 @@ class VitesseTest {
         double[] droite = Planches.droite(resultats);
         assertEquals(0.5, droite[0], 1e-12);
         assertEquals(0.1, droite[1], 1e-12);
-    }
-
-    @Test
-    void chaqueMesureASonNom() throws IOException {
-        List<String> noms = new ArrayList<>();
-        for (Groupe g : new Catalogue(false).temps()) {
-            g.essais.forEach(e -> noms.add(g.volet + " " + g.scene + " " + e.reglage.nom()));
-        }
-        assertEquals(noms.size(), noms.stream().distinct().count());
     }
 }
