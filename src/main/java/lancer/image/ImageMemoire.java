@@ -63,10 +63,32 @@ public final class ImageMemoire implements Toile {
         return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
     }
 
-    /** La plus grande différence des composantes, en niveaux. @param k rang d'un pixel @param autre celui d'un autre */
-    public int ecart(int k, int autre) {
+    /** Le plus isolé des pixels de ces rangs : le voisin qui lui ressemble le plus en diffère. @param fin rang exclu */
+    public int plusIsole(int debut, int fin) {
+        int choisi = debut;
+        int plusGrand = -1;
+        for (int k = debut; k < fin; k++) {
+            // le premier voisin suffit le plus souvent
+            if (ecart(k, k - 1) > plusGrand && isolement(k) > plusGrand) {
+                choisi = k;
+                plusGrand = isolement(k);
+            }
+        }
+        return choisi;
+    }
+
+    private int isolement(int k) {
+        return Math.min(Math.min(ecart(k, k - 1), ecart(k, k + 1)),
+                Math.min(ecart(k, k - largeur), ecart(k, k + largeur)));
+    }
+
+    /** La plus grande différence des composantes, en niveaux ; la plus grande de toutes, s'il n'y a pas de voisin. */
+    private int ecart(int k, int voisin) {
+        if (voisin < 0 || voisin >= largeur * hauteur) {
+            return 255;
+        }
         int a = getCode(k);
-        int b = getCode(autre);
+        int b = getCode(voisin);
         return Math.max(Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF)),
                 Math.max(Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF)), Math.abs((a & 0xFF) - (b & 0xFF))));
     }

@@ -18,12 +18,8 @@ final class Carte {
     final int[] debut;
 
     /** Le rang d'un objet pour chaque place, et pour chaque rang une borne inférieure de sa distance au point. */
-    int[] objets = new int[16];
+    int[] objets;
     final float[] pres;
-
-    /** La case de chaque place, avant leur rangement, et nombre de places. */
-    private int[] cases = new int[16];
-    private int nombre;
 
     private Carte(PointDeVue point, Enveloppes enveloppes) {
         this.point = point;
@@ -52,40 +48,34 @@ final class Carte {
             ordre[o] = (long) Float.floatToRawIntBits(carte.pres[k]) << Integer.SIZE | k;
         }
         Arrays.sort(ordre);
+        Rangs vus = new Rangs();
+        Rangs cases = new Rangs();
         for (long o : ordre) {
             Recherche.obeir();
-            point.cases(g, (int) o, c -> carte.ajouter(c, (int) o));
-            if (carte.nombre > places) {
+            point.chercher(g, (int) o, cases);
+            while (vus.nombre < cases.nombre) {
+                vus.ajouter((int) o);
+            }
+            if (cases.nombre > places) {
                 return null;
             }
         }
-        carte.ranger();
+        carte.ranger(vus, cases);
         return carte;
     }
 
-    private void ajouter(int c, int objet) {
-        if (nombre == objets.length) {
-            objets = Arrays.copyOf(objets, 2 * nombre);
-            cases = Arrays.copyOf(cases, 2 * nombre);
-        }
-        objets[nombre] = objet;
-        cases[nombre++] = c;
-    }
-
-    /** Range les places par case, sans changer l'ordre de celles d'une case. */
-    private void ranger() {
-        for (int e = 0; e < nombre; e++) {
-            debut[cases[e]]++;
+    /** Range ces objets par case, sans changer l'ordre de ceux d'une case. */
+    private void ranger(Rangs vus, Rangs cases) {
+        for (int e = 0; e < cases.nombre; e++) {
+            debut[cases.rangs[e]]++;
         }
         for (int c = 1; c < debut.length; c++) {
             debut[c] += debut[c - 1];
         }
-        int[] ranges = new int[nombre];
-        for (int e = nombre - 1; e >= 0; e--) {
-            ranges[--debut[cases[e]]] = objets[e];
+        objets = new int[vus.nombre];
+        for (int e = cases.nombre - 1; e >= 0; e--) {
+            objets[--debut[cases.rangs[e]]] = vus.rangs[e];
         }
-        objets = ranges;
-        cases = null;
     }
 
     /** Dit si cette case a trop d'objets. */

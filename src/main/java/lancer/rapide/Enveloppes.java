@@ -2,8 +2,6 @@ package lancer.rapide;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Sphere;
@@ -37,12 +35,18 @@ final class Enveloppes {
     Enveloppes(List<Objet3D> scene) {
         objets = scene.toArray(new Objet3D[0]);
         geometrie = copier();
-        bornes = rangs(k -> geometrie[PAS * k + 3] >= 0);
-        libres = rangs(k -> !(geometrie[PAS * k + 3] >= 0));
-    }
-
-    private int[] rangs(IntPredicate voulus) {
-        return IntStream.range(0, objets.length).filter(voulus).toArray();
+        int[] rangs = new int[objets.length];
+        int avant = 0;
+        int apres = rangs.length;
+        for (int k = 0; k < rangs.length; k++) {
+            if (geometrie[PAS * k + 3] >= 0) {
+                rangs[avant++] = k;
+            } else {
+                rangs[--apres] = k;
+            }
+        }
+        bornes = Arrays.copyOf(rangs, avant);
+        libres = Arrays.copyOfRange(rangs, avant, rangs.length);
     }
 
     private double[] copier() {

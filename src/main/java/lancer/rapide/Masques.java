@@ -61,7 +61,8 @@ final class Masques implements Recherche {
         int n = objets.length;
         tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        oeil = PointDeVue.deLOeil(camera, (int) (pixels / (TUILE * TUILE)));
+        oeil = PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
+                1 + (int) (pixels / (TUILE * TUILE)));
         portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee);
         parTuile = oeil == null ? null : masques(oeil);
         parDirection = new long[CUBES * n];
@@ -76,7 +77,8 @@ final class Masques implements Recherche {
         int cases = (int) Math.min(CASES_D_UNE_LAMPE, pixels / PIXELS_PAR_CASE / (1 + lampes.length));
         for (int l = 0; l < lampes.length; l++) {
             Recherche.obeir();
-            vues[l] = cases > n ? PointDeVue.deLaLampe(lampes[l], enveloppes, cases) : null;
+            Point place = lampes[l].getPosition();
+            vues[l] = cases > n ? PointDeVue.de(place, place, enveloppes, cases) : null;
             parCase[l] = vues[l] == null ? null : masques(vues[l]);
         }
     }
@@ -85,8 +87,11 @@ final class Masques implements Recherche {
     private long[] masques(PointDeVue vue) {
         long[] masques = new long[vue.nombre];
         for (int k = 0; k < objets.length; k++) {
-            long bit = 1L << k;
-            vue.cases(g, k, c -> masques[c] |= bit);
+            Rangs cases = new Rangs();
+            vue.chercher(g, k, cases);
+            for (int c = 0; c < cases.nombre; c++) {
+                masques[cases.rangs[c]] |= 1L << k;
+            }
         }
         return masques;
     }

@@ -1,11 +1,5 @@
 package lancer.rapide;
 
-import java.util.Arrays;
-import java.util.List;
-import java.util.function.IntConsumer;
-import java.util.stream.Collectors;
-import lancer.Camera;
-import lancer.Lampe;
 import lancer.Point;
 import lancer.Vecteur;
 
@@ -24,91 +18,54 @@ final class PointDeVue {
     private final double x;
     private final double y;
     private final double z;
-    /** La plus grande coordonnée du point, et de l'écran s'il est l'œil. */
+    /** La plus grande coordonnée, en valeur absolue, du point et du départ d'un rayon. */
     final double portee;
-    /** Fenêtre de chaque face du cube, {@code null} s'il n'y a rien, et rang de sa première case. */
-    private final Fenetre[] fenetres = new Fenetre[6];
-    private final int[] premieres = new int[6];
-    /** La case des directions hors des fenêtres ; −1 si elles ne sont pas connues. */
-    private int ailleurs = -1;
-    /** Nombre de cases. */
+    private final FaceDeCube[] faces = new FaceDeCube[6];
+    /** Nombre de cases. La dernière est celle des directions hors des fenêtres. */
     final int nombre;
 
-    /** @param bords de chaque face */
-    private PointDeVue(Point p, double portee, double[][] bords, boolean connuAilleurs, int cases) {
+    private PointDeVue(Point p, double portee, Enveloppes enveloppes, int cases) {
         this.portee = portee;
         x = p.x;
         y = p.y;
         z = p.z;
-        double aire = 0;
-        double cote = 0;
-        for (double[] b : bords) {
-            if (b != null && b[0] < b[1]) {
-                aire += (b[1] - b[0]) * (b[3] - b[2]);
-                cote = Math.max(cote, Math.max(b[1] - b[0], b[3] - b[2]) / cases);
-            }
-        }
-        cote = Math.max(cote, Math.sqrt(aire / cases));
-        int n = 0;
-        for (int f = 0; f < fenetres.length; f++) {
-            double[] b = bords[f];
-            if (b != null && b[0] < b[1]) {
-                fenetres[f] = new Fenetre(f, b, 1 + (int) ((b[1] - b[0]) / cote), 1 + (int) ((b[3] - b[2]) / cote));
-                premieres[f] = n;
-                n += fenetres[f].colonnes * fenetres[f].lignes;
-            }
-        }
-        if (connuAilleurs) {
-            ailleurs = n++;
-        }
-        nombre = n;
-    }
-
-    /** L'œil, et sur chaque face d'un cube une fenêtre autour de l'écran ; {@code null} s'il est trop loin. */
-    static PointDeVue deLOeil(Camera camera, int cases) {
-        Point oeil = camera.getOeil();
-        int largeur = camera.getLargeur();
-        int hauteur = camera.getHauteur();
-        List<Point> coins = Arrays.asList(camera.getEcran(0, 0), camera.getEcran(largeur, 0),
-                camera.getEcran(largeur, hauteur), camera.getEcran(0, hauteur));
-        double portee = Enveloppes.plusGrande(oeil.x, oeil.y, oeil.z);
-        for (Point coin : coins) {
-            portee = Math.max(portee, Enveloppes.plusGrande(coin.x, coin.y, coin.z));
-        }
-        if (!(portee < Enveloppes.LONGUEUR_MAX)) {
-            return null;
-        }
-        List<Vecteur> ecran = coins.stream().map(coin -> new Vecteur(oeil, coin)).collect(Collectors.toList());
-        double[][] bords = new double[6][];
-        Arrays.setAll(bords, face -> Fenetre.entourer(face, ecran));
-        return new PointDeVue(oeil, portee, bords, false, Math.max(1, cases));
-    }
-
-    /** Une lampe, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf des grandes enveloppes. */
-    static PointDeVue deLaLampe(Lampe celle, Enveloppes enveloppes, int cases) {
-        Point lampe = celle.getPosition();
-        double portee = Enveloppes.plusGrande(lampe.x, lampe.y, lampe.z);
-        if (!(portee < Enveloppes.LONGUEUR_MAX)) {
-            return null;
-        }
-        double[][] bords = new double[6][];
-        Arrays.setAll(bords, face -> Fenetre.vide());
         double[] d = new double[3];
-        for (int k : enveloppes.bornes) {
-            double sinus = viser(lampe.x, lampe.y, lampe.z, portee, enveloppes.geometrie, k, d);
-            for (int f = 0; f < bords.length && sinus <= Fenetre.GRANDE; f++) {
-                Fenetre.elargir(f, d, sinus, bords[f]);
+        double aire = 0;
+        for (int f = 0; f < faces.length; f++) {
+            faces[f] = new FaceDeCube(f);
+            for (int k : enveloppes.bornes) {
+                double sinus = viser(enveloppes.geometrie, k, d);
+                if (sinus <= FaceDeCube.GRANDE) {
+                    faces[f].elargir(d, sinus);
+                }
             }
+            aire += faces[f].aire();
         }
-        return new PointDeVue(lampe, portee, bords, true, cases);
+        int n = 0;
+        for (FaceDeCube face : faces) {
+            n = face.decouper(Math.sqrt(aire / cases), cases, n);
+        }
+        nombre = n + 1;
     }
 
     /**
-     * Note dans d la direction de cette enveloppe vue de (x, y, z), de cette portée.
+     * Ce point, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf celles des grandes enveloppes.
+     *
+     * @param depart un point d'où part un rayon : une lampe elle-même, ou un point de l'écran
+     * @return {@code null} s'il est trop loin
+     */
+    static PointDeVue de(Point p, Point depart, Enveloppes enveloppes, int cases) {
+        double portee = Math.max(Enveloppes.plusGrande(p.x, p.y, p.z),
+                Enveloppes.plusGrande(depart.x, depart.y, depart.z));
+        return portee < Enveloppes.LONGUEUR_MAX ? new PointDeVue(p, portee, enveloppes, cases) : null;
+    }
+
+    /**
+     * Note dans d la direction de cette enveloppe.
      *
      * @return le sinus de son demi-angle, 1 ou plus si elle contient ce point
      */
-    private static double viser(double x, double y, double z, double portee, double[] g, int k, double[] d) {
+    private double viser(double[] g, int k, double[] d) {
         int s = Enveloppes.PAS * k;
         double dx = g[s] - x;
         double dy = g[s + 1] - y;
@@ -132,22 +89,19 @@ final class PointDeVue {
         return Math.max(0, Math.nextDown((float) pres));
     }
 
-    /** Donne les cases où se voit l'enveloppe k, ou l'objet libre k. */
-    void cases(double[] g, int k, IntConsumer vue) {
+    /** Ajoute les cases où se voit l'enveloppe k, ou l'objet libre k. */
+    void chercher(double[] g, int k, Rangs cases) {
         double[] d = new double[3];
-        double sinus = viser(x, y, z, portee, g, k, d);
-        for (int f = 0; f < fenetres.length; f++) {
-            int premiere = premieres[f];
-            if (fenetres[f] != null) {
-                fenetres[f].chercher(d, sinus, c -> vue.accept(premiere + c));
-            }
+        double sinus = viser(g, k, d);
+        for (FaceDeCube face : faces) {
+            face.chercher(d, sinus, cases);
         }
-        if (ailleurs >= 0 && !(sinus <= Fenetre.GRANDE)) {
-            vue.accept(ailleurs);
+        if (!(sinus <= FaceDeCube.GRANDE)) {
+            cases.ajouter(nombre - 1);
         }
     }
 
-    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas, ou si elle n'est pas connue. */
+    /** La case de ce rayon, de direction V ou −V vue du point ; −1 s'il n'y passe pas. */
     int caseDe(Point P, Vecteur V) {
         double ax = P.x - x;
         double ay = P.y - y;
@@ -163,9 +117,9 @@ final class PointDeVue {
             return -1;
         }
         double sens = ax * V.x + ay * V.y + az * V.z >= 0 ? 1 : -1;
-        int f = Fenetre.face(sens * V.x, sens * V.y, sens * V.z);
-        int c = fenetres[f] == null ? -1 : fenetres[f].caseDe(sens * V.x, sens * V.y, sens * V.z);
-        return c < 0 ? ailleurs : premieres[f] + c;
+        int f = FaceDeCube.numero(sens * V.x, sens * V.y, sens * V.z);
+        int c = faces[f].caseDe(sens * V.x, sens * V.y, sens * V.z);
+        return c < 0 ? nombre - 1 : c;
     }
 
     /** Ce qu'un rayon qui s'éloigne du point a parcouru avant P ; +∞ s'il s'en approche. */

@@ -3,6 +3,7 @@ package lancer.rapide;
 import java.util.List;
 import lancer.Camera;
 import lancer.Lampe;
+import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -87,9 +88,11 @@ public final class Preparation extends TousLesObjets {
         int places = PLACES_PAR_CASE * cases;
         boolean utiles = avecCartes && cases > n / 16;
         for (int l = 0; l < cartes.length && utiles; l++) {
-            cartes[l] = Carte.de(PointDeVue.deLaLampe(lampes.get(l), enveloppes, cases), enveloppes, places);
+            Point place = lampes.get(l).getPosition();
+            cartes[l] = Carte.de(PointDeVue.de(place, place, enveloppes, cases), enveloppes, places);
         }
-        Carte oeil = utiles ? Carte.de(PointDeVue.deLOeil(camera, cases), enveloppes, places) : null;
+        Carte oeil = !utiles ? null : Carte.de(PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes, cases),
+                enveloppes, places);
         return new Foule(enveloppes, arbre, oeil, lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 

@@ -3,11 +3,9 @@ package lancer.rapide;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.PriorityQueue;
+import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -18,10 +16,8 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
-import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.Recherche;
-import lancer.contrat.Toile;
 import lancer.image.ImageMemoire;
 
 /**
@@ -44,16 +40,12 @@ public final class Regard {
     private static final int UN_SUR = 100;
 
     private final Random hasard = new Random(1);
-    private final Scene scene;
-    private final Camera camera;
     private String ecart;
 
     /** Compare la recherche de cette scène préparée aux réponses de tous ses objets, et l'ôte si elle en cache une. */
     public Regard(Scene scene, Camera camera) {
-        this.scene = scene;
-        this.camera = camera;
-        if (scene.getModele().getRecherche() != null && cache()) {
-            oter(scene.getModele());
+        if (scene.getModele().getRecherche() != null && cache(scene, camera)) {
+            oter(scene);
         }
     }
 
@@ -62,22 +54,28 @@ public final class Regard {
         return ecart;
     }
 
-    private void oter(Modele modele) {
-        modele.setRecherche(null);
+    private void oter(Scene scene) {
+        scene.getModele().setRecherche(null);
         ecart = CACHE;
     }
 
-    private static Modele sansRecherche(Modele modele) {
-        Modele simple = modele.avec(modele.getEchantillonnage(), modele.getSeuil());
-        simple.setRecherche(null);
-        return simple;
+    private static Scene sansRecherche(Scene scene) {
+        Scene toutes = scene.avec(scene.getModele());
+        toutes.getModele().setRecherche(null);
+        return toutes;
     }
 
-    private boolean cache() {
+    private boolean cache(Scene scene, Camera camera) {
         // les objets de chaque classe, pour autant de rayons
-        List<List<Objet3D>> classes = new ArrayList<>(scene.getObjets().stream().filter(o -> o.getEnveloppe() != null)
-                .collect(Collectors.groupingBy(Object::getClass, LinkedHashMap::new, Collectors.toList())).values());
-        Scene toutes = scene.avec(sansRecherche(scene.getModele()));
+        Map<Class<?>, List<Objet3D>> parClasse = new LinkedHashMap<>();
+        for (Objet3D objet : scene.getObjets()) {
+            if (objet.getEnveloppe() != null) {
+                parClasse.putIfAbsent(objet.getClass(), new ArrayList<>());
+                parClasse.get(objet.getClass()).add(objet);
+            }
+        }
+        List<List<Objet3D>> classes = new ArrayList<>(parClasse.values());
+        Scene toutes = sansRecherche(scene);
         Scene cherchee = scene.avec(scene.getModele());
         try {
             // les boucles peuvent demander un objet que la scène ne donne pas à la recherche
@@ -88,7 +86,11 @@ public final class Regard {
                 List<Objet3D> classe = classes.get(k / 2 % classes.size());
                 Objet3D depart = k % 2 == 0 ? null : tirer(classe);
                 Point P = depart == null ? camera.getOeil() : dans(depart, 1);
-                cache = cache(toutes, cherchee, new Rayon(P, dans(tirer(classe), hasard.nextDouble())), depart);
+                Rayon rayon = new Rayon(P, dans(tirer(classe), hasard.nextDouble()));
+                Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
+                // une couleur qui ne se répète pas ne dit rien de la recherche
+                cache = deborde(rayon) || !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))
+                        && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
             }
             return cache;
         } catch (CancellationException | OutOfMemoryError e) {
@@ -110,13 +112,7 @@ public final class Regard {
         return enveloppe.getCentre().add(part * enveloppe.getRayon(), direction.normalized());
     }
 
-    /** Dit si le contact est hors de son enveloppe, ou si la recherche change une couleur qui, sans elle, se répète. */
-    private static boolean cache(Scene toutes, Scene cherchee, Rayon rayon, Objet3D depart) {
-        Couleur cherche = cherchee.getCouleurVue(rayon, depart, 0);
-        Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
-        return deborde(rayon) || !vue.equals(cherche) && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
-    }
-
+    /** Dit si le contact de ce rayon est hors de l'enveloppe de son objet. */
     private static boolean deborde(Rayon rayon) {
         Sphere enveloppe = rayon.getObjet() == null ? null : rayon.getObjet().getEnveloppe();
         if (enveloppe == null) {
@@ -136,65 +132,49 @@ public final class Regard {
      * @return vrai si l'image est à dessiner de nouveau, par les boucles sur tous les objets
      */
     public boolean cachait(Lancer acheve, ImageMemoire image, int profondeur) {
-        Modele modele = acheve.getScene().getModele();
-        Recherche recherche = modele.getRecherche();
+        Scene scene = acheve.getScene();
+        Recherche recherche = scene.getModele().getRecherche();
         boolean cache = recherche instanceof Preparation && !((Preparation) recherche).estEnPlace();
         if (!cache && acheve.getFautes().getPremiere() == null) {
-            List<Integer> pixels = choisir(image);
-            if (differe(modele, image, pixels, profondeur)) {
+            int[] pixels = choisir(image);
+            if (differe(scene.avec(scene.getModele()), acheve.getCamera(), image, pixels, profondeur)) {
                 ecart = CHANGE;
                 return false;
             }
-            cache = recherche != null && differe(sansRecherche(modele), image, pixels, profondeur);
+            cache = recherche != null && differe(sansRecherche(scene), acheve.getCamera(), image, pixels, profondeur);
         }
         if (cache) {
-            oter(modele);
+            oter(scene);
         }
         return cache;
     }
 
-    /** Des pixels, l'un au hasard, l'autre parmi les plus isolés : une faute n'en change parfois que quelques-uns. */
-    private List<Integer> choisir(ImageMemoire image) {
-        int nombre = image.largeur * image.hauteur;
-        int combien = Math.min(PIXELS, nombre / UN_SUR) / 2;
-        int[] voisins = {-1, 1, -image.largeur, image.largeur};
-        // l'isolement d'un pixel, puis son rang ; un pixel moins isolé que tous ceux-là n'en fait pas partie
-        PriorityQueue<Long> isoles = new PriorityQueue<>();
-        int moindre = -1;
-        for (int k = 0; k < nombre && combien > 0; k++) {
-            int isolement = 255;
-            for (int n = 0; n < voisins.length && isolement > moindre; n++) {
-                int voisin = k + voisins[n];
-                isolement = voisin < 0 || voisin >= nombre ? isolement : Math.min(isolement, image.ecart(k, voisin));
-            }
-            if (isolement > moindre) {
-                isoles.add((long) isolement << 32 | k);
-                if (isoles.size() > combien) {
-                    isoles.remove();
-                    moindre = (int) (isoles.peek() >> 32);
-                }
-            }
+    /** Dans chaque bande de l'image, un pixel au hasard et le plus isolé : une faute n'en change parfois qu'un seul. */
+    private int[] choisir(ImageMemoire image) {
+        long nombre = (long) image.largeur * image.hauteur;
+        int bandes = (int) Math.min(PIXELS, nombre / UN_SUR) / 2;
+        int[] pixels = new int[2 * bandes];
+        for (int b = 0; b < bandes; b++) {
+            int debut = (int) (b * nombre / bandes);
+            int fin = (int) ((b + 1) * nombre / bandes);
+            pixels[2 * b] = debut + hasard.nextInt(fin - debut);
+            pixels[2 * b + 1] = image.plusIsole(debut, fin);
         }
-        return isoles.stream().flatMap(cle -> Stream.of(hasard.nextInt(nombre), cle.intValue()))
-                .collect(Collectors.toList());
+        return pixels;
     }
 
-    /** Dit si, pour ce modèle, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
-    private boolean differe(Modele modele, ImageMemoire image, List<Integer> pixels, int profondeur) {
-        Lancer lancer = new Lancer(scene.avec(modele), camera);
+    /** Dit si, pour cette scène, un seul fil trouve à l'un de ces pixels une autre couleur que celle de l'image. */
+    private static boolean differe(Scene scene, Camera camera, ImageMemoire image, int[] pixels, int profondeur) {
+        Lancer lancer = new Lancer(scene, camera);
         lancer.getFautes().tolerer();
-        Echantillonnage choisi = modele.getEchantillonnage() == null ? null
-                : modele.getEchantillonnage().pour(scene.getObjets(), camera);
+        Echantillonnage choisi = scene.getModele().getEchantillonnage();
+        Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
         boolean[] differe = new boolean[1];
-        Toile comparaison = (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y);
-        for (int k : pixels) {
-            if (differe[0] || lancer.getScene().getCompteurs().testsSpheres >= EXAMENS) {
-                break;
-            }
-            int i = k % image.largeur;
-            int j = k / image.largeur;
-            lancer.TracerPixels(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), choisi,
-                    comparaison, profondeur);
+        for (int p = 0; p < pixels.length && !differe[0] && scene.getCompteurs().testsSpheres < EXAMENS; p++) {
+            int i = pixels[p] % image.largeur;
+            int j = pixels[p] / image.largeur;
+            lancer.TracerPixels(Pave.autour(i, j, image.largeur, image.hauteur), new Pave(i, j, i + 1, j + 1), prepare,
+                    (couleur, x, y) -> differe[0] |= !image.contient(couleur, x, y), profondeur);
         }
         return differe[0];
     }

@@ -7,13 +7,15 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.StringJoiner;
+import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
-import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 import lancer.Lampe;
 import lancer.SceneFautive;
 import lancer.contrat.Forme;
+import lancer.contrat.Variante;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 import org.ini4j.Config;
@@ -23,8 +25,6 @@ import org.ini4j.spi.IniParser;
 
 /** Lecture d'un fichier INI. ini4j ne fait que le découper en lignes, sans ses substitutions (CVE-2022-41404). */
 public final class LecteurScene {
-
-    private static final Pattern BLANCS = Pattern.compile("[ \t]+");
 
     private final Path chemin;
     /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
@@ -73,11 +73,11 @@ public final class LecteurScene {
         } catch (IOException e) {
             throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
-        sections.variantes.forEach((type, presente) -> {
-            SectionLue donnee = uniques.get(type);
-            lue.variantes.put(presente, donnee != null ? donnee
-                    : new SectionLue(fichier, presente.getSection(), 0, null));
-        });
+        for (Map.Entry<String, Variante> presente : sections.variantes.entrySet()) {
+            SectionLue donnee = uniques.get(presente.getKey());
+            lue.variantes.put(presente.getValue(), donnee != null ? donnee
+                    : new SectionLue(fichier, presente.getValue().getSection(), 0, null));
+        }
         lue.somme = somme.getValue();
         return lue;
     }
@@ -99,7 +99,11 @@ public final class LecteurScene {
             if (nomEcrit.indexOf(']') >= 0) {
                 throw illisible("[" + nomEcrit + "]");
             }
-            commencer(BLANCS.matcher(nomEcrit).replaceAll(" "));
+            StringJoiner nom = new StringJoiner(" ");
+            for (StringTokenizer mots = new StringTokenizer(nomEcrit, " \t"); mots.hasMoreTokens();) {
+                nom.add(mots.nextToken());
+            }
+            commencer(nom.toString());
         }
 
         @Override

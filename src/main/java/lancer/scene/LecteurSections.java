@@ -103,7 +103,9 @@ public final class LecteurSections {
     private static <T> List<T> inscrites(Class<T> contrat) {
         List<T> inscrites = new ArrayList<>();
         try {
-            ServiceLoader.load(contrat, LecteurSections.class.getClassLoader()).forEach(inscrites::add);
+            for (T inscrite : ServiceLoader.load(contrat, LecteurSections.class.getClassLoader())) {
+                inscrites.add(inscrite);
+            }
             return inscrites;
         } catch (ServiceConfigurationError e) {
             throw new SceneFautive("META-INF/services, ligne qui ne convient pas : " + Texte.echappe(e.getMessage()

@@ -1,11 +1,11 @@
 package lancer.scene;
 
 import java.io.IOException;
+import java.nio.DoubleBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -31,14 +31,8 @@ import lancer.texte.Nombre;
 /** Le contenu d'un fichier de scène. */
 public final class SceneLue {
 
-    /** Les sphères par centre et rayon ; + 0.0 : −0.0 et 0.0 désignent la même position. */
-    private static final Comparator<Sphere> PAR_PLACE = Comparator
-            .<Sphere>comparingDouble(s -> s.getCentre().x + 0.0).thenComparingDouble(s -> s.getCentre().y + 0.0)
-            .thenComparingDouble(s -> s.getCentre().z + 0.0).thenComparingDouble(Sphere::getRayon);
-
     /** Une ligne : ce qui précède sa valeur, sa valeur, puis les blancs et la fin de la ligne. */
-    private static final Pattern LIGNE = Pattern.compile(
-            "([^\r\n=:]*[=:][ \t]*)?[^\r\n]*?([ \t]*(?:\r\n|\r|\n|\\z))");
+    private static final String LIGNE = "([^\r\n=:]*[=:][ \t]*)?[^\r\n]*?([ \t]*(?:\r\n|\r|\n|\\z))";
 
     public final List<Objet3D> objets = new ArrayList<>();
     public final List<Lampe> lampes = new ArrayList<>();
@@ -130,13 +124,19 @@ public final class SceneLue {
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
     public static List<Objet3D> sansConfondues(List<? extends Objet3D> objets) {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Sphere> vues = new TreeSet<>(PAR_PLACE);
+        Set<DoubleBuffer> vues = new TreeSet<>();
         for (Objet3D objet : objets) {
-            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
+            if (objet.getClass() != Sphere.class || vues.add(nombres((Sphere) objet))) {
                 gardes.add(objet);
             }
         }
         return gardes;
+    }
+
+    private static DoubleBuffer nombres(Sphere s) {
+        Point c = s.getCentre();
+        // + 0.0 : −0.0 et 0.0 désignent la même position
+        return DoubleBuffer.wrap(new double[] {c.x + 0.0, c.y + 0.0, c.z + 0.0, s.getRayon()});
     }
 
     /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */
@@ -164,7 +164,7 @@ public final class SceneLue {
             }
         }
         // un octet, un caractère : ceux que rien ne change restent les mêmes
-        Matcher ligne = LIGNE.matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        Matcher ligne = Pattern.compile(LIGNE).matcher(new String(relire(), StandardCharsets.ISO_8859_1));
         StringBuffer ecrit = new StringBuffer();
         for (int numero = 1; ligne.find(); numero++) {
             if (places.containsKey(numero)) {
