@@ -3,6 +3,7 @@ package lancer.cours;
 import static lancer.essai.Ressources.boule;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.scene;
+import static lancer.essai.Tirages.direction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,10 +17,12 @@ import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Specularite;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
@@ -207,5 +210,62 @@ class TheorieTest {
             double attendu = (c1 + 0.75 * c2) * (1 - Math.pow(raison, m)) / (1 - raison) + (n % 2 == 0 ? Math.pow(raison, m) * c1 : 0);
             assertEquals(attendu, scene.getCouleurVue(DEVANT, null, n).r, 1e-12, n + " réflexions");
         }
+    }
+
+    /**
+     * Deux vecteurs « de longueur 1 » le sont à u près : le produit d'une direction par elle-même dépasse 1 une fois sur dix, de
+     * 4e-16 au plus. Ce n'est rien, jusqu'à ce qu'on l'élève à la puissance 1e17.
+     */
+    @Test
+    void unCosinusPlusGrandQueUnDevientEnormeALaPuissanceNs() {
+        Random hasard = new Random(26);
+        int plusGrands = 0;
+        double pire = 0;
+        for (int k = 0; k < 10_000; k++) {
+            Vecteur d = direction(hasard);
+            // la même direction, normalisée après un autre calcul
+            Vecteur e = d.mul(1 + hasard.nextDouble()).normalized();
+            double cosinus = d.dot(e);
+            plusGrands += cosinus > 1 ? 1 : 0;
+            pire = Math.max(pire, Math.pow(Math.max(0, cosinus), 1e17));
+            for (double ns : new double[] {1, 1e5, 1e9, 1e15, 1e17}) {
+                assertTrue(Specularite.puissance(cosinus, ns) <= 1, "graine 26, tirage " + k);
+            }
+        }
+        assertTrue(plusGrands > 500, plusGrands + " produits sur dix mille dépassent 1");
+        assertTrue(pire > 1e6, "Math.pow rend jusqu'à " + pire);
+    }
+
+    /** Et par l'éclairement entier, la lampe exactement dans la direction du reflet : jamais plus que Kd + Ks. */
+    @Test
+    void unPoliSansBorneNEclairePasPlusQueKdPlusKs() {
+        Random hasard = new Random(27);
+        Sphere boule = boule(0, 0, 5, 1, 0.5, 0.5, 1e17);
+        int eclaires = 0;
+        for (int k = 0; k < 10_000; k++) {
+            Rayon rayon = new Rayon(new Point(), boule.getCentre().add(direction(hasard).mul(0.9)));
+            PointContact contact = scene(Collections.singletonList(boule)).getClosestIntersection(rayon);
+            Vecteur N = boule.getNormale(contact);
+            Vecteur R = rayon.getV().sub(N.mul(2 * N.dot(rayon.getV())));
+            Scene scene = scene(Collections.singletonList(boule), new Lampe(contact.add(R.mul(3 + hasard.nextDouble())), new Couleur(1)));
+            double vue = boule.getColor(scene, rayon, contact, 0).r;
+            assertTrue(vue <= 1, "graine 27, tirage " + k + " : " + vue);
+            eclaires += vue > 0.5 ? 1 : 0;
+        }
+        assertTrue(eclaires > 100, "sans quoi rien n'est essayé : " + eclaires);
+    }
+
+    /** Limiter chaque couleur à [0, 1] dès qu'elle est calculée : une lampe forte ne se distingue plus dans un miroir sombre. */
+    @Test
+    void limiterAvantDeReflechirPerdLesLampesFortes() {
+        Sphere mur = boule(0, 0, -6, 1, 1, 0, 1);
+        Sphere miroir = boule(0, 0, 5, 1, 0, 0.125, 1e9);
+        // dans l'axe, le miroir renvoie le regard sur le mur, que la lampe éclaire six fois trop
+        Scene scene = scene(Arrays.asList(miroir, mur), new Lampe(new Point(0, 3, -1), new Couleur(6)));
+        double vuDuMur = scene.getCouleurVue(new Rayon(new Point(), new Vecteur(0, 0, -1)), null, 0).r;
+        assertTrue(vuDuMur > 4);
+        double limite = 0.125 * Math.min(1, vuDuMur);
+        assertEquals(0.125, limite, "trente fois trop sombre sur un écran à 255 niveaux");
+        assertEquals(0.125 * vuDuMur, scene.getCouleurVue(DEVANT, null, 1).r, 1e-12);
     }
 }

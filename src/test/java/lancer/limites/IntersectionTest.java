@@ -131,6 +131,10 @@ class IntersectionTest {
                 assertEquals(Math.scalb(6.0, k), distance(f, v, r), "vers l'intérieur : la corde entière");
                 f[axe] = -f[axe];
                 assertEquals(INFINI, distance(f, v, r), "vers l'extérieur");
+                f[axe] = 0;
+                f[b] = Math.scalb(3.0, k);
+                assertEquals(INFINI, distance(f, v, r), "tangent, où c/q est 0/0");
+                assertEquals(r, distance(new double[3], v, r), 4 * U * r, "du centre");
             }
         });
     }

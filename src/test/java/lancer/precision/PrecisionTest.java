@@ -13,8 +13,10 @@ import lancer.Rayon;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.Exact;
+import lancer.essai.Formule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
@@ -120,6 +122,23 @@ class PrecisionTest {
             }
         }
         assertTrue(touches > TIRAGES / 4, touches + " touchées");
+    }
+
+    /** Celles des manuels : une fois sur dix au moins, la distance n'a pas dix chiffres justes, ou le contact est manqué ou inventé. */
+    @ParameterizedTest
+    @CsvSource({"LOIN, MANUEL", "LOIN, RACINES", "SOL, MANUEL", "SOL, RACINES", "SOL, REPRISE", "SOL, PERPENDICULAIRE", "SURFACE, MANUEL",
+        "SURFACE, PERPENDICULAIRE", "SURFACE, EN_DOUBLES"})
+    void uneAutreFormuleSeTrompeLaOuLaNotreEstJuste(Famille famille, Formule formule) {
+        int fausses = 0;
+        for (int k = 0; k < TIRAGES; k++) {
+            Cas cas = tirer(famille);
+            Exact exacte = new Exact(cas.p, cas.p2, cas.c, cas.r);
+            if (!exacte.ambigu) {
+                double distance = formule.distance(cas.p, new Rayon(cas.p, cas.p2).getV(), cas.c, cas.r);
+                fausses += exacte.ecart(distance) > 1e5 ? 1 : 0;
+            }
+        }
+        assertTrue(fausses > TIRAGES / 10, fausses + " fausses");
     }
 
     @ParameterizedTest
