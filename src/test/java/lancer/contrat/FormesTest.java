@@ -1,23 +1,17 @@
 package lancer.contrat;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Random;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Vecteur;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** La forme d'étudiant de docs/etendre.md se voit, s'éclaire, se reflète et porte ombre comme une boule. */
 class FormesTest extends EssaiFormes {
@@ -112,26 +106,6 @@ class FormesTest extends EssaiFormes {
             assertEquals(1, e.statistique("rayons.ombre"), e.toString());
             // les deux par le rayon de l'écran, le sol par celui de la lampe
             assertEquals(3, e.statistique("tests.spheres"), e.toString());
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {0, 1, 9, 80})
-    void lImageRapideEstCelleDesBouclesDuCoursAuBitPres(int boules) throws IOException {
-        Random hasard = new Random(12);
-        List<String> lignes = new ArrayList<>(Arrays.asList("[Panneau sol]", "point=0 -1.2 0", "normale=0.1 1 0", "Kd=0.6 0.5 0.4",
-                "Ks=0.3 0.3 0.3", "ns=20", LAMPE, "[Lampe 2]", "position=-4 6 -3", "couleur=0.8 0.7 0.9"));
-        for (int k = 0; k < boules; k++) {
-            lignes.addAll(Arrays.asList("[Sphere " + k + "]",
-                    "centre=" + (4 * hasard.nextDouble() - 2) + " " + (3 * hasard.nextDouble() - 1.5) + " " + (5 + 4 * hasard.nextDouble()),
-                    "rayon=" + (0.1 + 0.3 * hasard.nextDouble()), "Kd=0.2 0.3 0.4", "Kr=0.5 0.4 0.5"));
-        }
-        lignes.addAll(Arrays.asList("[Panneau fond]", "point=0 0 9", "normale=0 0.2 -1", "Kd=0.1 0.2 0.3", "Ks=0.5 0.5 0.5"));
-        Path fichier = Essai.scene(scene, lignes.toArray(new String[0]));
-        List<Path> classes = Collections.singletonList(classesDuPanneau);
-        float[] lisible = Essai.dessinerAvec(classes, dossier, fichier, "--taille=61x47", "--simple");
-        for (String fils : new String[] {"--fils=1", "--fils=3"}) {
-            assertArrayEquals(lisible, Essai.dessinerAvec(classes, dossier, fichier, "--taille=61x47", fils));
         }
     }
 

@@ -1,7 +1,5 @@
 package lancer.promesses;
 
-import static lancer.essai.Ressources.image;
-import static lancer.essai.Ressources.imageRapide;
 import static lancer.essai.Ressources.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -22,7 +20,6 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.essai.Ombre;
-import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
@@ -76,21 +73,6 @@ class ProprietesScenesTest {
                     rayon = new Rayon(contact, R);
                     quittes++;
                 }
-            }
-        }
-    }
-
-    @Test
-    void touteComposanteEstFiniePositiveEtLaMemeParLesDeuxChemins() {
-        for (int n = 0; n < 50; n++) {
-            Scene scene = new Tirages(4300 + n).scene(1 + 2 * n);
-            Ressources.Image rapide = imageRapide(scene, CAMERA, 8);
-            scene.getModele().setRecherche(null);
-            Ressources.Image lisible = image(scene, CAMERA.getLargeur(), CAMERA.getHauteur(), 8, 2);
-            for (int k = 0; k < rapide.composantes.length; k++) {
-                float c = rapide.composantes[k];
-                assertTrue(c >= 0 && c <= Float.MAX_VALUE, "graine " + (4300 + n) + ", composante " + k + " : " + c);
-                assertEquals(lisible.composantes[k], c, 0f, "graine " + (4300 + n) + ", composante " + k);
             }
         }
     }
