@@ -137,5 +137,8 @@ class CommandeTest extends EssaiCommande {
                 + "java -jar brume/target/brume.jar" + System.lineSeparator(), e.erreur);
         assertEquals(0, e.code);
         verifierFichiers("image.png", "image.pfm");
+        Essai pixel = Essai.executer("--pixel=1,1", scene);
+        assertEquals(e.erreur, pixel.erreur);
+        assertTrue(pixel.sortie.startsWith("pixel 1, 1"), pixel.toString());
     }
 }
