@@ -116,12 +116,12 @@ class ComptesTest {
 
     @Test
     void niLampesNiMiroirsNiSousPixelsNiProfondeurNeCoutentPlusQueLaBorne() {
-        essayer("25 sphères, 20 000 lampes", ScenesDEssai.foule(25, 25, 0).lampes(20_000).scene(), 6, 4, 5, 1, true);
-        essayer("24 sphères, 20 000 lampes", ScenesDEssai.foule(24, 24, 0).lampes(20_000).scene(), 6, 4, 5, 1, true);
-        essayer("trois reflets plus loin", ScenesDEssai.entreDeuxMiroirs(20_000), 200, 4, 5, 1, false);
-        essayer("dix reflets plus loin", ScenesDEssai.entreDeuxMiroirs(5000), 60, 2, 10, 1, false);
-        essayer("mille reflets permis", ScenesDEssai.entreDeuxMiroirs(20_000), 16, 1, 1000, 1, false);
-        essayer("trois pixels de haut, mille points chacun", ScenesDEssai.foule(26, 20_000, 0).scene(), 3, 3, 5, 32, false);
+        essayer("25 sphères, 5 000 lampes", ScenesDEssai.foule(25, 25, 0).lampes(5000).scene(), 6, 4, 5, 1, true);
+        essayer("24 sphères, 5 000 lampes", ScenesDEssai.foule(24, 24, 0).lampes(5000).scene(), 6, 4, 5, 1, true);
+        essayer("trois reflets plus loin", ScenesDEssai.entreDeuxMiroirs(5000), 100, 2, 5, 1, false);
+        essayer("dix reflets plus loin", ScenesDEssai.entreDeuxMiroirs(3000), 60, 2, 10, 1, false);
+        essayer("mille reflets permis", ScenesDEssai.entreDeuxMiroirs(3000), 16, 1, 1000, 1, false);
+        essayer("trois pixels de haut, mille points chacun", ScenesDEssai.foule(26, 5000, 0).scene(), 3, 3, 5, 32, false);
         essayer("douze pixels, seize points chacun", ScenesDEssai.foule(26, 2000, 0).scene(), 12, 12, 5, 4, true);
         essayer("lampes dans la première", ScenesDEssai.lampesDansUneSphere(3000, 0, 100), 20, 15, 2, 1, true);
         essayer("lampes dans la vingtième", ScenesDEssai.lampesDansUneSphere(3000, 19, 100), 20, 15, 2, 1, true);
