@@ -9,7 +9,6 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Image;
 import java.awt.Toolkit;
@@ -58,34 +57,19 @@ class FenetreEnregistrementTest extends EssaiFenetre {
     }
 
     @Test
-    void unEnregistrementReussiEffaceLEchecDAvant() throws Exception {
-        ouvrir();
-        enregistrerSous(dossier.resolve("absent").resolve("image.png"));
-        banc.attendreMessage(dossier.resolve("absent").resolve("image.png") + " : écriture impossible");
-        enregistrerSous(dossier.resolve("image.png"));
-        banc.attendreMessage("enregistrée : image.png");
-    }
-
-    @Test
-    void unDessinQuiSAcheveNEffacePasUnEnregistrementQuiAEchoue() throws Exception {
+    void seulLEnregistrementSuivantEffaceCeQueDitLePrecedent() throws Exception {
         ouvrir();
         Path perdue = dossier.resolve("absent").resolve("image.png");
+        String echec = perdue + " : écriture impossible, le dossier n'existe pas";
         enregistrerSous(perdue);
-        banc.attendreMessage(perdue + " : écriture impossible");
+        banc.attendreMessage(echec);
         ecrire(BLEUE);
         banc.attendreCodes("l'image suit sa scène", attendue(L, H));
-        assertTrue(banc.message().startsWith(perdue.toString()), banc.message());
-    }
-
-    @Test
-    void unEchecRemplaceLAvisDAvant() throws Exception {
-        ouvrir();
-        enregistrerSous(dossier.resolve("avant.png"));
-        banc.attendreMessage("enregistrée : avant.png");
-        Path perdue = dossier.resolve("absent").resolve("image.png");
+        assertEquals(echec, banc.message(), "un dessin ne l'efface pas");
+        enregistrerSous(dossier.resolve("image.png"));
+        banc.attendreMessage("enregistrée : image.png");
         enregistrerSous(perdue);
-        attendre("l'échec se lit seul", () -> banc.panneau.bandeau.getText().equals(
-                perdue + " : écriture impossible, le dossier n'existe pas"));
+        attendre("l'échec se lit seul", () -> banc.panneau.bandeau.getText().equals(echec));
     }
 
     @Test

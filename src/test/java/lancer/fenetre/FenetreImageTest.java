@@ -10,14 +10,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.nio.file.Files;
 import java.util.Arrays;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JTree;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -65,7 +61,7 @@ class FenetreImageTest extends EssaiFenetre {
     @Test
     void laLoupeMontreUneTresGrandeImageAuPlusPresEtDAbordUnPixelPourUn() throws Exception {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
-        banc = new BancFenetre("--taille=4200x3150", scene.toString());
+        banc = new BancFenetre("--taille=2600x1950", scene.toString());
         ImageMemoire image = banc.imageAchevee();
         banc.robot.mouseMove(0, 0);
         for (int grossi = 1; grossi <= 16; grossi *= 2) {
@@ -98,33 +94,6 @@ class FenetreImageTest extends EssaiFenetre {
         attendre("le récit dit le pixel", () -> EssaiInspecteur.lu(recit).startsWith("pixel "));
         boolean reduite = image.codes.length > 1;
         attendre("et le résumé si elle est réduite", () -> banc.resume.getText().contains("montrés à ") == reduite);
-    }
-
-    @Test
-    void unEcranDenseMontreUnPixelDImageParPixel() throws Exception {
-        BancFenetre.exigerEcran();
-        int[] attendue = attendue(L, H);
-        Robot robot = new Robot();
-        Process programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
-                scene.toString()).start();
-        try {
-            attendre("l'image est à l'écran, à la taille demandée", () -> Ecran.trouver(attendue, L) != null);
-            Point ou = Ecran.trouver(attendue, L);
-            robot.mouseMove(ou.x + L / 2, ou.y + H / 2);
-            attendre("Ctrl+Q termine le programme", () -> {
-                robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-                robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-                robot.keyPress(KeyEvent.VK_CONTROL);
-                robot.keyPress(KeyEvent.VK_Q);
-                robot.keyRelease(KeyEvent.VK_Q);
-                robot.keyRelease(KeyEvent.VK_CONTROL);
-                return programme.waitFor(500, TimeUnit.MILLISECONDS);
-            });
-            assertEquals(0, programme.exitValue());
-            assertEquals(0, Files.size(dossier.resolve("dit.txt")));
-        } finally {
-            programme.destroyForcibly();
-        }
     }
 
     @Test

@@ -195,19 +195,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreVerdict("Au bit près");
     }
 
-    @Test
-    void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est là", () -> banc.main.brouillonFait());
-        attendre("et se voit", () -> banc.panneau.montree != null);
-        cliquer(150, 100);
-        attendreTitre(150, 100);
-        attendreVerdict("L'image n'est pas achevée");
-        JTree recit = composant("recit", JTree.class);
-        attendre("la chaîne", () -> lu(recit).contains("\nsomme "));
-        assertTrue(banc.controleur.enCours);
-    }
-
     private final AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));
 
     @AfterEach

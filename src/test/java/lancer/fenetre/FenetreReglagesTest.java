@@ -86,27 +86,15 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
-    }
-
-    @Test
-    void unNombreDeReflexionsImpossibleSeDitLaOuIlEstTape() throws Exception {
-        ouvrir();
-        banc.frapper(KeyEvent.VK_F2);
-        JTextField champ = composant("réflexions", JTextField.class);
-        banc.cliquer(champ, 5, 5);
-        attendre("le clavier y est", champ::isFocusOwner);
-        for (String faux : new String[] {"2000", "abc", "1.5"}) {
-            faire(() -> champ.setText(faux));
-            banc.frapper(KeyEvent.VK_ENTER);
-            banc.attendreMessage("réflexions : valeur impossible, « " + faux + " » ; attendu : un entier de 0 à 1000");
-            assertEquals(faux, surFilEvenements(champ::getText), "il reste à corriger");
-            fermerLeMessage();
-            faire(champ::requestFocusInWindow);
-        }
-        faire(() -> champ.setText("2"));
+        faire(() -> {
+            reflexions.setText("2000");
+            reflexions.requestFocusInWindow();
+        });
+        attendre("le clavier est aux réflexions", reflexions::isFocusOwner);
         banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreImage("un nombre possible", attendue("--reflets=2"));
+        banc.attendreMessage("réflexions : valeur impossible, « 2000 » ; attendu : un entier de 0 à 1000");
+        assertEquals("2000", surFilEvenements(reflexions::getText), "il reste à corriger");
+        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
     }
 
     @Test

@@ -163,19 +163,6 @@ class ComparaisonTest extends EssaiCommande {
     }
 
     @Test
-    void lesFiltresDUnDegradeSeDefont() throws IOException {
-        BufferedImage degrade = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
-        for (int k = 0; k < 64 * 64; k++) {
-            degrade.setRGB(k % 64, k / 64, (k % 64 * 4) << 16 | (k / 64 * 4) << 8 | (k * 7 & 255));
-        }
-        ImageIO.write(degrade, "png", png.toFile());
-        Path differences = dossier.resolve("d.png");
-        verifierPareilles(comparer(png, png, "--image", differences.toString()));
-        BufferedImage noire = ImageIO.read(differences.toFile());
-        assertEquals(0xFF000000, noire.getRGB(63, 63));
-    }
-
-    @Test
     void lImageDesDifferencesEstClaireLaOuEllesSont() throws IOException {
         ecrire("a.png", 0, 0, 0);
         ecrire("b.png", 8, 0, 4);
