@@ -101,19 +101,6 @@ class ComptesTest {
         assertEquals(Collections.emptyList(), fautes);
     }
 
-    /** Hors d'une foule, chercher ne gagne rien : l'œil est dans toutes les coquilles, et la boîte de chacune aussi. */
-    @Test
-    void dansDesCoquillesEmboiteesUnRayonExamineAutantDeSpheresQueLesBoucles() {
-        List<Sphere> coquilles = new ArrayList<>();
-        for (int k = 0; k < 3000; k++) {
-            coquilles.add(new Sphere(Camera.OEIL, 5 + k / 100.0));
-        }
-        Scene scene = new Scene(coquilles, Collections.<Lampe>emptyList());
-        Compteurs rapide = compter(scene, 0);
-        double parRayon = cout(rapide) / (double) rapide.rayons();
-        assertTrue(parRayon > 0.9 * coquilles.size() && parRayon < 1.5 * coquilles.size(), parRayon + " examens par rayon");
-    }
-
     @Test
     void niLampesNiMiroirsNiSousPixelsNiProfondeurNeCoutentPlusQueLaBorne() {
         essayer("25 sphères, 5 000 lampes", ScenesDEssai.foule(25, 25, 0).lampes(5000).scene(), 6, 4, 5, 1, true);

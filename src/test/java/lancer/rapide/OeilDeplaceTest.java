@@ -3,19 +3,14 @@ package lancer.rapide;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Random;
 import lancer.Camera;
 import lancer.CameraPlacee;
 import lancer.Constantes;
-import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
-import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
 import lancer.essai.Ressources;
@@ -37,18 +32,9 @@ class OeilDeplaceTest {
     }
 
     private static Scene tourner(Scene scene, double degres) {
-        List<Sphere> boules = new ArrayList<>();
-        for (Objet3D objet : scene.getObjets()) {
-            Sphere boule = new Sphere(tourner(((Sphere) objet).getCentre(), degres), ((Sphere) objet).getRayon());
-            boule.setKd(objet.getKd());
-            boule.setKs(objet.getKs());
-            boule.setNs(objet.getNs());
-            boules.add(boule);
-        }
-        List<Lampe> lampes = new ArrayList<>();
-        scene.getLampes().forEach(lampe -> lampes.add(new Lampe(tourner(lampe.getPosition(), degres), lampe.getCouleur())));
+        Scene tournee = Ressources.deplacee(scene, p -> tourner(p, degres), 1);
         Point oeil = tourner(Camera.OEIL, degres);
-        return new Scene(boules, lampes, (largeur, hauteur) -> new CameraPlacee(largeur, hauteur, oeil,
+        return new Scene(tournee.getObjets(), tournee.getLampes(), (largeur, hauteur) -> new CameraPlacee(largeur, hauteur, oeil,
                 new Vecteur(oeil, tourner(new Point(), degres)), Constantes.CHAMP));
     }
 
