@@ -148,18 +148,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     }
 
     @Test
-    void ilSuitLeMemePixelQuandLaSceneChange() throws Exception {
-        int[] rouge = ouvrir().codes.clone();
-        cliquer(150, 110);
-        attendreRecit(couleur(rouge[110 * L + 150]));
-        ecrire(BLEUE);
-        int[] bleue = attendue(L, H);
-        banc.attendreCodes("la nouvelle image", bleue);
-        attendreRecit(couleur(bleue[110 * L + 150]));
-        attendreVerdict("Au bit près");
-    }
-
-    @Test
     void ilRaconteLImageQuiSeVoitDesSonBrouillonQueLaSceneOuUnReglageAitChange() throws Exception {
         banc = new BancFenetre(lente());
         banc.imageAchevee();
@@ -175,6 +163,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.enCours));
+        banc.main.lent = false;
+        int[] bleue = attendue("--reflets=2");
+        banc.attendreCodes("la nouvelle image", bleue);
+        attendreRecit(couleur(bleue[110 * L + 150]));
+        attendreVerdict("Au bit près");
     }
 
     @Test

@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import lancer.Camera;
@@ -41,29 +40,6 @@ class OmbresTest {
         Lampe dehors = new Lampe(new Point(0.5, 9, 6), new Couleur(1));
         assertTrue(Ombre.cachee(scene, dehors, depart, a), "b entoure le contact");
         assertFalse(Ombre.cachee(scene, dehors, new Point(0.5, 1, 6), b), "le haut de b est libre");
-    }
-
-    /** La part de l'aire d'une sphère qu'éclaire une lampe à la distance D : une calotte, (1 − r/D)/2. */
-    @Test
-    void laPartEclaireeDUneSphereEstCelleDUneCalotte() {
-        int points = 20_000;
-        for (double D : new double[] {1.01, 1.5, 3, 10, 1e3, 1e6}) {
-            Sphere boule = boule(0.3, -0.2, 7, 1, 1, 0, 1);
-            Point centre = boule.getCentre();
-            Scene scene = scene(Collections.singletonList(boule), new Lampe(centre.add(new Vecteur(2, 1, -2).normalized().mul(D)),
-                    new Couleur(1)));
-            int eclaires = 0;
-            for (int k = 0; k < points; k++) {
-                // la spirale de Fibonacci : des points également répartis, sans hasard
-                double y = 1 - (2 * k + 1.0) / points;
-                double rho = Math.sqrt(1 - y * y);
-                double angle = k * Math.PI * (3 - Math.sqrt(5));
-                Vecteur n = new Vecteur(rho * Math.cos(angle), y, rho * Math.sin(angle));
-                Rayon vers = new Rayon(centre.add(n.mul(2)), n.neg());
-                eclaires += scene.getCouleurVue(vers, null, 0).r > 0 ? 1 : 0;
-            }
-            assertEquals((1 - 1 / D) / 2, (double) eclaires / points, 5e-4, "D = " + D);
-        }
     }
 
     /**
