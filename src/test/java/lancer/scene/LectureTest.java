@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -223,6 +224,20 @@ class LectureTest {
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
         assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);
         assertFalse(message.contains("\u001b"), message);
+    }
+
+    @Test
+    void uneLigneSeDonneParMorceauxDeToutesLesTailles() throws IOException {
+        byte[] fichier = "\uFEFF0123456789\nab\r\n\r; é\nc".getBytes(StandardCharsets.UTF_8);
+        for (int taille = 1; taille < 12; taille++) {
+            Lignes lignes = new Lignes(new ByteArrayInputStream(fichier), 0, part -> { });
+            StringBuilder lu = new StringBuilder();
+            char[] tampon = new char[taille];
+            for (int n = lignes.read(tampon, 0, taille); n >= 0; n = lignes.read(tampon, 0, taille)) {
+                lu.append(tampon, 0, n);
+            }
+            assertEquals("0123456789\nab\n\n\nc\n", lu.toString(), "par " + taille);
+        }
     }
 
     // la caméra d'une section
