@@ -48,18 +48,6 @@ class FenetreFichiersTest extends EssaiFenetre {
     }
 
     @Test
-    void uneFauteSeLitDansLaFenetreEtLaisseLImage() throws Exception {
-        ouvrir();
-        int[] avant = attendue(L, H);
-        ecrire(FAUTIVE);
-        banc.attendreMessage(assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage());
-        assertArrayEquals(avant, banc.imageAchevee().codes);
-        ecrire(BLEUE);
-        banc.attendreMessage("");
-        banc.attendreImage("la faute corrigée, l'image suit", attendue(L, H));
-    }
-
-    @Test
     void uneFauteCorrigeeNeSeLitPlusMemeSiLImageSeFaitAttendre() throws Exception {
         banc = new BancFenetre(new MainLent(args()) {
             @Override
@@ -145,14 +133,6 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.robot.keyRelease(KeyEvent.VK_CONTROL);
         choisir(scene);
         banc.attendreImage("rien ne la recouvre", attendue(L, H));
-    }
-
-    @Test
-    void sansSceneLaFenetreSOuvreSurLeChoixDUnFichier() throws Exception {
-        banc = new BancFenetre(TAILLE);
-        assertEquals("lancer", banc.cadre.getTitle());
-        choisir(scene);
-        banc.attendreCodes("la scène choisie", attendue(L, H));
     }
 
     @Test

@@ -61,7 +61,7 @@ class FenetreImageTest extends EssaiFenetre {
     @Test
     void laLoupeMontreUneTresGrandeImageAuPlusPresEtDAbordUnPixelPourUn() throws Exception {
         ecrire("[Lampe 1]\nposition=0 5 0\ncouleur=1 1 1\n");
-        banc = new BancFenetre("--taille=2600x1950", scene.toString());
+        banc = new BancFenetre("--taille=1500x1125", scene.toString());
         ImageMemoire image = banc.imageAchevee();
         banc.robot.mouseMove(0, 0);
         for (int grossi = 1; grossi <= 16; grossi *= 2) {

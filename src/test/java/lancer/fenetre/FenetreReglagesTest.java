@@ -46,21 +46,6 @@ class FenetreReglagesTest extends EssaiFenetre {
     }
 
     @Test
-    void lesEtapesDuCoursSeSuiventAuClavier() throws Exception {
-        ouvrir();
-        int[] touches = {KeyEvent.VK_F6, KeyEvent.VK_F7, KeyEvent.VK_F8, KeyEvent.VK_F9};
-        String[] noms = {"lambert", "phong", "ombres", "reflets"};
-        for (int k = 0; k < noms.length; k++) {
-            int rang = k;
-            banc.frapper(touches[k]);
-            banc.attendreImage(noms[k], attendue("--etape=" + noms[k]));
-            attendre("et la ligne de l'image", () -> banc.resume.getText().contains("étape " + noms[rang]) == (rang < 3));
-        }
-        banc.frapper(KeyEvent.VK_F6);
-        attendre("la commande la dit", () -> banc.controleur.demande.getCommande("").contains(" --etape lambert"));
-    }
-
-    @Test
     void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);
@@ -86,14 +71,6 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        faire(() -> {
-            reflexions.setText("2000");
-            reflexions.requestFocusInWindow();
-        });
-        attendre("le clavier est aux réflexions", reflexions::isFocusOwner);
-        banc.frapper(KeyEvent.VK_ENTER);
-        banc.attendreMessage("réflexions : valeur impossible, « 2000 » ; attendu : un entier de 0 à 1000");
-        assertEquals("2000", surFilEvenements(reflexions::getText), "il reste à corriger");
         assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
     }
 
