@@ -88,7 +88,10 @@ public enum Formule {
         }
     },
 
-    /** Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34) : d'un sol, il n'y a rien à avancer. */
+    /**
+     * Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34) ; d'un sol, il n'y a rien à
+     * avancer.
+     */
     REPRISE {
         @Override
         public double distance(Point P, Vecteur V, Point C, double r) {

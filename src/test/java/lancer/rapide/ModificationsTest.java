@@ -189,7 +189,7 @@ class ModificationsTest {
         int changeantes = 0;
         List<String> pasVues = new ArrayList<>();
         try (Essai.Isole verre = Modification.de(dossier, VERRE)) {
-            for (String nom : LONGS ? new String[] {"scene1", "bowling", "ombres", "miroirs", "diffus"} : new String[] {"scene1", "bowling"}) {
+            for (String nom : (LONGS ? "scene1 bowling ombres miroirs diffus" : "scene1 bowling").split(" ")) {
                 String texte = Essai.texte("scenes/" + nom + ".ini");
                 float[] opaque = dessiner(verre, dossier, "scenes/" + nom + ".ini", "--simple");
                 Matcher boule = Pattern.compile("(?m)^\\[Sphere.*\n").matcher(texte);

@@ -75,7 +75,8 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         });
         attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.015625, [Antialias] n=2 "));
         ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
-        assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, 100, 75, "--reflets=1000", "--seuil=0.015625"), banc.imageAchevee().codes);
+        assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, 100, 75, "--reflets=1000", "--seuil=0.015625"),
+                banc.imageAchevee().codes);
     }
 
     /** L'endroit du graphique où la souris dit ce réglage, ou {@code null}. */
