@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -183,9 +185,25 @@ class ExigencesTripletsTest {
             assertEquals(0xFFFF8000, new Couleur(1, 0.5, 0).getCode());
         }
 
+        /** Autour de chaque moitié : {@code floor(x + 1/2)} arrondit deux fois, et peut atteindre l'entier du dessus. */
+        @Test
+        void aPourNiveauLArrondiExactDuProduitPar255() {
+            for (int niveau = 0; niveau < 255; niveau++) {
+                double x = (niveau + 0.5) / 255;
+                for (int k = 0; k < 20; k++) {
+                    x = Math.nextDown(x);
+                }
+                for (int k = 0; k < 40; k++, x = Math.nextUp(x)) {
+                    int attendu = new BigDecimal(x * 255).setScale(0, RoundingMode.HALF_UP).intValueExact();
+                    assertEquals(attendu, new Couleur(0, 0, x).getCode() & 0xFF, "composante " + x);
+                }
+            }
+        }
+
         @Test
         void seLimiteSeulementDansSonCode() {
             assertEquals(0xFFFF0000, new Couleur(7, -3, 0).getCode());
+            assertEquals(0xFF66FF00, new Couleur(0.4, 1.5, 0).getCode(), "le vert ne déborde pas dans le rouge");
             assertCouleur(14, -6, 0, new Couleur(7, -3, 0).mul(2));
         }
 

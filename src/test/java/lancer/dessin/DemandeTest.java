@@ -6,10 +6,20 @@ import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import lancer.Constantes;
+import lancer.Scene;
 import lancer.commande.Echec;
 import lancer.commande.Options;
 import lancer.contrat.Compteurs;
+import lancer.essai.Essai;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Une demande est une valeur : elle ne change pas, et deux demandes égales donnent la même image. */
 class DemandeTest {
@@ -62,5 +72,20 @@ class DemandeTest {
         Compteurs comptes = mat.lancer.getCompteurs();
         assertEquals(0, comptes.reflechis);
         assertEquals(40 * 30, comptes.primaires);
+    }
+
+    /** Qui mesure un dessin préparé à la main mesure celui du programme. */
+    @ParameterizedTest(name = "simple : {0}")
+    @ValueSource(booleans = {false, true})
+    void unDessinPrepareALaMainEstCeluiDeLaLigneDeCommande(boolean simple, @TempDir Path dossier) throws IOException {
+        float[] programme = Essai.dessiner(dossier, Paths.get(SCENE), "--taille=64x48", simple ? "--simple" : "--fils=2");
+        ImageMemoire image = new ImageMemoire(64, 48, true);
+        Scene scene = new Scene(SCENE);
+        Dessin.lancer(scene, 64, 48, simple).TracerPixels(image, Constantes.MAX_REFLETS, 2);
+        assertTrue(!simple || scene.getModele().getRecherche() == null, "ce sont les boucles du cours");
+        for (int k = 0; k < programme.length; k++) {
+            // un fichier PFM commence par la ligne du bas
+            assertEquals(programme[(47 - k / 192) * 192 + k % 192], image.lineaire[k], "pixel " + k / 3);
+        }
     }
 }

@@ -4,8 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Collections;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -16,9 +22,12 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.essai.Essai;
+import lancer.essai.Modification;
 import lancer.essai.Plan;
 import lancer.texte.Pile;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Un pixel qui échoue est situé dans la classe de la scène, ou de la variante, qui n'a pas tenu. */
 class DiagnosticTest {
@@ -95,5 +104,22 @@ class DiagnosticTest {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
         String dit = Pile.cause(panne, Demande.classes(scene(new Mur())));
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
+    }
+
+    @Test
+    void leMessageNommeLePixelLaSceneLaCauseLaLigneEtLaCommande(@TempDir Path dossier) throws IOException {
+        Path scene = Files.copy(Paths.get("scenes/scene1.ini"), dossier.resolve("ma scène.ini"));
+        try (Essai.Isole programme = Modification.de(dossier, "Lancer", "Rayon initial =",
+                "if (xe > 20) { throw new IllegalStateException(\"pas encore écrit\"); } Rayon initial =")) {
+            Essai essai = programme.executer("--taille=40x30", "--reflets=2", "--fils=1", "--image", dossier.resolve("i.png").toString(),
+                    scene.toString());
+            assertEquals(1, essai.code, essai.toString());
+            Matcher pixel = Pattern.compile("lancer : pixel (\\d+), (\\d+) de .*ma scène.ini : java.lang.IllegalStateException: "
+                    + "pas encore écrit \\(lancer.Lancer.getCouleurPixel, Lancer.java:\\d+\\) ; pour le revoir : .* --pixel (\\d+,\\d+) "
+                    + "--taille 40x30 --reflets 2 '.*/ma scène.ini'").matcher(essai.erreur.trim());
+            assertTrue(pixel.matches(), essai.erreur);
+            assertTrue(Integer.parseInt(pixel.group(1)) >= 20, essai.erreur);
+            assertEquals(pixel.group(1) + "," + pixel.group(2), pixel.group(3));
+        }
     }
 }

@@ -25,8 +25,7 @@ import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 
 /**
- * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser. Les mêmes défauts sont dans les classes
- * {@code Limites…Test}, où chacun est expliqué.
+ * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser.
  */
 public final class Defauts {
 

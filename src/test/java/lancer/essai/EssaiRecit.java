@@ -10,14 +10,18 @@ import static lancer.essai.Triplets.t;
 import static lancer.essai.Triplets.unite;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -30,10 +34,10 @@ import lancer.Vecteur;
 import lancer.texte.Nombre;
 
 /**
- * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé, chaque somme
- * au bit près.
+ * Ce que dit {@code --pixel}, refait à part sur des triplets de nombres : chaque terme par les équations de l'énoncé ; {@link Sommes}
+ * referme chaque somme au bit près.
  */
-public final class EssaiRecit extends LectureRecit {
+public final class EssaiRecit {
 
     private static final double[] BLANC = {1, 1, 1};
 
@@ -49,8 +53,9 @@ public final class EssaiRecit extends LectureRecit {
 
     /** Ce qui multiplie ns dans le reflet de Blinn ; 0 pour Phong. */
     private final double blinn;
-    private final Map<String, Object> parNom = new HashMap<>();
 
+    /** Le récit : ce qui précède la chaîne, puis chaque étape, de la dernière à la première. */
+    private String[] etapes;
     private double[] P;
     private double[] V;
     private double[] produit;
@@ -72,72 +77,73 @@ public final class EssaiRecit extends LectureRecit {
         this.k = k;
         this.air = air;
         this.blinn = blinn;
-        scene.getObjets().forEach(o -> parNom.put(origines.apply(o), o));
-        scene.getLampes().forEach(l -> parNom.put(origines.apply(l), l));
     }
 
     public void verifier(int x, int y, String sortie) {
-        ouvrir(sortie);
-        assertEquals("pixel " + x + ", " + y, lignes.get(suivante++));
-        double xe = x + 0.5;
-        double ye = y + 0.5;
-        double[] moyenne = null;
-        if (actuelle().matches("\\d+ échantillons?.*")) {
-            moyenne = moyenne();
-            double[] point = nombres(lignes.get(suivante++).replace(",", ""));
-            xe = point[0];
-            ye = point[1];
+        etapes = sortie.split("(?m)^(?=\\d+  )");
+        String[] debut = etapes[0].split("\\R");
+        assertEquals("pixel " + x + ", " + y, debut[0]);
+        List<double[]> autres = Sommes.de(sortie);
+        autres.forEach(autre -> assertNull(autre, sortie));
+        contacts += autres.size();
+        double[] point = {x + 0.5, y + 0.5};
+        double[] pixel = vue(1);
+        if (debut.length > 1) {
+            pixel = moyenne(debut);
+            point = nombres(debut[debut.length - 1]);
         }
-        Rayon rayon = new Camera(largeur, hauteur).getRayon(xe, ye);
+        Rayon rayon = new Camera(largeur, hauteur).getRayon(point[0], point[1]);
         P = t(rayon.getP());
         V = t(rayon.getV());
         produit = BLANC;
-        double[] vue = etape(1, null);
-        assertEquals(lignes.size() - 1, suivante, "une ligne de trop : " + actuelle());
-        assertTrue(actuelle().matches("somme \\S+ \\S+ \\S+ = #[0-9A-F]{6}"), actuelle());
-        double[] somme = nombres(actuelle().replaceAll("=.*", ""));
-        assertArrayEquals(moyenne == null ? vue : moyenne, somme, actuelle());
-        assertTrue(actuelle().endsWith(String.format("#%06X", new Couleur(somme[0], somme[1], somme[2]).getCode() & 0xFFFFFF)), actuelle());
+        Objet3D depart = null;
+        for (int numero = 1; numero < etapes.length; numero++) {
+            depart = etape(numero, etapes[etapes.length - numero], depart);
+        }
+        String fin = sortie.substring(sortie.lastIndexOf("somme "));
+        assertArrayEquals(pixel, Arrays.copyOf(nombres(fin), 3), fin);
+        assertTrue(fin.trim().endsWith(String.format("#%06X", new Couleur(pixel[0], pixel[1], pixel[2]).getCode() & 0xFFFFFF)), fin);
     }
 
-    private double[] moyenne() {
-        int n = Arrays.stream(lignes.get(suivante++).replaceAll("[^0-9 ]", "").trim().split(" +")).mapToInt(Integer::parseInt).sum();
+    /** La moyenne des échantillons ou, s'ils sont pesés, de leurs termes. */
+    private double[] moyenne(String[] lignes) {
         Map<String, double[]> echantillons = new LinkedHashMap<>();
-        for (int e = 0; e < n; e++) {
-            String[] mots = lignes.get(suivante++).split("( \\(partagé\\))? : ");
-            echantillons.put(mots[0].trim(), nombres(mots[1]));
-        }
-        double[] somme = new double[3];
-        double aire = n;
-        if (actuelle().matches("\\d+ termes")) {
-            int termes = Integer.parseInt(lignes.get(suivante++).replaceAll("\\D.*", ""));
-            double poids = 0;
-            for (int t = 0; t < termes; t++) {
-                String[] mots = lignes.get(suivante++).trim().split(" × | = ");
-                double sien = nombres(mots[0])[0];
-                double[] terme = nombres(mots[2]);
-                assertArrayEquals(fois(gris(sien), echantillons.get(mots[1])), terme, mots[1]);
-                ajouter(somme, terme);
-                poids += sien;
+        double[] termes = new double[3];
+        double poids = 0;
+        for (String ligne : lignes) {
+            String[] mots = ligne.trim().split(" \\(partagé\\) : | : | × | = ");
+            if (ligne.matches("  \\S+ \\S+( \\(partagé\\))? : .*")) {
+                echantillons.put(mots[0], nombres(mots[1]));
+            } else if (ligne.startsWith("  ")) {
+                poids += nombres(mots[0])[0];
+                assertArrayEquals(fois(gris(nombres(mots[0])[0]), echantillons.get(mots[1])), nombres(mots[2]), ligne);
+                ajouter(termes, nombres(mots[2]));
             }
-            pesees++;
-            aire = Math.rint(poids);
-            assertEquals(aire, poids, 1e-9);
-        } else {
-            echantillons.values().forEach(vue -> ajouter(somme, vue));
         }
-        String[] fin = lignes.get(suivante++).split("leur somme = |, divisée par | pour le pixel");
-        assertArrayEquals(somme, nombres(fin[1]), "la somme des termes");
-        assertArrayEquals(new double[] {aire}, nombres(fin[2]));
-        for (int c = 0; c < 3; c++) {
-            somme[c] /= aire;
+        pesees += poids > 0 ? 1 : 0;
+        if (poids == 0) {
+            echantillons.values().forEach(vue -> ajouter(termes, vue));
+            poids = echantillons.size();
         }
-        return somme;
+        double aire = Math.rint(poids);
+        assertEquals(aire, poids, 1e-9);
+        double[] dits = nombres(lignes[lignes.length - 2]);
+        assertArrayEquals(new double[] {termes[0], termes[1], termes[2], aire}, dits, lignes[lignes.length - 2]);
+        return Arrays.stream(termes).map(c -> c / aire).toArray();
     }
 
-    /** @return ce que voit le rayon (P, V) */
-    private double[] etape(int numero, Objet3D sauf) {
-        String titre = lignes.get(suivante++);
+    /** Ce que le récit dit que voit le rayon de cette étape. */
+    private double[] vue(int numero) {
+        String texte = etapes[etapes.length - numero];
+        return k == null ? somme(texte) : lire(texte, "vue " + numero + " = ");
+    }
+
+    private static double[] somme(String texte) {
+        return nombres(texte.split("\\R")[0].replaceFirst("^.*?  .*?  ", "").split(" = | : ")[0]);
+    }
+
+    /** @return l'objet que ce rayon rencontre */
+    private Sphere etape(int numero, String texte, Objet3D sauf) {
         Sphere proche = null;
         double d = Double.POSITIVE_INFINITY;
         for (Objet3D o : scene.getObjets()) {
@@ -148,125 +154,94 @@ public final class EssaiRecit extends LectureRecit {
             }
         }
         String debut = numero + "  " + (proche == null ? "ciel" : origines.apply(proche)) + "  ";
-        assertTrue(titre.startsWith(debut), titre + " au lieu de " + debut);
-        String[] dits = titre.substring(debut.length()).split(" = | : ", 2);
-        double[] somme = nombres(dits[0]);
+        assertTrue(texte.startsWith(debut), texte + " au lieu de " + debut);
+        traverser(numero, texte, d);
         if (proche == null) {
-            assertEquals(1, dits.length, titre);
-            proche(t(new Rayon(new Point(), new Vecteur(V[0], V[1], V[2])).getSkyColor()), somme);
-            if (scene.getObjets().isEmpty()) {
-                assertEquals("  aucun objet dans la scène", lignes.get(suivante++));
-            }
-            return arret(numero, null, 0, traverser(numero, somme, d));
+            proche(t(new Rayon(new Point(), new Vecteur(V[0], V[1], V[2])).getSkyColor()), somme(texte), texte);
+            arret(texte, "ciel");
+            return null;
         }
-        contacts++;
-        double[] X = chercher("    contact = ");
-        double[] N = chercher("    N = ");
+        double[] X = lire(texte, "contact = ");
+        double[] N = lire(texte, "N = ");
+        details(texte, proche, sauf, d, X, N);
         double[] R = plus(V, -2 * dot(V, N), N);
-        double[] ks = t(proche.getKs());
-        double[] total = new double[3];
         int avant = eclairees;
         for (Lampe lampe : scene.getLampes()) {
-            ajouter(total, lampe(lampe, proche, X, N, R));
+            lampe(texte, lampe, proche, X, N, R);
         }
+        double[] ks = t(proche.getKs());
         produit = fois(produit, ks);
         double poids = Math.max(produit[0], Math.max(produit[1], produit[2]));
-        double[] reflet = null;
-        String suite = "(somme|vue) " + (numero + 1);
-        if (actuelle().matches("  Ks \\([^)]*\\) ⊗ " + suite + " = .*")) {
-            assertTrue(numero <= reflets && poids >= scene.getModele().getSeuil());
-            assertTrue(dits[1].matches(".* ⊗ " + suite), titre);
-            reflet = nombres(lignes.get(suivante++).replaceAll(".*=", ""));
-            ajouter(total, reflet);
-            proche(R, lire("    R = "));
-            proche(produit, lire("    poids, produit des Ks = "));
-        }
-        assertEquals(eclairees == avant && reflet == null, dits[1].equals("rien ne l'éclaire"), titre);
-        assertArrayEquals(total, somme, titre);
-        details(proche, sauf, d, X, N);
-        double[] vue = traverser(numero, somme, d);
-        if (reflet == null) {
-            return arret(numero, proche, poids, vue);
+        boolean suivi = numero <= reflets && poids > 0 && poids >= scene.getModele().getSeuil();
+        assertEquals(suivi, numero + 1 < etapes.length, texte);
+        assertEquals(eclairees == avant && !suivi, texte.contains(" : rien ne l'éclaire"), texte);
+        if (suivi) {
+            String nom = "⊗ " + (k == null ? "somme " : "vue ") + (numero + 1);
+            assertArrayEquals(fois(ks, vue(numero + 1)), nombres(texte.replaceFirst("(?s).*" + nom + " = (.*?)\\R.*", "$1")), texte);
+            proche(R, lire(texte, "R = "), texte);
+            proche(produit, lire(texte, "poids, produit des Ks = "), texte);
+        } else if (new Couleur().equals(proche.getKs())) {
+            arret(texte, "Ks nul");
+        } else {
+            arret(texte, numero > reflets ? reflets + (reflets > 1 ? " réflexions" : " réflexion")
+                    : "poids " + lire(texte, "arrêt : poids ")[0] + " < seuil " + Nombre.ecrire(scene.getModele().getSeuil()));
         }
         P = X;
         V = unite(R);
-        assertArrayEquals(fois(ks, etape(numero + 1, proche)), reflet, titre);
-        return vue;
+        return proche;
     }
 
     /** Le contact, la demi-corde et les rivaux du plus proche. */
-    private void details(Sphere proche, Objet3D sauf, double d, double[] X, double[] N) {
-        assertEquals("  contact, normale et rivaux", lignes.get(suivante++));
-        proche(new double[] {d}, lire("    d = "));
-        proche(plus(P, d, V), lire("    contact = "));
-        proche(unite(moins(X, t(proche.getCentre()))), lire("    N = "));
-        double[] f = moins(t(proche.getCentre()), P);
-        double delta = proche.getRayon() * proche.getRayon() - dot(plus(f, -dot(f, V), V), plus(f, -dot(f, V), V));
-        proche(new double[] {Math.sqrt(delta)}, lire("    demi-corde h = "));
-        double[] rivaux = scene.getObjets().stream().filter(o -> o != proche && o != sauf)
+    private void details(String texte, Sphere objet, Objet3D sauf, double d, double[] X, double[] N) {
+        proche(new double[] {d}, lire(texte, "d = "), texte);
+        proche(plus(P, d, V), X, texte);
+        proche(unite(moins(X, t(objet.getCentre()))), N, texte);
+        double[] f = moins(t(objet.getCentre()), P);
+        double[] l = plus(f, -dot(f, V), V);
+        proche(new double[] {Math.sqrt(objet.getRayon() * objet.getRayon() - dot(l, l))}, lire(texte, "demi-corde h = "), texte);
+        double[] rivaux = scene.getObjets().stream().filter(o -> o != objet && o != sauf)
                 .mapToDouble(o -> distance(P, V, (Sphere) o)).filter(di -> di < Double.POSITIVE_INFINITY).sorted().limit(2).toArray();
-        for (double rival : rivaux) {
-            assertTrue(actuelle().startsWith("    rival ["), actuelle());
-            proche(new double[] {rival}, nombres(lignes.get(suivante++).replaceAll(".* d = ", "")));
-        }
+        proche(rivaux, Arrays.stream(texte.split("\\R")).filter(ligne -> ligne.startsWith("    rival ["))
+                .mapToDouble(ligne -> nombres(ligne.replaceAll(".* d = ", ""))[0]).toArray(), texte);
     }
 
-    private double[] arret(int numero, Sphere objet, double poids, double[] vue) {
-        String raison = lignes.get(suivante++).replaceFirst("  arrêt : ", "");
-        boolean noir = objet != null && new Couleur().equals(objet.getKs());
-        assertEquals(objet == null ? "ciel" : noir ? "Ks nul" : numero > reflets ? reflets + (reflets > 1 ? " réflexions" : " réflexion")
-                : "poids " + nombres(raison + " ")[0] + " < seuil " + Nombre.ecrire(scene.getModele().getSeuil()), raison);
-        if (raison.startsWith("poids")) {
-            proche(new double[] {poids}, Arrays.copyOf(nombres(raison), 1));
-            assertTrue(poids < scene.getModele().getSeuil());
-        }
+    private void arret(String texte, String raison) {
+        assertTrue(Pattern.compile("(?m)^  arrêt : " + Pattern.quote(raison) + "$").matcher(texte).find(), texte + " : " + raison);
         arrets.merge(raison.replaceAll("^\\d+|s?\\d.*|s$", ""), 1, Integer::sum);
-        return vue;
     }
 
-    private double[] traverser(int numero, double[] somme, double d) {
-        if (k == null) {
-            return somme;
+    private void traverser(int numero, String texte, double d) {
+        if (k != null) {
+            double dite = lire(texte, "air : k = ")[0];
+            proche(new double[] {d == Double.POSITIVE_INFINITY ? 1 : k.applyAsDouble(d)}, new double[] {dite}, texte);
+            double[] deLAir = lire(texte, "k · air = ");
+            double[] reste = lire(texte, "(1 − k) · somme " + numero + " = ");
+            assertArrayEquals(fois(gris(dite), air), deLAir, texte);
+            assertArrayEquals(fois(gris(1 - dite), somme(texte)), reste, texte);
+            ajouter(deLAir, reste);
+            assertArrayEquals(deLAir, vue(numero), texte);
         }
-        double part = d == Double.POSITIVE_INFINITY ? 1 : k.applyAsDouble(d);
-        double[] vue = lire("  vue " + numero + " = ");
-        double dite = lire("    air : k = ")[0];
-        proche(new double[] {part}, new double[] {dite});
-        double[] deLAir = lire("    k · air = ");
-        double[] reste = lire("    (1 − k) · somme " + numero + " = ");
-        for (int c = 0; c < 3; c++) {
-            assertEquals(dite * air[c], deLAir[c]);
-            assertEquals((1 - dite) * somme[c], reste[c]);
-        }
-        ajouter(deLAir, reste);
-        assertArrayEquals(deLAir, vue);
-        return vue;
     }
 
-    /** @return ce que cette lampe ajoute */
-    private double[] lampe(Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
-        String titre = lignes.get(suivante++);
+    private void lampe(String etape, Lampe lampe, Sphere objet, double[] X, double[] N, double[] R) {
         String nom = origines.apply(lampe) + "  ";
-        if (titre.matches("  \\d+ lampes .*")) {
-            // les pareilles sont dessous
-            titre = lignes.get(suivante++);
-        }
-        titre = titre.trim();
-        assertTrue(titre.startsWith(nom), titre);
+        assertTrue(etape.contains("  " + nom), nom + " : " + etape);
+        // ce qui suit son nom : sa ligne, puis ses facteurs
+        String texte = etape.substring(etape.indexOf("  " + nom) + 2 + nom.length());
+        String titre = texte.split("\\R")[0];
         double[] S = t(lampe.getPosition());
         double[] versLampe = moins(S, X);
-        double devant = dot(N, versLampe);
-        if (devant <= 0) {
-            assertTrue(titre.endsWith("dans le dos : pas de rayon d'ombre"), titre);
-            proche(new double[] {devant}, nombres(titre.replaceFirst("^.*?= ", "").replaceAll(" .*", "")));
-            return new double[3];
-        }
         double[] L = unite(versLampe);
-        proche(new double[] {dot(N, L)}, nombres(titre.replaceFirst("^.*?= ", "").replaceAll(" .*", "")));
+        double dit = nombres(titre.replaceFirst("^.*?= ", "").replaceAll(" .*", ""))[0];
+        proche(new double[] {dot(N, versLampe) > 0 ? dot(N, L) : dot(N, versLampe)}, new double[] {dit}, titre);
+        if (dot(N, versLampe) <= 0) {
+            assertTrue(titre.endsWith("dans le dos : pas de rayon d'ombre"), titre);
+            return;
+        }
         Objet3D cache = null;
         double auPlus = Math.sqrt(dot(versLampe, versLampe));
         for (Objet3D autre : scene.getObjets()) {
-            double d = autre == objet ? auPlus : distance(S, fois(L, new double[] {-1, -1, -1}), (Sphere) autre);
+            double d = autre == objet ? auPlus : distance(S, fois(L, gris(-1)), (Sphere) autre);
             if (d < auPlus) {
                 auPlus = d;
                 cache = autre;
@@ -275,41 +250,38 @@ public final class EssaiRecit extends LectureRecit {
         if (cache != null) {
             cachees++;
             assertTrue(titre.endsWith("cachée par " + origines.apply(cache)), titre);
-            proche(L, nombres(lignes.get(suivante++).trim().replaceFirst("^L = ", "")));
-            return new double[3];
+            proche(L, lire(texte, "L = "), titre);
+            return;
         }
         double[] kl = t(lampe.getCouleur());
         double[] diffus = fois(fois(t(objet.getKd()), kl), gris(dot(N, L)));
-        double[] H = unite(moins(L, V));
-        double eclat = Math.pow(Math.max(0, blinn == 0 ? dot(R, L) : dot(N, H)), (blinn == 0 ? 1 : blinn) * objet.getNs());
+        double angle = blinn == 0 ? dot(R, L) : dot(N, unite(moins(L, V)));
+        double eclat = Math.pow(Math.max(0, angle), (blinn == 0 ? 1 : blinn) * objet.getNs());
         double[] reflet = fois(fois(t(objet.getKs()), kl), gris(eclat));
         if (titre.contains("sans effet")) {
-            proche(new double[6], new double[] {diffus[0], diffus[1], diffus[2], reflet[0], reflet[1], reflet[2]});
-            return new double[3];
+            proche(gris(0), plus(diffus, 1, reflet), titre);
+            return;
         }
         eclairees++;
-        assertTrue(titre.contains("  éclairée : diffus + reflet = "), titre);
-        proche(L, lire("    L = "));
-        double[] ditDiffus = produit("diffus = Kd", objet.getKd(), lampe, "N·L \\S+");
-        proche(diffus, ditDiffus);
-        double[] dit = produit("reflet = Ks", objet.getKs(), lampe,
-                "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"));
-        proche(reflet, dit);
-        ajouter(ditDiffus, dit);
-        assertArrayEquals(ditDiffus, nombres(titre.replaceAll(".* = ", "")), titre);
-        return ditDiffus;
+        double[] dits = produit(texte, "diffus = Kd", objet.getKd(), lampe, "N·L \\S+", diffus);
+        ajouter(dits, produit(texte, "reflet = Ks", objet.getKs(), lampe,
+                "(\\(%s [^-]\\S*|max\\(0, %s -\\S+)\\)\\^\\S+".replace("%s", blinn == 0 ? "R·L" : "N·H"), reflet));
+        assertArrayEquals(dits, nombres(titre.replaceFirst(".*  éclairée : diffus \\+ reflet = ", "")), titre);
+        proche(L, lire(texte, "L = "), titre);
     }
 
-    /** Un terme et ses facteurs, dont le produit est lui, au bit près pour le diffus. */
-    private double[] produit(String debut, Couleur matiere, Lampe lampe, String reste) {
-        String ligne = lignes.get(suivante++);
-        assertTrue(ligne.matches("    " + debut + " \\([^)]*\\) ⊗ lampe \\([^)]*\\) × " + reste + " = \\S+ \\S+ \\S+"), ligne);
-        double[] dits = nombres(ligne.replace("max(0, ", "").replaceAll("[()^]", " ").replaceAll(" = \\S+ \\S+ \\S+$", ""));
-        assertArrayEquals(t(matiere), Arrays.copyOf(dits, 3), ligne);
-        assertArrayEquals(t(lampe.getCouleur()), Arrays.copyOfRange(dits, 3, 6), ligne);
-        double part = dits.length == 7 ? dits[6] : Math.pow(Math.max(0, Math.min(1, dits[6])), dits[7]);
-        double[] terme = nombres(ligne.replaceAll(".* = ", ""));
-        proche(fois(fois(t(matiere), t(lampe.getCouleur())), gris(part)), terme);
+    /** Un terme et ses facteurs, dont le produit est lui. */
+    private static double[] produit(String texte, String debut, Couleur matiere, Lampe lampe, String reste, double[] attendu) {
+        Matcher ligne = Pattern.compile("(?m)^ +" + debut + " \\(([^)]*)\\) ⊗ lampe \\(([^)]*)\\) × (" + reste + ") = (\\S+ \\S+ \\S+)$")
+                .matcher(texte);
+        assertTrue(ligne.find(), debut + " : " + texte);
+        assertArrayEquals(t(matiere), nombres(ligne.group(1)), texte);
+        assertArrayEquals(t(lampe.getCouleur()), nombres(ligne.group(2)), texte);
+        double[] part = nombres(ligne.group(3).replace("max(0, ", "").replaceAll("[()^]", " "));
+        double facteur = part.length == 1 ? part[0] : Math.pow(Math.max(0, Math.min(1, part[0])), part[1]);
+        double[] terme = nombres(ligne.group(ligne.groupCount()));
+        proche(fois(fois(t(matiere), t(lampe.getCouleur())), gris(facteur)), terme, texte);
+        proche(attendu, terme, texte);
         return terme;
     }
 
@@ -319,5 +291,25 @@ public final class EssaiRecit extends LectureRecit {
         double delta = sphere.getRayon() * sphere.getRayon() - dot(plus(f, -b, V), plus(f, -b, V));
         double h = Math.sqrt(delta);
         return !(delta >= 0) || b + h <= 0 ? Double.POSITIVE_INFINITY : b - h > 0 ? b - h : b + h;
+    }
+
+    /** Les nombres de la première ligne de ce texte qui commence ainsi. */
+    private static double[] lire(String texte, String debut) {
+        Matcher ligne = Pattern.compile("(?m)^ *" + Pattern.quote(debut) + "(.*)$").matcher(texte);
+        assertTrue(ligne.find(), debut + " : " + texte);
+        return nombres(ligne.group(1));
+    }
+
+    private static double[] nombres(String texte) {
+        return Arrays.stream(texte.trim().split("[ ,]+")).filter(mot -> mot.matches("-?[\\d.]+([eE]-?\\d+)?"))
+                .mapToDouble(Double::parseDouble).toArray();
+    }
+
+    /** Aux arrondis près, qui grandissent d'un reflet au suivant. */
+    private static void proche(double[] attendu, double[] dit, String texte) {
+        assertEquals(attendu.length, dit.length, texte);
+        for (int c = 0; c < attendu.length; c++) {
+            assertEquals(attendu[c], dit[c], 1e-7 * (1 + Math.abs(attendu[c])), texte);
+        }
     }
 }

@@ -102,14 +102,6 @@ public final class Exact {
         return racine(scalaire(n, n)).subtract(BigDecimal.ONE).doubleValue();
     }
 
-    /**
-     * Ce que l'arrondi des données permet, {@code K}·u·(1 + r/h)(|P − C| + r) : V, ramené à 1, et P − C ne sont connus qu'à
-     * une part u près, et une demi-corde h en fait r/h fois plus.
-     */
-    public double tolerance(double K, Point p, Point centre, double r) {
-        return K * U * (1 + r / demiCorde) * (new Vecteur(p, centre).norme() + r);
-    }
-
     private static double norme(Tuple t) {
         return Math.max(Math.abs(t.x), Math.max(Math.abs(t.y), Math.abs(t.z)));
     }

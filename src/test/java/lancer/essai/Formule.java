@@ -67,7 +67,31 @@ public enum Formule {
         }
     },
 
-    /** Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34). */
+    /**
+     * La perpendiculaire, et les racines sans soustraction : juste de loin, mais C − P y est arrondi d'abord, et |C − P|² − r² perd
+     * autant de chiffres que P est près de la surface.
+     */
+    EN_DOUBLES {
+        @Override
+        public double distance(Point P, Vecteur V, Point C, double r) {
+            Vecteur f = C.sub(P);
+            double b = f.dot(V);
+            double h2 = r * r - f.sub(V.mul(b)).norme2();
+            if (!(h2 >= 0)) {
+                return Constantes.INFINI;
+            }
+            double c = f.norme2() - r * r;
+            if (c > 0) {
+                return b > 0 ? c / (b + Math.sqrt(h2)) : Constantes.INFINI;
+            }
+            return premiere(b > 0 ? b + Math.sqrt(h2) : c / (b - Math.sqrt(h2)), Constantes.INFINI);
+        }
+    },
+
+    /**
+     * Le manuel, une fois le départ avancé jusque près de la sphère (Wald, Ray Tracing Gems II, chapitre 34) ; d'un sol, il n'y a rien à
+     * avancer.
+     */
     REPRISE {
         @Override
         public double distance(Point P, Vecteur V, Point C, double r) {

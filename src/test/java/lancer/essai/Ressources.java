@@ -3,8 +3,11 @@ package lancer.essai;
 import java.io.InputStream;
 import java.net.URISyntaxException;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -78,6 +81,20 @@ public final class Ressources {
     /** Ce point, d'un monde autant de fois plus grand. */
     public static Point fois(Point p, double f) {
         return new Point(p.x * f, p.y * f, p.z * f);
+    }
+
+    /** Les objets et les lampes de cette scène, chacun mis à la place que dit cette fonction, d'un monde autant de fois plus grand. */
+    public static Scene deplacee(Scene scene, UnaryOperator<Point> place, double fois) {
+        List<Sphere> boules = new ArrayList<>();
+        for (Objet3D objet : scene.getObjets()) {
+            Sphere boule = new Sphere(place.apply(((Sphere) objet).getCentre()), ((Sphere) objet).getRayon() * fois);
+            boule.setKd(objet.getKd());
+            boule.setKs(objet.getKs());
+            boule.setNs(objet.getNs());
+            boules.add(boule);
+        }
+        return new Scene(boules, scene.getLampes().stream().map(lampe -> new Lampe(place.apply(lampe.getPosition()), lampe.getCouleur()))
+                .collect(Collectors.toList()));
     }
 
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {

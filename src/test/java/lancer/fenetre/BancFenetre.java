@@ -1,5 +1,6 @@
 package lancer.fenetre;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -139,15 +140,8 @@ final class BancFenetre {
 
     /** Le composant visible de ce nom (ou de cette classe si {@code nom} est nul), dans n'importe quelle fenêtre ; ou {@code null}. */
     static <T extends Component> T chercher(String nom, Class<T> classe) throws Exception {
-        return surFilEvenements(() -> {
-            for (Window w : Window.getWindows()) {
-                T trouve = w.isShowing() ? dans(w, nom, classe) : null;
-                if (trouve != null) {
-                    return trouve;
-                }
-            }
-            return null;
-        });
+        return surFilEvenements(() -> Arrays.stream(Window.getWindows()).filter(Component::isShowing).flatMap(w -> contenus(w).stream())
+                .filter(c -> classe.isInstance(c) && (nom == null || nom.equals(c.getName()))).map(classe::cast).findFirst().orElse(null));
     }
 
     /** Ce conteneur et tout ce qu'il contient. */
@@ -157,21 +151,6 @@ final class BancFenetre {
             contenus.addAll(contenus(enfant));
         }
         return contenus;
-    }
-
-    private static <T extends Component> T dans(Component c, String nom, Class<T> classe) {
-        if (classe.isInstance(c) && (nom == null || nom.equals(c.getName()))) {
-            return classe.cast(c);
-        }
-        if (c instanceof Container) {
-            for (Component enfant : ((Container) c).getComponents()) {
-                T trouve = dans(enfant, nom, classe);
-                if (trouve != null) {
-                    return trouve;
-                }
-            }
-        }
-        return null;
     }
 
     /** Le composant de ce nom, quand il sera là. */
@@ -315,12 +294,7 @@ final class BancFenetre {
 
     /** Les fils du programme qui vivent encore et dont le nom commence ainsi. */
     static boolean vivent(String debut) {
-        for (Thread fil : Thread.getAllStackTraces().keySet()) {
-            if (fil.getName().startsWith(debut) && fil.isAlive()) {
-                return true;
-            }
-        }
-        return false;
+        return Thread.getAllStackTraces().keySet().stream().anyMatch(fil -> fil.getName().startsWith(debut) && fil.isAlive());
     }
 
     /** Les pixels que le même programme écrit avec {@code --image}. */
@@ -330,12 +304,10 @@ final class BancFenetre {
 
     static Path pngSansFenetre(Path dossier, Path scene, int largeur, int hauteur, String... options) throws IOException {
         Path png = Files.createTempFile(dossier, "attendu", ".png");
-        ByteArrayOutputStream dit = new ByteArrayOutputStream();
         List<String> args = new ArrayList<>(Arrays.asList(options));
         args.addAll(Arrays.asList("--image", png.toString(), "--taille", largeur + "x" + hauteur, scene.toString()));
-        if (Essai.executer(flux(dit), flux(dit), args.toArray(new String[0])) != 0) {
-            fail(texte(dit));
-        }
+        Essai essai = Essai.executer(args.toArray(new String[0]));
+        assertEquals(0, essai.code, essai.toString());
         return png;
     }
 }

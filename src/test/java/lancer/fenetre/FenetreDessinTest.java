@@ -23,7 +23,6 @@ import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lancer;
-import lancer.dessin.Dessin;
 import lancer.Scene;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
@@ -248,33 +247,18 @@ class FenetreDessinTest extends EssaiFenetre {
         assertEquals(avant, surFilEvenements(banc.resume::getText));
     }
 
-    /** Ouvre la fenêtre, et y change un réglage dont la préparation est retenue. */
-    private PreparationRetenue retenirUnReglage() throws Exception {
+    @Test
+    void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSienEtUnAutrePeutSeFaire() throws Exception {
         PreparationRetenue programme = new PreparationRetenue();
         banc = new BancFenetre(programme);
         banc.imageAchevee();
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.resume.getText().startsWith("préparation "));
-        return programme;
-    }
-
-    @Test
-    void unDessinNAttendPasQueCeluiDAvantSArrete() throws Exception {
-        PreparationRetenue programme = retenirUnReglage();
+        assertNull(surFilEvenements(() -> banc.controleur.travail.dessin));
+        assertEquals(0, surFilEvenements(() -> banc.controleur.travail.getAvancement()));
         programme.retenue = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("le suivant se fait", attendue("--reflets=10"));
-        suite.countDown();
-    }
-
-    @Test
-    void tantQuUnReglageSePrepareLeDessinDAvantNePassePasPourLeSien() throws Exception {
-        PreparationRetenue programme = retenirUnReglage();
-        Dessin dAvant = surFilEvenements(() -> banc.controleur.travail.dessin);
-        double avancement = surFilEvenements(() -> banc.controleur.travail.getAvancement());
-        suite.countDown();
-        assertNull(dAvant);
-        assertEquals(0, avancement);
     }
 }

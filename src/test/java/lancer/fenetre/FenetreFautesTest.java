@@ -126,7 +126,7 @@ class FenetreFautesTest extends EssaiInspecteur {
                 && lu(recit).endsWith(couleur(codes[120 * L + 160])) && verdict.getText().startsWith("Au bit près"));
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        attendre("F3 essaie l'image montrée", () -> etat.getText().startsWith("La souris dit un point"));
+        attendre("F3 essaie l'image montrée", () -> etat.getText().matches("(mesure en cours : [1-9]|La souris).*"));
         assertFalse(surFilEvenements(() -> banc.controleur.enCours));
         assertEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
     }

@@ -143,8 +143,8 @@ class FenetreFichiersTest extends EssaiFenetre {
         banc.attendreMessage(scene + ", ligne 3, [Sphere 1], rayon : ");
         assertEquals("lancer — boule.ini", banc.cadre.getTitle());
         ecrire(BLEUE);
-        banc.attendreMessage("");
-        banc.attendreImage("corrigée, elle est dessinée", attendue(L, H));
+        attendre("la faute ne se lit plus", () -> !banc.panneau.bandeau.getText().contains("rayon"));
+        banc.attendreCodes("corrigée, elle est dessinée", attendue(L, H));
     }
 
     @Test

@@ -1,23 +1,17 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.chercher;
-import static lancer.fenetre.BancFenetre.composant;
-import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.image.BufferedImage;
-import java.util.Arrays;
-import javax.swing.JComponent;
-import javax.swing.UIManager;
+import java.nio.file.Files;
+import java.util.concurrent.TimeUnit;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -86,7 +80,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
     }
 
     @Test
-    void surUnEcranDenseLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
+    void surUnEcranDenseUnPixelEnEstUnEtLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
         BancFenetre.exigerEcran();
         int[] attendue = attendue(L, H);
         programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
@@ -117,6 +111,15 @@ class FenetreFiguresTest extends EssaiInspecteur {
         robot.mouseWheel(-1);
         // autour de la souris, qui est au bord du pixel
         attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
+        attendre("Ctrl+Q termine le programme", () -> {
+            robot.keyPress(KeyEvent.VK_CONTROL);
+            robot.keyPress(KeyEvent.VK_Q);
+            robot.keyRelease(KeyEvent.VK_Q);
+            robot.keyRelease(KeyEvent.VK_CONTROL);
+            return programme.waitFor(500, TimeUnit.MILLISECONDS);
+        });
+        assertEquals(0, programme.exitValue());
+        assertEquals(0, Files.size(dossier.resolve("dit.txt")));
     }
 
     /** Vrai si l'on voit presque partout du blanc autour, au rayon d'un anneau pour des caractères deux fois plus grands. */
@@ -133,27 +136,5 @@ class FenetreFiguresTest extends EssaiInspecteur {
         }
         // les traits qui partent de là le recouvrent
         return blancs >= 12;
-    }
-
-    private static BufferedImage vueDeCote() throws Exception {
-        JComponent cote = composant("cote", JComponent.class);
-        return surFilEvenements(() -> peindre(cote));
-    }
-
-    private static BufferedImage peindre(JComponent composant) {
-        BufferedImage vue = new BufferedImage(composant.getWidth(), composant.getHeight(), BufferedImage.TYPE_INT_RGB);
-        composant.paint(vue.createGraphics());
-        return vue;
-    }
-
-    @Test
-    void laVueDeCoteMontreLOeilLEcranEtLesRayons() throws Exception {
-        ouvrir();
-        assertNull(chercher("cote", JComponent.class));
-        cliquer(150, 100);
-        attendreVerdict("Au bit près");
-        int encre = surFilEvenements(() -> UIManager.getColor("Tree.textForeground").getRGB());
-        long points = Arrays.stream(BancFenetre.codes(vueDeCote())).filter(c -> c == encre).count();
-        assertTrue(points > 30, points + " points de la couleur du texte : l'œil et l'écran");
     }
 }

@@ -132,18 +132,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     }
 
     @Test
-    void ilSuitLeMemePixelQuandLaSceneChange() throws Exception {
-        int[] rouge = ouvrir().codes.clone();
-        cliquer(150, 110);
-        attendreRecit(couleur(rouge[110 * L + 150]));
-        ecrire(BLEUE);
-        int[] bleue = attendue(L, H);
-        banc.attendreCodes("la nouvelle image", bleue);
-        attendreRecit(couleur(bleue[110 * L + 150]));
-        attendreVerdict("Au bit près");
-    }
-
-    @Test
     void ilRaconteLImageQuiSeVoitDesSonBrouillonQueLaSceneOuUnReglageAitChange() throws Exception {
         banc = new BancFenetre(lente());
         banc.imageAchevee();
@@ -159,6 +147,11 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.enCours));
+        banc.main.lent = false;
+        int[] bleue = attendue("--reflets=2");
+        banc.attendreCodes("la nouvelle image", bleue);
+        attendreRecit(couleur(bleue[110 * L + 150]));
+        attendreVerdict("Au bit près");
     }
 
     @Test
@@ -168,19 +161,6 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendreVerdict("Différent du pixel dessiné, qui est #");
         presser(KeyEvent.VK_RIGHT);
         attendreVerdict("Au bit près");
-    }
-
-    @Test
-    void pendantUnDessinLentLaChaineSeLitDeja() throws Exception {
-        banc = new BancFenetre(lente().lent());
-        attendre("le brouillon est là", () -> banc.main.brouillonFait());
-        attendre("et se voit", () -> banc.panneau.montree != null);
-        cliquer(150, 100);
-        attendreTitre(150, 100);
-        attendreVerdict("L'image n'est pas achevée");
-        JTree recit = composant("recit", JTree.class);
-        attendre("la chaîne", () -> lu(recit).contains("\nsomme "));
-        assertTrue(banc.controleur.enCours);
     }
 
     private final AtomicReference<CountDownLatch> lenteur = new AtomicReference<>(new CountDownLatch(0));

@@ -57,6 +57,15 @@ class FenetreReglagesTest extends EssaiFenetre {
         faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
+        faire(() -> {
+            reflexions.setText("2000");
+            reflexions.requestFocusInWindow();
+        });
+        attendre("le clavier est aux réflexions", reflexions::isFocusOwner);
+        banc.frapper(KeyEvent.VK_ENTER);
+        banc.attendreMessage("réflexions : valeur impossible, « 2000 » ; attendu : un entier de 0 à 1000");
+        assertEquals("2000", surFilEvenements(reflexions::getText), "il reste à corriger");
+        fermerLeMessage();
         banc.cliquer(seuil, 5, 5);
         attendre("le clavier est au seuil", seuil::isFocusOwner);
         faire(seuil::selectAll);

@@ -167,7 +167,7 @@ class FenetreTouchesTest extends EssaiInspecteur {
         assertEquals("", texte(banc.erreur));
         banc.frapperCtrl('o');
         choisir(scene);
-        banc.attendreImage("puis une scène s'ouvre", attendue(L, H));
+        banc.attendreCodes("puis une scène s'ouvre", attendue(L, H));
     }
 
     @Test

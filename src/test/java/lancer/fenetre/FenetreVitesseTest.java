@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.Arrays;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import lancer.fenetre.figures.GraphiqueVitesse;
@@ -22,8 +23,16 @@ class FenetreVitesseTest extends EssaiFenetre {
     private JTextArea etat;
     private GraphiqueVitesse graphique;
 
+    /** Une petite image est assez dessinée en un instant ; paire, aucune ligne n'y est à l'horizon. */
+    private static final int LARGEUR = 100;
+    private static final int HAUTEUR = 76;
+
     private void ouvrirLePanneau(String... options) throws Exception {
-        ouvrir(options);
+        String[] args = Arrays.copyOf(options, options.length + 2);
+        args[options.length] = "--taille=" + LARGEUR + "x" + HAUTEUR;
+        args[options.length + 1] = scene.toString();
+        banc = new BancFenetre(args);
+        banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F3);
         graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         etat = composant("vitesse.etat", JTextArea.class);
@@ -60,7 +69,7 @@ class FenetreVitesseTest extends EssaiFenetre {
         int reflets = Integer.parseInt(dit.replaceFirst(".* --reflets (\\d+) .*", "$1"));
         banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        banc.attendreCodes("son image", attendue("--reflets=" + reflets));
+        banc.attendreCodes("son image", BancFenetre.pixelsSansFenetre(dossier, scene, LARGEUR, HAUTEUR, "--reflets=" + reflets));
         banc.frapper(KeyEvent.VK_F2);
         assertEquals("" + reflets, surFilEvenements(composant("réflexions", JTextField.class)::getText));
     }
@@ -83,18 +92,14 @@ class FenetreVitesseTest extends EssaiFenetre {
         attendreLaFin();
         assertEquals(avant, viserLePlusRapide(), "aucun n'est mesuré de nouveau");
         ecrire(BLEUE);
-        banc.attendreCodes("elle est bleue", attendue(L, H));
+        banc.attendreCodes("elle est bleue", attendue(LARGEUR, HAUTEUR));
         attendreLaFin();
         assertFalse(viserLePlusRapide().equals(avant), "une autre scène est mesurée");
     }
 
     @Test
     void laPlaceDuGraphiqueNeChangePasQuandUnTexteEstLongEtIlALaSienneDansUnePetiteFenetre() throws Exception {
-        banc = new BancFenetre("--taille=200x150", scene.toString());
-        banc.imageAchevee();
-        banc.frapper(KeyEvent.VK_F3);
-        graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
-        etat = composant("vitesse.etat", JTextArea.class);
+        ouvrirLePanneau();
         int avant = surFilEvenements(graphique::getHeight);
         assertTrue(avant > 100, avant + " points de haut");
         faire(() -> {

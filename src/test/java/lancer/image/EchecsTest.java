@@ -76,13 +76,6 @@ class EchecsTest extends EssaiProcessus {
     }
 
     @Test
-    void unDisqueQuiNePrendPlusUnFichierLaisseLAncienneImage() throws Exception {
-        assertEquals(1, surUnDisque("nr_inodes=2", "--lineaire=disque/a.pfm", "--taille=4x4", SCENE), erreur());
-        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
-        verifierReste("a.pfm");
-    }
-
-    @Test
     void deDeuxImagesDontUneNeTientPasSurLeDisqueAucuneNEstEcrite() throws Exception {
         assertEquals(1, surUnDisque("size=128k", "--lineaire=disque/a.pfm", "--image=disque/a.png", "--taille=400x300", SCENE), erreur());
         assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());

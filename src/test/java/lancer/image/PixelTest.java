@@ -14,7 +14,6 @@ import java.util.Collections;
 import java.util.List;
 import lancer.Camera;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -24,7 +23,6 @@ import lancer.essai.EssaiPixel;
 import lancer.essai.Ressources;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
-import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -38,21 +36,6 @@ class PixelTest extends EssaiCommande {
     void lePixelDemandeEstCeluiDeLImage(String scene, int largeur, int hauteur, String option) throws IOException {
         EssaiPixel.verifier(Collections.emptyList(), dossier, Paths.get(Ressources.chemin("reference/" + scene + ".ini")), largeur, hauteur,
                 option);
-    }
-
-    @Test
-    void saCouleurEstDiteToutEntiere() {
-        Scene scene = new Scene(SCENE);
-        Camera camera = new Camera(20, 15);
-        scene.getModele().setRecherche(new Preparation(scene, camera));
-        String[] attendus = new String[20 * 15];
-        new Lancer(scene, camera).TracerPixels((c, i, j) -> attendus[20 * j + i] = "somme " + c.r + " " + c.v + " " + c.b + " = #"
-                + Integer.toHexString(c.getCode()).substring(2).toUpperCase(), 3, 2);
-        for (int k = 0; k < attendus.length; k++) {
-            Essai e = Essai.executer("--taille=20x15", "--reflets=3", "--pixel", k % 20 + "," + k / 20, SCENE);
-            assertTrue(e.sortie.endsWith(System.lineSeparator() + attendus[k] + System.lineSeparator()), e.sortie);
-            assertEquals("", e.erreur);
-        }
     }
 
     @Test
@@ -115,15 +98,5 @@ class PixelTest extends EssaiCommande {
         assertEquals(0, Essai.executer(console, System.err, "--pixel=1,1", SCENE));
         String ligne = new String(sortie.toByteArray(), StandardCharsets.UTF_8);
         assertTrue(ligne.matches("(?s).*\\Rsomme [0-9.E-]+ [0-9.E-]+ [0-9.E-]+ = #[0-9A-F]{6}\\R"), ligne);
-    }
-
-    @Test
-    void unAvertissementResteSurLErreurStandard() {
-        String scene = Ressources.chemin("valides/avertie-brume.ini");
-        Essai e = Essai.executer("--pixel=1,1", scene);
-        assertEquals("lancer : " + scene + ", ligne 4, [Brume dense] : section laissée de côté ; attendu : la variante qui la lit, "
-                + "java -jar brume/target/brume.jar" + System.lineSeparator(), e.erreur);
-        assertEquals(0, e.code);
-        assertTrue(e.sortie.startsWith("pixel 1, 1"), e.toString());
     }
 }

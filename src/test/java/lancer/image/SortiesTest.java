@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
@@ -52,23 +51,6 @@ class SortiesTest extends EssaiCommande {
         Path pleine = disquePlein("pleine.png");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
         verifierRefus(1, pleine + " : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=" + pleine, scene));
-    }
-
-    @Test
-    void unDossierOuUnFichierProtegeEstUnePanne() throws IOException {
-        Path protege = Files.createDirectory(dossier.resolve("protege"));
-        Path sortie = protege.resolve("image.png");
-        ecrireTexte(png, "avant");
-        assumeTrue(protege.toFile().setWritable(false) && png.toFile().setWritable(false));
-        try {
-            assumeFalse(Files.isWritable(protege), "cet utilisateur peut tout écrire");
-            String interdite = " : écriture impossible, écriture interdite dans le dossier " + protege;
-            verifierRefus(1, sortie + interdite, executer("--image", sortie.toString()));
-            verifierRefus(1, png + " : écriture impossible, écriture interdite", executer("--image", png.toString()));
-            assertEquals("avant", lireTexte(png));
-        } finally {
-            assertTrue(protege.toFile().setWritable(true));
-        }
     }
 
     @Test

@@ -23,7 +23,6 @@ import lancer.contrat.Modele;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
-import lancer.rapide.Preparation;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
@@ -74,19 +73,6 @@ class InspectionTest {
         assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
         if (nom.equals("p2-sol") || nom.equals("p4-foule")) {
             assertTrue(recit.cachees > 5, recit.cachees + " lampes cachées");
-        }
-    }
-
-    @Test
-    void laLigneDeCommandeDitLaMemeChoseQueLaRechercheSoitRapideOuNon() {
-        String fichier = Ressources.chemin("reference/p4-foule.ini");
-        SceneLue lue = LecteurScene.lire(fichier, part -> { });
-        Scene rapide = new Scene(lue.objets, lue.lampes);
-        rapide.getModele().setRecherche(new Preparation(rapide, new Camera(80, 60)));
-        for (int x = 5; x < 80; x += 9) {
-            Inspection pixel = inspecter(rapide, lue::getOrigine, new Camera(80, 60), 5, x, 30);
-            Essai e = Essai.executer("--taille=80x60", "--pixel", x + ",30", fichier);
-            assertEquals(recitDe(pixel).raconter().lignes(), Arrays.asList(e.sortie.split(System.lineSeparator())));
         }
     }
 

@@ -131,6 +131,10 @@ class IntersectionTest {
                 assertEquals(Math.scalb(6.0, k), distance(f, v, r), "vers l'intérieur : la corde entière");
                 f[axe] = -f[axe];
                 assertEquals(INFINI, distance(f, v, r), "vers l'extérieur");
+                f[axe] = 0;
+                f[b] = Math.scalb(3.0, k);
+                assertEquals(INFINI, distance(f, v, r), "tangent, où c/q est 0/0");
+                assertEquals(r, distance(new double[3], v, r), 4 * U * r, "du centre");
             }
         });
     }
@@ -170,6 +174,25 @@ class IntersectionTest {
         assertEquals(new Point(1, 0, 0), new Sphere(new Point(), 1).getPointDeSurface(new Point(max, 0, 0), INFINI));
         assertEquals(new Point(0, 0, -3),
                 new Sphere(new Point(), 3).getPointDeSurface(new Point(0, 0, -Double.MIN_VALUE), INFINI));
+    }
+
+    /** P + tV n'est sur sa sphère qu'à u·t près ; ramené à la distance r du centre, le contact y est. */
+    @Test
+    void leContactDUneSphereLointaineEstSurElle() {
+        Random hasard = new Random(34);
+        double pireNaif = 0;
+        for (int k = 0; k < 2_000; k++) {
+            Point C = new Point(hasard.nextGaussian(), hasard.nextGaussian(), hasard.nextGaussian());
+            Sphere sphere = new Sphere(C, 1);
+            Point P = C.add(direction(hasard).mul(Math.pow(10, 2 + 9 * hasard.nextDouble())));
+            Rayon rayon = new Rayon(P, C.add(direction(hasard).mul(0.9 * hasard.nextDouble())));
+            double t = sphere.getIntersectionDistance(rayon);
+            pireNaif = Math.max(pireNaif, Math.abs(new Vecteur(C, P.add(t, rayon.getV())).norme() - 1));
+            // 4u(r + |C|), et ce que coûte de le vérifier en doubles
+            double ecart = new Vecteur(C, rayon.calcContact()).norme() - 1;
+            assertEquals(0, ecart, 8 * U * (1 + new Vecteur(new Point(), C).norme()), "graine 34, tirage " + k);
+        }
+        assertTrue(pireNaif > 1e-6, "à côté de " + pireNaif);
     }
 
     /** Ramené sur sa sphère, il s'en écarterait de 4 u r, autant que la hauteur d'une lampe qui rase un grand sol. */

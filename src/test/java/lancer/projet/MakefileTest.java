@@ -17,7 +17,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import lancer.essai.EssaiProcessus;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -26,7 +25,6 @@ import org.junit.jupiter.api.Test;
 class MakefileTest extends EssaiProcessus {
 
     private static final String COMMUN = "commun.mk";
-    private static final String OUTILS = new File("outils/Makefile").getAbsolutePath();
 
     @BeforeEach
     void exigerMake() {
@@ -97,36 +95,6 @@ class MakefileTest extends EssaiProcessus {
         assertEquals("scenes/scene1.ini", scene(""));
     }
 
-    /** Les commandes java d'une image et de la fenêtre, avec cette définition ou aucune. */
-    private String commandes(String... definitions) throws IOException, InterruptedException {
-        ProcessBuilder make = make(COMMUN, "--eval", "commandes:;@echo '$(JAVA_IMAGE);$(JAVA_FENETRE)'", "commandes");
-        make.command().addAll(Arrays.asList(definitions));
-        return dire(make);
-    }
-
-    @Test
-    void lesOptionsMesureesSontCellesDUneImageEtCellesDeLUtilisateurLesRemplacent() throws Exception {
-        assertEquals("java -XX:+IgnoreUnrecognizedVMOptions -XX:+UseSerialGC -Xmn16m;java", commandes());
-        assertEquals("java -XX:+UseParallelGC;java -XX:+UseParallelGC", commandes("JAVA_OPTIONS=-XX:+UseParallelGC"));
-        assertEquals("java;java", commandes("JAVA_OPTIONS=").replace(" ", ""));
-    }
-
-    @Test
-    void seulesLesImagesDontUnPixelAChangeSontRemplacees() throws Exception {
-        for (String nom : new String[] {"meme.png", "autre.png", "nouvelle.png"}) {
-            Files.write(Files.createDirectories(dossier.resolve("neuves")).resolve(nom), new byte[] {1});
-            Files.write(Files.createDirectories(dossier.resolve("images")).resolve(nom), new byte[] {0});
-        }
-        // un programme qui ne trouve pareilles que les deux images de ce nom
-        Path comparer = dossier.resolve("comparer");
-        Files.write(comparer, "test \"$*\" = \"-jar ./target/lancer.jar --comparer neuves/meme.png images/meme.png\"\n".getBytes());
-        Files.delete(dossier.resolve("images/nouvelle.png"));
-        assertEquals("changée : autre.png\nchangée : nouvelle.png", dire(make(OUTILS, "JAVA=sh comparer", "JAVA_OPTIONS=",
-                "BASE=./target/lancer.jar", "--eval", "essai:;@$(call actualiser,neuves,images)", "essai")));
-        assertEquals(0, Files.readAllBytes(dossier.resolve("images/meme.png"))[0]);
-        assertEquals(1, Files.readAllBytes(dossier.resolve("images/autre.png"))[0]);
-    }
-
     /** Le vrai lanceur, sans UTF-8, ne saurait lire le chemin d'un dossier accentué. */
     @Test
     void lApplicationDonneUneLangueAuLanceurQuiEnManque() throws Exception {
@@ -141,16 +109,6 @@ class MakefileTest extends EssaiProcessus {
             lancer.environment().put("LC_ALL", langue);
             assertEquals(0, statut(lancer), erreur());
             assertEquals("C.UTF-8 : a b.png\n", sortie());
-        }
-    }
-
-    /** Sinon il ne se télécharge qu'au premier test, et « make » en ligne puis « make test » hors ligne échoue. */
-    @Test
-    void leFournisseurDesTestsEstNommeAvecSaVersionDeSurefire() throws Exception {
-        Pattern nomme = Pattern.compile("maven-surefire-plugin</artifactId>\\s*<version>(.*?)</version>\\s*<dependencies>(?s:.*?)"
-                + "surefire-junit-platform</artifactId>\\s*<version>\\1</version>");
-        for (String pom : new String[] {"ensemble.xml", "correction/src/modele/projet/pom.xml"}) {
-            assertTrue(nomme.matcher(new String(Files.readAllBytes(Paths.get(pom)), StandardCharsets.UTF_8)).find(), pom);
         }
     }
 
@@ -182,16 +140,6 @@ class MakefileTest extends EssaiProcessus {
             String[] deux = fichier.trim().split("\\s+");
             assertEquals(deux[0].substring(2), deux[1].substring(2), fichier);
         }
-    }
-
-    @Test
-    void makeMutationsDitCombienDeFautesLesTestsVoient() throws Exception {
-        // à la place de Maven, les rapports de PIT : une faute par module, et dans la base une de plus pour chaque sort
-        Files.write(dossier.resolve("pit"), ("for m in . brume antialias blinn; do mkdir -p $m/target/pit-reports\n"
-                + "echo 'Fil.java,lancer.Fil,x.MathMutator,aire,4,KILLED,test.[class:x], y' > $m/target/pit-reports/mutations.csv; done\n"
-                + "for sort in SURVIVED NO_COVERAGE TIMED_OUT; do echo \"Fil.java,lancer.Fil,x.MathMutator,aire,4,$sort,none\"; done "
-                + ">> target/pit-reports/mutations.csv\n").getBytes());
-        assertTrue(dire(make(OUTILS, "MVN=sh pit", "mutations")).contains("\n5 fautes vues sur 7, soit 71 %\n"), sortie());
     }
 
     @Test

@@ -1,6 +1,7 @@
 package lancer.promesses;
 
 import static lancer.essai.Ressources.boule;
+import static lancer.essai.Ressources.deplacee;
 import static lancer.essai.Ressources.fois;
 import static lancer.essai.Ressources.image;
 import static lancer.essai.Ressources.imageRapide;
@@ -62,22 +63,6 @@ class EgalitesTest {
         }
     }
 
-    private static Scene agrandie(Scene scene, double fois) {
-        List<Objet3D> objets = new ArrayList<>();
-        for (Objet3D objet : scene.getObjets()) {
-            Sphere s = new Sphere(fois(((Sphere) objet).getCentre(), fois), ((Sphere) objet).getRayon() * fois);
-            s.setKd(objet.getKd());
-            s.setKs(objet.getKs());
-            s.setNs(objet.getNs());
-            objets.add(s);
-        }
-        List<Lampe> lampes = new ArrayList<>();
-        for (Lampe lampe : scene.getLampes()) {
-            lampes.add(new Lampe(fois(lampe.getPosition(), fois), lampe.getCouleur()));
-        }
-        return new Scene(objets, lampes);
-    }
-
     /** Un sol de ce rayon, une boule posée devant lui, et une lampe qui le rase. */
     private static Scene rasee(double rayon) {
         return scene(Arrays.asList(boule(0, -rayon - 1, 8, rayon, 0.8, 0.3, 5), boule(0.4, -0.4, 6, 0.6, 0.5, 0.4, 40)),
@@ -100,8 +85,9 @@ class EgalitesTest {
             Ressources.Image attendue = imageRapide(scene, new CameraAgrandie(1), 5);
             assertTrue(memesBits(attendue, image(new Scene(scene.getObjets(), scene.getLampes()), 64, 48, 5, 2)), nom);
             for (int k : new int[] {-300, -27, -1, 2, 300}) {
-                Camera camera = new CameraAgrandie(Math.scalb(1.0, k));
-                Scene grosse = agrandie(scene, Math.scalb(1.0, k));
+                double taille = Math.scalb(1.0, k);
+                Camera camera = new CameraAgrandie(taille);
+                Scene grosse = deplacee(scene, p -> fois(p, taille), taille);
                 Ressources.Image lisible = new Ressources.Image(64, 48);
                 new Lancer(grosse, camera).TracerPixels(lisible, 5, 2);
                 assertTrue(memesBits(attendue, lisible), nom + " fois 2^" + k);

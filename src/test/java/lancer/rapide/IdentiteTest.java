@@ -4,52 +4,110 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
-import java.io.File;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Random;
+import java.util.stream.Stream;
 import lancer.Camera;
+import lancer.CameraPlacee;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.Specularite;
+import lancer.essai.CameraDeplacee;
+import lancer.essai.Ressources;
+import lancer.essai.Tirages;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/** L'image rapide est l'image lisible, au bit près, pour autant de rayons, quel que soit le nombre de fils. */
+/**
+ * L'image rapide est l'image lisible, au bit près, pour autant de rayons, quels que soient la scène, la recherche, le nombre de fils et
+ * la caméra.
+ */
 class IdentiteTest {
 
     private static final int LARGEUR = 61;
     private static final int HAUTEUR = 47;
     private static final int FOULE = 60;
 
+    /** D'autres caméras, l'image peut être petite : ce sont les questions qui changent, et non leur nombre. */
+    private static final int PART = System.getProperty("tests.longs") != null ? 1 : 3;
+    private static final int YEUX = 150 / PART;
+
+    /** Celles du fichier de référence, celles qui sont faites pour nuire, et d'autres au hasard. */
+    private static Map<String, Scene> scenes() {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        for (String nom : new String[] {"p1-quatre", "p2-sol", "p3-miroirs", "p4-foule"}) {
+            scenes.put(nom, new Scene(Ressources.chemin("reference/" + nom + ".ini")));
+        }
+        scenes.putAll(ScenesDEssai.toutes(FOULE));
+        scenes.putAll(ScenesDEssai.extremes(FOULE));
+        for (int n = 0; n < 50 / PART; n++) {
+            scenes.put("graine " + (4300 + n), new Tirages(4300 + n).scene(1 + 2 * n));
+        }
+        return scenes;
+    }
+
     @Test
-    void scenesDeReference() {
-        File[] fichiers = new File("src/test/resources/reference").listFiles((dossier, nom) -> nom.endsWith(".ini"));
-        assertTrue(fichiers.length >= 4);
-        for (File fichier : fichiers) {
-            comparer(fichier.getName(), new Scene(fichier.getPath()), 12);
+    void chaqueSceneALaMemeImageParChaqueRechercheEtChaqueNombreDeFils() {
+        scenes().forEach((nom, scene) -> comparer(nom, scene, 8));
+    }
+
+    /** L'œil d'un étudiant et le plan de son écran, puis celui d'une section : derrière, en plongée, au milieu des boules. */
+    static Stream<Camera> cameras() {
+        double[][] oeils = {{0.3, 0.2, -4.2, 0}, {-2, 1.5, -3, 0}, {0, 0, -1, 0}, {0, 0, -0.3, 0.5}, {0.4, 0, -0.01, 0}, {0, 0, -500, 0},
+            {-300, 20, -40, 1}, {0, 0, -0.51, 0}, {0, 0, -0.49, 0}, {0, 0, -30, 0}, {0, 0, 3, 0}, {1, -2, 5, -1}, {0, 0, -1e9, 0},
+            {1e120, 0, -1, 0}};
+        double[][] sections = {{0, 1, 20, 0, 0, 8, 30}, {3, 9, 8, 0, 0, 8, 60}, {0, 0, 0, 1, 0, 0, 90}, {0, 0, 8, 1, 1, 1, 150},
+            {0, 0, 6, 0, 0, 9, 179.9}, {-6, 0, -30, 0, 0, 8, 3}, {1e9, 1e9, 1e9, 0, 0, 8, 1e-7}, {5, -4, 3, 5, -4, 3.0001, 60}};
+        return Stream.concat(
+                Arrays.stream(oeils).map(o -> new CameraDeplacee(LARGEUR / PART, HAUTEUR / PART, new Point(o[0], o[1], o[2]), o[3])),
+                Arrays.stream(sections).map(s -> new CameraPlacee(LARGEUR / PART, HAUTEUR / PART, new Point(s[0], s[1], s[2]),
+                        new Vecteur(new Point(s[0], s[1], s[2]), new Point(s[3], s[4], s[5])), s[6])));
+    }
+
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void chaqueSceneALaMemeImageDeChaqueCamera(Camera camera) {
+        for (int foule : new int[] {12, FOULE}) {
+            ScenesDEssai.toutes(foule).forEach((nom, scene) -> comparer(nom + ", " + foule, scene, camera));
         }
     }
 
     @Test
-    void scenesDEssai() {
-        for (Map.Entry<String, Scene> e : ScenesDEssai.toutes(FOULE).entrySet()) {
-            comparer(e.getKey(), e.getValue(), 5);
+    void uneFouleALaMemeImageDUnOeilAuHasard() {
+        Random hasard = new Random(42);
+        for (int k = 0; k < YEUX; k++) {
+            double cote = k % 4 == 0 ? 1 : 0;
+            Point oeil = new Point(cote * hasard.nextGaussian(), cote * hasard.nextGaussian(),
+                    -Math.pow(10, 3 * hasard.nextDouble() - 1.5));
+            double plan = k % 8 == 0 ? hasard.nextGaussian() : 0;
+            comparer("tirage " + k + " : " + oeil + ", " + plan, ScenesDEssai.foule(k, k % 2 == 0 ? 30 : 200, 0).scene(),
+                    new CameraDeplacee(LARGEUR, HAUTEUR, oeil, plan));
         }
     }
 
+    /** Il y a des rayons qui n'existent pas. */
     @Test
-    void longueursExtremes() {
-        for (Map.Entry<String, Scene> e : ScenesDEssai.extremes(FOULE).entrySet()) {
-            comparer(e.getKey(), e.getValue(), 5);
+    void dUnOeilDansLePlanDeLEcranOuNullePartLaPreparationNEchouePas() {
+        for (double z : new double[] {0, Double.NaN}) {
+            new Preparation(ScenesDEssai.foule(3, FOULE, 0).scene(), new CameraDeplacee(LARGEUR, HAUTEUR, new Point(0.1, 0.2, z), 0));
         }
+    }
+
+    private static void comparer(String nom, Scene scene, Camera camera) {
+        Dessin.de(scene, camera, new Preparation(scene, camera), 3).verifier(nom, Dessin.de(scene, camera, null, 3));
     }
 
     @Test
@@ -102,6 +160,9 @@ class IdentiteTest {
         Camera camera = new Camera(LARGEUR, HAUTEUR);
         scene.getModele().setRecherche(null);
         Dessin lisible = new Dessin(scene, camera, profondeur, 2);
+        for (Couleur c : lisible.pixels) {
+            assertTrue(Math.min(c.r, Math.min(c.v, c.b)) >= 0 && c.estFinie(), nom + " : " + c);
+        }
         Compteurs premiers = null;
         Preparation preparation = new Preparation(scene, camera);
         if (scene.getObjets().size() <= Long.SIZE) {

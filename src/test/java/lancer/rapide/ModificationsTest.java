@@ -8,26 +8,51 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import lancer.essai.Sommes;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Aucune modification sans effet : une ligne d'une classe du cours est changée, la classe recompilée, et l'image par défaut est au bit
- * près celle des boucles du cours, qui n'est plus celle d'avant ; le récit d'un pixel ne compte pas ce qui n'y est pas.
+ * Aucune modification sans effet : des lignes des classes du cours sont changées, les classes recompilées, et l'image par défaut est au
+ * bit près celle des boucles du cours, qui n'est plus celle d'avant ; le récit d'un pixel ne compte pas ce qui n'y est pas.
  */
 class ModificationsTest {
 
-    private static final String[] DEMANDE = {"--taille", "120x90", "--fils", "2"};
+    private static final String SCENE = "scenes/scene1.ini";
+    private static final boolean LONGS = System.getProperty("tests.longs") != null;
+
+    private static final String CHAMP = "Scene|final Lampe[] lampes;|final Lampe[] lampes; Objet3D absent;"
+            + "|Scene|objets[k] != saufLui|objets[k] != saufLui && objets[k] != absent|";
+
+    private static final String MOBILE = "Sphere|private final Point centre|public Point centre"
+            + "|Sphere|private final double rayon|public double rayon"
+            + "|Lancer|private Compteurs compteurs|static void placer(Scene scene, double x) { "
+            + "Sphere s = (Sphere) scene.getObjets().get(2); s.centre = new Point(x, s.centre.y, s.centre.z); } "
+            + "private Compteurs compteurs|";
+
+    private static final String[] VERRE = {
+        "Objet3D", "private double ns = 1;", "private double ns = 1; private Couleur Kt = new Couleur(); "
+                + "public Couleur getKt() { return Kt; } public void setKt(Couleur Kt) { this.Kt = Kt; }",
+        "scene/LecteurSections", "Arrays.asList(\"Kd\"", "Arrays.asList(\"Kt\", \"Kd\"",
+        "scene/LecteurSections", "lu.setKd(", "lu.setKt(section.couleur(\"Kt\", lu.getKt(), 1)); lu.setKd(",
+        "Scene", "objets[k] != objet && demander", "objets[k] != objet && objets[k].getKt().estNoire() && demander"};
 
     /** L'image du programme tel qu'il est. */
-    private static byte[] avant;
+    private static float[] avant;
 
     @TempDir
     Path dossier;
@@ -35,20 +60,24 @@ class ModificationsTest {
     @BeforeAll
     static void dessinerSansRienChanger(@TempDir Path commun) throws IOException {
         try (Essai.Isole programme = new Essai.Isole(Collections.<Path>emptyList())) {
-            avant = dessiner(programme, commun, "avant");
+            avant = dessiner(programme, commun, SCENE, "--fils=2");
         }
     }
 
-    private static byte[] dessiner(Essai.Isole programme, Path dossier, String nom, String... options) throws IOException {
-        Path image = dossier.resolve(nom + ".pfm");
-        String[] tout = Arrays.copyOf(DEMANDE, DEMANDE.length + options.length + 3);
-        System.arraycopy(options, 0, tout, DEMANDE.length, options.length);
-        tout[tout.length - 3] = "--lineaire";
-        tout[tout.length - 2] = image.toString();
-        tout[tout.length - 1] = "scenes/scene1.ini";
-        Essai essai = programme.executer(tout);
+    private static float[] dessiner(Essai.Isole programme, Path dossier, String scene, String... options) throws IOException {
+        List<String> args = new ArrayList<>(Arrays.asList(options));
+        args.addAll(Arrays.asList("--taille=120x90", "--lineaire", dossier.resolve("i.pfm").toString(), scene));
+        Essai essai = programme.executer(args.toArray(new String[0]));
         assertEquals(0, essai.code, essai.toString());
-        return Files.readAllBytes(image);
+        return Essai.pfm(Files.readAllBytes(dossier.resolve("i.pfm")));
+    }
+
+    /** Rend l'image que les boucles du cours donnent de la scène : elle a changé, et c'est l'image par défaut. */
+    private float[] verifierLImage(Essai.Isole programme, String fils) throws IOException {
+        float[] simple = dessiner(programme, dossier, SCENE, "--simple", fils);
+        assertArrayEquals(simple, dessiner(programme, dossier, SCENE, fils), "l'image par défaut n'est pas celle de --simple");
+        assertFalse(Arrays.equals(avant, simple), "l'image n'a pas changé");
+        return simple;
     }
 
     @ParameterizedTest(name = "{0} : {2}")
@@ -101,22 +130,110 @@ class ModificationsTest {
         "Scene | if (objets[k] != objet | if (k == 0 && objets[k] != objet"})
     void uneLigneChangeeDUneClasseDuCoursSeVoit(String classe, String ancienne, String nouvelle) throws IOException {
         try (Essai.Isole programme = Modification.de(dossier, classe, ancienne, nouvelle)) {
-            byte[] simple = dessiner(programme, dossier, "simple", "--simple");
-            assertArrayEquals(simple, dessiner(programme, dossier, "defaut"), "l'image par défaut n'est pas celle de --simple");
-            assertFalse(Arrays.equals(avant, simple), "l'image n'a pas changé");
+            float[] simple = verifierLImage(programme, "--fils=2");
             int contacts = 0;
             for (String pixel : new String[] {"60,55", "31,62", "88,49", "12,80"}) {
-                Essai dit = programme.executer("--taille", "120x90", "--pixel", pixel, "scenes/scene1.ini");
+                Essai dit = programme.executer("--taille", "120x90", "--pixel", pixel, SCENE);
                 assertEquals(0, dit.code, dit.toString());
                 contacts += Sommes.de(dit.sortie).size();
                 String[] mots = dit.sortie.substring(dit.sortie.lastIndexOf("somme ")).split(" ");
                 String[] place = pixel.split(",");
                 int debut = 3 * ((89 - Integer.parseInt(place[1])) * 120 + Integer.parseInt(place[0]));
                 for (int c = 0; c < 3; c++) {
-                    assertEquals(Essai.pfm(simple)[debut + c], (float) Double.parseDouble(mots[1 + c]), dit.sortie);
+                    assertEquals(simple[debut + c], (float) Double.parseDouble(mots[1 + c]), dit.sortie);
                 }
             }
             assertTrue(contacts > 0, contacts + " contacts dont les termes donnent la somme");
+        }
+    }
+
+    /** Une barre sépare la classe, l'ancien texte et le nouveau ; des changements se suivent. */
+    @ParameterizedTest
+    @ValueSource(strings = {
+        // un champ de la scène, copié de fil en fil, ou donné à la scène de chaque fil
+        CHAMP + "Lancer|this.scene = scene;|this.scene = scene; scene.absent = scene.getObjets().get(1);"
+                + "|Scene|lampes = autre.lampes;|lampes = autre.lampes; absent = autre.absent;",
+        CHAMP + "Lancer|scene = autre.scene.avec(autre.scene.getModele());|scene = autre.scene.avec(autre.scene.getModele()); "
+                + "scene.absent = scene.getObjets().get(1);",
+        "Scene|private final Modele|public double jusqua = 7; private final Modele"
+                + "|Scene|if (d < distance |if (d < Math.min(jusqua, distance) ",
+        // une liste filtrée par les boucles, ou par elles et par la scène
+        "Scene|if (objets[k] != saufLui)|if (k < 5 && objets[k] != saufLui)",
+        "Scene|if (objets[k] != objet|if (k >= 3 && objets[k] != objet",
+        "Scene|return Collections.unmodifiableList(Arrays.asList(objets));|return Arrays.asList(objets).subList(0, 6);"
+                + "|Scene|if (objets[k] != saufLui|if (k < 6 && objets[k] != saufLui"
+                + "|Scene|if (objets[k] != objet|if (k < 6 && objets[k] != objet",
+        // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
+        MOBILE + "Lancer|Echantillonnage prepare =|"
+                + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
+        MOBILE + "Lancer|if (brouillon) {|placer(scene, pave.i0 < 64 ? 1 : 0); if (brouillon) {",
+        MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
+                + "|Lancer|equipe.obeir();|placer(scene, 1); equipe.obeir();",
+        MOBILE + "Lancer|equipe.faire(paves.size(),|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(paves.size(),",
+        // une lampe qui bouge, un objet qui n'a pas d'ombre, une ombre qui dépend de la distance
+        "Lampe|private final Point position|public Point position|Lancer|equipe.faire(paves.size(),|scene.lampes[0].position "
+                + "= scene.lampes[0].position.add(new Vecteur(3, 0, 0)); equipe.faire(paves.size(),",
+        "Scene|objets[k] != objet && demander|objets[k] != objet && objets[k].getKs().r < 0.2 && demander",
+        "Scene|demander(objets[k], ombre) < distance|demander(objets[k], ombre) < Math.min(distance, 9)",
+        "Scene|objets[k] != objet && demander|demander"})
+    void unAjoutSeVoit(String changements) throws IOException {
+        try (Essai.Isole programme = Modification.de(dossier, changements.split("\\|"))) {
+            // à deux fils, une sphère qui bouge ne donnerait pas deux fois la même image
+            verifierLImage(programme, "--fils=1");
+        }
+    }
+
+    @Tag("long")
+    @Test
+    void leVerreDeChaqueBouleSeVoitDansNeufCasSurDix() throws IOException {
+        int changeantes = 0;
+        List<String> pasVues = new ArrayList<>();
+        try (Essai.Isole verre = Modification.de(dossier, VERRE)) {
+            for (String nom : (LONGS ? "scene1 bowling ombres miroirs diffus" : "scene1 bowling").split(" ")) {
+                String texte = Essai.texte("scenes/" + nom + ".ini");
+                float[] opaque = dessiner(verre, dossier, "scenes/" + nom + ".ini", "--simple");
+                Matcher boule = Pattern.compile("(?m)^\\[Sphere.*\n").matcher(texte);
+                while (boule.find()) {
+                    Path scene = Essai.scene(dossier.resolve(nom + ".ini"), texte.substring(0, boule.end()) + "Kt=1 1 1\n"
+                            + texte.substring(boule.end()));
+                    float[] simple = dessiner(verre, dossier, scene.toString(), "--simple");
+                    int faux = differents(simple, dessiner(verre, dossier, scene.toString()));
+                    // un cas compte s'il change plus d'un pixel sur mille, par les boucles ou par la recherche
+                    if (Math.max(faux, differents(opaque, simple)) * 1000 > simple.length / 3) {
+                        changeantes++;
+                        if (faux > 0) {
+                            pasVues.add(nom + " " + boule.group().trim() + " : " + faux);
+                        }
+                    }
+                }
+            }
+        }
+        assertTrue(changeantes >= (LONGS ? 20 : 8) && pasVues.size() * 10 <= changeantes, changeantes + " cas, dont " + pasVues);
+    }
+
+    private static int differents(float[] a, float[] b) {
+        return (int) IntStream.range(0, a.length / 3).filter(k -> a[3 * k] != b[3 * k] || a[3 * k + 1] != b[3 * k + 1]
+                || a[3 * k + 2] != b[3 * k + 2]).count();
+    }
+
+    /** Aucun rayon du sondage ne rencontre la dernière boule, mais les boucles l'interrogent. */
+    @Test
+    void uneListeSansLaDerniereDeMilleBoulesSeVoit() throws IOException {
+        try (Essai.Isole change = Modification.de(dossier, "Scene", "return Collections.unmodifiableList(Arrays.asList(objets));",
+                "return Arrays.asList(objets).subList(0, objets.length - 1);")) {
+            String scene = "scenes/tournesol.ini";
+            assertArrayEquals(dessiner(change, dossier, scene, "--simple"), dessiner(change, dossier, scene));
+        }
+    }
+
+    @Test
+    void comparerDitAussiQueLesBouclesDessinent() throws IOException {
+        try (Essai.Isole change = Modification.de(dossier, "Sphere", "setContact(this, d)", "setContact(this, d = d - 1)")) {
+            String image = dossier.resolve("i.png").toString();
+            assertEquals(0, change.executer("--simple", "--taille=200x150", "--image", image, "scenes/scene1.ini").code);
+            Essai essai = change.executer("--comparer", image, "scenes/scene1.ini");
+            assertEquals(0, essai.code, essai.toString());
+            assertTrue(essai.erreur.contains("ce sont les boucles sur tous les objets qui dessinent"), essai.toString());
         }
     }
 }

@@ -63,7 +63,7 @@ class RegardTest {
         Map<String, Scene> scenes = new HashMap<>(ScenesDEssai.toutes(60));
         scenes.putAll(ScenesDEssai.toutes(20));
         scenes.putAll(ScenesDEssai.extremes(60));
-        scenes.putAll(ScenesDEssai.hostiles(1000));
+        scenes.putAll(ScenesDEssai.hostiles(300));
         scenes.forEach((nom, scene) -> {
             Regard regard = preparer(scene, false);
             assertNull(regard.getEcart(), nom);

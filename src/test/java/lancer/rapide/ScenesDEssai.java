@@ -54,6 +54,7 @@ final class ScenesDEssai {
         scenes.put("poussière", new ScenesDEssai(16).foule(taille, 3, 1e-4, 1e-3).sphere(0, 0, 7, 1).deuxLampes().scene());
         scenes.put("un plan d'élève", new ScenesDEssai(17).plan(-1.2).foule(taille, 2, 0.1, 0.4).plan(-1.2).deuxLampes().scene());
         scenes.put("une fille de Sphere", new ScenesDEssai(18).filles().foule(taille, 2, 0.1, 0.4).deuxLampes().scene());
+        scenes.put("derrière l'écran", new ScenesDEssai(22).gaussienne(taille, 0, 0, -6, 1.5, 0.4).deuxLampes().scene());
         scenes.put("mates et noires", new ScenesDEssai(19).mates(taille).deuxLampes().scene());
         return scenes;
     }

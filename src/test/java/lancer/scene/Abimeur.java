@@ -63,25 +63,11 @@ final class Abimeur {
     /** Le fichier de cette graine, et d'elle seule. */
     byte[] fichier(long graine) {
         SplittableRandom hasard = new SplittableRandom(graine);
-        switch (hasard.nextInt(10)) {
-            case 0:
-                return octets(hasard, hasard.nextInt(300));
-            case 1:
-                ByteArrayOutputStream soupe = new ByteArrayOutputStream();
-                for (int k = hasard.nextInt(60); k > 0; k--) {
-                    ajouter(soupe, mot(hasard));
-                }
-                return soupe.toByteArray();
-            case 2:
-                byte[] entier = vrai(hasard);
-                return Arrays.copyOf(entier, hasard.nextInt(entier.length + 1));
-            default:
-                byte[] fichier = vrai(hasard);
-                for (int fois = 1 + hasard.nextInt(1 + hasard.nextInt(8)); fois > 0; fois--) {
-                    fichier = abimer(fichier, hasard);
-                }
-                return fichier;
+        byte[] fichier = vrai(hasard);
+        for (int fois = 1 + hasard.nextInt(1 + hasard.nextInt(8)); fois > 0; fois--) {
+            fichier = abimer(fichier, hasard);
         }
+        return fichier;
     }
 
     private byte[] vrai(SplittableRandom hasard) {
@@ -117,38 +103,13 @@ final class Abimeur {
     }
 
     /** Remplace un morceau du fichier par un autre, l'un ou l'autre peut-être vide. */
-    private byte[] abimer(byte[] f, SplittableRandom hasard) {
+    private static byte[] abimer(byte[] f, SplittableRandom hasard) {
         int a = hasard.nextInt(f.length + 1);
         int b = Math.min(f.length, a + (hasard.nextBoolean() ? hasard.nextInt(3) : hasard.nextInt(200)));
-        byte[] milieu;
-        switch (hasard.nextInt(7)) {
-            case 0:
-                milieu = new byte[0];
-                break;
-            case 1:
-                milieu = Arrays.copyOfRange(f, a, b);
-                if (b > a) {
-                    milieu[hasard.nextInt(b - a)] ^= (byte) (1 << hasard.nextInt(8));
-                }
-                break;
-            case 2:
-                milieu = repete(Arrays.copyOfRange(f, a, b), 2 + hasard.nextInt(5));
-                break;
-            case 3:
-                milieu = repete(mot(hasard), 1 << hasard.nextInt(10));
-                break;
-            case 4:
-                byte[] autre = vrai(hasard);
-                int c = hasard.nextInt(autre.length + 1);
-                milieu = Arrays.copyOfRange(autre, c, c + hasard.nextInt(autre.length - c + 1));
-                break;
-            default:
-                milieu = mot(hasard);
-                break;
-        }
+        byte[] milieu = hasard.nextInt(3) > 0 ? mot(hasard) : repete(Arrays.copyOfRange(f, a, b), hasard.nextInt(6));
         ByteArrayOutputStream s = new ByteArrayOutputStream();
         s.write(f, 0, a);
-        ajouter(s, milieu);
+        s.write(milieu, 0, milieu.length);
         s.write(f, b, f.length - b);
         return s.size() <= LONGUEUR_MAX ? s.toByteArray() : Arrays.copyOf(s.toByteArray(), LONGUEUR_MAX);
     }
@@ -160,9 +121,5 @@ final class Abimeur {
             tout[k] = morceau[k % morceau.length];
         }
         return tout;
-    }
-
-    private static void ajouter(ByteArrayOutputStream s, byte[] octets) {
-        s.write(octets, 0, octets.length);
     }
 }

@@ -1,7 +1,6 @@
 package lancer.scene;
 
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -9,7 +8,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Set;
@@ -24,7 +22,6 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
-import lancer.essai.Essai;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -38,9 +35,6 @@ import org.junit.jupiter.api.io.TempDir;
 class LectureAleatoireTest {
 
     private static final int ESSAIS = 10_000;
-
-    /** Un essai sur tant passe par le programme entier, jusqu'à l'image. */
-    private static final int PART_DESSINEE = 20;
 
     /** Octets qu'une lecture peut demander à la mémoire, tampon de lecture et recherche des variantes compris. */
     private static final long MEMOIRE_FIXE = 1 << 20;
@@ -88,34 +82,6 @@ class LectureAleatoireTest {
         // sans quoi ces essais ne diraient rien
         assertTrue(acceptes > ESSAIS / 20, acceptes + " scènes acceptées seulement");
         assertTrue(fautes.size() > 25, fautes.toString());
-    }
-
-    @Test
-    void leProgrammeDessineUnFichierAuHasardOuLeRefuseEnUneLigne() throws IOException {
-        Path pfm = dossier.resolve("image.pfm");
-        Path png = dossier.resolve("image.png");
-        int dessines = 0;
-        for (long graine = 0; graine < ESSAIS; graine += PART_DESSINEE) {
-            byte[] octets = abimeur.fichier(graine);
-            ecrire(octets);
-            Essai e = Essai.executer("--lineaire=" + pfm, "--image=" + png, "--taille=3x2", "--fils=1", fichier.toString());
-            String cas = "graine " + graine + " : " + e;
-            if (e.code == 0) {
-                dessines++;
-                for (float composante : Essai.pfm(Files.readAllBytes(pfm))) {
-                    assertTrue(Math.abs(composante) <= Float.MAX_VALUE, cas);
-                }
-                Files.delete(pfm);
-                Files.delete(png);
-            } else {
-                assertEquals(2, e.code, cas);
-                assertTrue(e.erreur.startsWith("lancer : ") && e.erreur.endsWith(System.lineSeparator()), cas);
-                verifierMessage(e.erreur.substring("lancer : ".length(), e.erreur.length() - System.lineSeparator().length()), octets, cas);
-            }
-            assertEquals("", e.sortie, cas);
-            assertEquals(1, dossier.toFile().list().length, cas);
-        }
-        assertTrue(dessines > ESSAIS / PART_DESSINEE / 20, dessines + " images seulement");
     }
 
     /** Sans passer par un fichier vide : après cela, certains disques attendent que tout soit écrit. */

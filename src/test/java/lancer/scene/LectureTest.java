@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -28,6 +29,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.Sphere;
+import lancer.Vecteur;
 import lancer.essai.Essai;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
@@ -222,5 +224,56 @@ class LectureTest {
         assertTrue(message.contains("scene \\u001b[31m\\tlongue longue"), message);
         assertTrue(message.contains("longue .ini, ligne 1, [Cube] : type de section inconnu"), message);
         assertFalse(message.contains("\u001b"), message);
+    }
+
+    @Test
+    void uneLigneSeDonneParMorceauxDeToutesLesTailles() throws IOException {
+        byte[] fichier = "\uFEFF0123456789\nab\r\n\r; é\nc".getBytes(StandardCharsets.UTF_8);
+        for (int taille = 1; taille < 12; taille++) {
+            Lignes lignes = new Lignes(new ByteArrayInputStream(fichier), 0, part -> { });
+            StringBuilder lu = new StringBuilder();
+            char[] tampon = new char[taille];
+            for (int n = lignes.read(tampon, 0, taille); n >= 0; n = lignes.read(tampon, 0, taille)) {
+                lu.append(tampon, 0, n);
+            }
+            assertEquals("0123456789\nab\n\n\nc\n", lu.toString(), "par " + taille);
+        }
+    }
+
+    // la caméra d'une section
+
+    private static final String BOULE = "[Sphere devant]\ncentre=0 0 6\nrayon=1\n[Sphere derrière]\ncentre=0 0 9\nrayon=1\n";
+
+    private Camera lire(String... section) throws IOException {
+        Path scene = Essai.scene(dossier.resolve("s.ini"), String.join("\n", section), BOULE);
+        return LecteurScene.lire(scene.toString(), part -> { }).getCadrage().apply(80, 60);
+    }
+
+    @Test
+    void laSectionCameraPlaceLOeilLeTourneEtOuvreSonChamp() throws IOException {
+        Camera camera = lire("[CAMERA de côté]", "Cible=4 1 -3", "champ=90", "OEIL=1 2 3");
+        assertEquals(new Point(1, 2, 3), camera.getOeil());
+        assertEquals(0, camera.getRayon(40, 30).getV().sub(new Vecteur(3, -1, -6).normalized()).norme(), 1e-15);
+        assertEquals(0, camera.getRayon(0, 30).getV().dot(camera.getRayon(80, 30).getV()), 1e-15);
+        Point cible = camera.projeter(new Point(4, 1, -3));
+        assertEquals(40, cible.x, 1e-12);
+        assertEquals(30, cible.y, 1e-12);
+    }
+
+    @Test
+    void sansOeilNiCibleSeulLeChampChange() throws IOException {
+        Camera camera = lire("[Camera]", "champ=90");
+        assertEquals(-1, camera.getOeil().z, 1e-15);
+        assertEquals(0, camera.getEcran(12, 34).z, 1e-15);
+        assertEquals(camera.getX(12), camera.getEcran(12, 34).x);
+        assertEquals(Camera.class, lire("; aucune section").getClass());
+    }
+
+    @Test
+    void leRecitDUnPixelEstVuDeCetOeil() throws IOException {
+        lire("[Camera]", "oeil=0 0 20", "cible=0 0 6");
+        String scene = dossier.resolve("s.ini").toString();
+        Essai recit = Essai.executer("--pixel=40,30", "--taille=80x60", scene);
+        assertTrue(recit.sortie.contains("[Sphere derrière]") && !recit.sortie.contains("1  [Sphere devant]"), recit.sortie);
     }
 }

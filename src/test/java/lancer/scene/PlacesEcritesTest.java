@@ -18,9 +18,7 @@ import lancer.Lampe;
 import lancer.Point;
 import lancer.SceneFautive;
 import lancer.Sphere;
-import lancer.commande.Echec;
 import lancer.essai.Ressources;
-import lancer.image.Ecriture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -153,21 +151,5 @@ class PlacesEcritesTest {
         assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
         Files.createDirectory(fichier);
         assertThrows(SceneFautive.class, () -> lue.deplacer(voulue));
-    }
-
-    @Test
-    void leFichierEstRemplaceEnEntierOuPasDuTout() throws IOException {
-        byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
-        SceneLue lue = lire(avant);
-        byte[] ecrits = lue.deplacer(lue.avec(lue.lampes.get(0), new Point(3, 3, 0)));
-        Ecriture ecriture = new Ecriture(fichier.toString());
-        ecriture.ecrire(ecrits);
-        verifier(scene(SCENE, "0 0.2 6", "3 3 0", "1 1 7"), Files.readAllBytes(fichier));
-        assertArrayEquals(new String[] {"s.ini"}, dossier.toFile().list());
-
-        Path sous = Files.createDirectory(dossier.resolve("sous"));
-        Ecriture absente = new Ecriture(sous.resolve("s.ini").toString());
-        Files.delete(sous);
-        assertThrows(Echec.class, () -> absente.ecrire(ecrits));
     }
 }

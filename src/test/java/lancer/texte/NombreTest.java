@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** L'écriture des nombres : la grammaire, toute la grammaire, rien que la grammaire. */
 class NombreTest {
 
-    private static final int ESSAIS = 300_000;
+    private static final int ESSAIS = 60_000;
 
     /** La grammaire de la spécification, écrite autrement que dans {@link Nombre}. */
     private static final Pattern GRAMMAIRE = Pattern.compile("[+-]?([0-9]+(\\.[0-9]+)?|[0-9]+\\.|\\.[0-9]+)([eE][+-]?[0-9]+)?");
@@ -30,7 +30,7 @@ class NombreTest {
     @Test
     void arrondieUneBaseDonneEncoreSaPuissanceATroisChiffres() {
         Random hasard = new Random(31);
-        for (int k = 0; k < 100_000; k++) {
+        for (int k = 0; k < 20_000; k++) {
             double base = 1 - Math.pow(10, -12 * hasard.nextDouble());
             double exposant = -Math.log(hasard.nextDouble()) / -Math.log(base);
             double puissance = Math.pow(base, exposant);

@@ -15,7 +15,6 @@ import lancer.Sphere;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Vue;
-import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -62,9 +61,6 @@ class LimitesAntialiasTest {
             biaisNotre += notre / tirages;
         }
         assertEquals(0.5 / n, biaisNaif, 0.01 / n);
-        if (n == 1) {
-            Rangee.montre("desSousPixelsNonCentresOntUnBiaisDUnDemiSousPixel", biaisNaif, Math.rint(100 * biaisNotre) / 100, 0);
-        }
         assertEquals(0, biaisNotre, 0.01 / n);
     }
 
@@ -75,8 +71,6 @@ class LimitesAntialiasTest {
         Vue eclat = (xe, ye) -> new Couleur(xe < 0.67 && ye < 0.33 ? 10 : 0);
         assertEquals(2.0 / 9, moyenne(eclat, 0, 0, 3, 0.5, true).r, 1e-15);
         assertEquals(20.0 / 9, laNotre(eclat, 3).r, 1e-15);
-        Rangee.montre("limiterAvantDeMoyennerEteintLesBordsEblouissants", moyenne(eclat, 0, 0, 3, 0.5, true).r, laNotre(eclat, 3).r,
-                20.0 / 9);
     }
 
     /** La somme de la tache d'une lampe, plus petite qu'un pixel, par une méthode, en fois celle d'un échantillonnage fin : écart type. */
@@ -115,6 +109,5 @@ class LimitesAntialiasTest {
         double grille = tacheManquee(new Coins(8, 0));
         assertTrue(unRayon > 0.7 && coins > 0.3 && partage > 0.3, unRayon + ", coins " + coins + ", partage " + partage);
         assertTrue(grille < 0.1, "la grille : " + grille);
-        Rangee.montre("uneTachePlusPetiteQuUnPixelEstManqueeParToutCeQuiNEstPasLaGrille", unRayon, grille, 0);
     }
 }

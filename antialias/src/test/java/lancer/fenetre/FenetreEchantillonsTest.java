@@ -57,7 +57,9 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
 
     @Test
     void f3NommeLaMethodeDeChaqueImageEtMontreCelleQueLOnChoisit() throws Exception {
-        ouvrir();
+        // petite : chaque image y est assez dessinée en un instant
+        banc = new BancFenetre("--taille=100x75", scene.toString());
+        banc.imageAchevee();
         banc.frapper(KeyEvent.VK_F3);
         GraphiqueVitesse graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
@@ -73,7 +75,8 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         });
         attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.015625, [Antialias] n=2 "));
         ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
-        assertArrayEquals(attendue("--reflets=1000", "--seuil=0.015625"), banc.imageAchevee().codes);
+        assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, 100, 75, "--reflets=1000", "--seuil=0.015625"),
+                banc.imageAchevee().codes);
     }
 
     /** L'endroit du graphique où la souris dit ce réglage, ou {@code null}. */

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.essai.Rangee;
 import org.junit.jupiter.api.Test;
 
 /** Où les formules de la brume, recopiées telles quelles, échouent. */
@@ -23,8 +22,6 @@ class LimitesBrumeTest {
         Brume sansDensite = new Brume(new Couleur(0.25), 0, Double.NaN, 0);
         assertEquals(new Couleur(0.25), sansDensite.traverser(new Couleur(0.9), Constantes.INFINI), "la brume seule");
         assertEquals(new Couleur(0.9), sansDensite.traverser(new Couleur(0.9), 1e300), "un objet, si loin soit-il, n'en a pas");
-        Rangee.montre("zeroFoisLInfiniNEstPasUneBrume", exponentielleNaive(0, 0, Constantes.INFINI),
-                sansDensite.traverser(new Couleur(0.9), Constantes.INFINI).r, 0.25);
     }
 
     /** De 1, 1 − exp(−x) ne garde que les chiffres de x au-dessus de 1e-16 ; {@code expm1} les garde tous. */
@@ -32,8 +29,6 @@ class LimitesBrumeTest {
     void uneBrumeTresLegereSePerdDansUn() {
         assertEquals(0, exponentielleNaive(0, 1e-17, 1), "disparue");
         assertEquals(1e-17, new Brume(new Couleur(1), 0, Double.NaN, 1e-17).k(1), 1e-32);
-        Rangee.montre("uneBrumeTresLegereSePerdDansUn", exponentielleNaive(0, 1e-17, 1),
-                new Brume(new Couleur(1), 0, Double.NaN, 1e-17).k(1), 1e-17);
         double naive = exponentielleNaive(0, 1e-12, 1);
         assertTrue(Math.abs(naive / 1e-12 - 1) > 1e-5, "il en reste quatre chiffres : " + naive);
         assertEquals(1, new Brume(new Couleur(1), 0, Double.NaN, 1e-12).k(1) / 1e-12, 1e-11);
@@ -47,7 +42,6 @@ class LimitesBrumeTest {
         double justes = brume.traverser(brume.traverser(new Couleur(), 8), 4).r;
         double cumulees = brume.traverser(brume.traverser(new Couleur(), 8 + 4), 4).r;
         assertEquals(0.2 + 0.8 * 0.4, justes, 1e-15);
-        Rangee.montre("chaqueRayonTraverseSaBrumeEtElleSeule", cumulees, justes, 0.2 + 0.8 * 0.4);
         assertEquals(0.2 + 0.8 * 0.6, cumulees, 1e-15, "l'image l'a en forme close : BrumeTest.laBrumeEntreDeuxMiroirsAUneFormeClose");
     }
 }

@@ -9,6 +9,7 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.Collections;
 import javax.swing.UIManager;
 import lancer.Camera;
@@ -22,14 +23,17 @@ import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
 import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** Les figures de l'inspecteur suivent l'œil et l'écran de la caméra. */
-class OeilDeplaceFiguresTest {
+/** Les figures de l'inspecteur : l'anneau et les traits sur l'image, où que soit l'œil et à la loupe, et la vue de côté. */
+class FiguresTest {
 
     private static final int L = 320;
     private static final int H = 240;
+    private static final int LOUPE = 16;
     private static final int CARACTERE = 12;
     private static final int BLANC = 200;
 
@@ -114,5 +118,76 @@ class OeilDeplaceFiguresTest {
             }
         }
         return false;
+    }
+
+    @Test
+    void aLaLoupeLesFlechesSontAuBordDeCeQuiSeVoit() {
+        Sphere boule = new Sphere(new Point(0, 0, 6), 1);
+        boule.setKd(new Couleur(1));
+        Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule), Arrays.asList(
+                new Lampe(new Point(-4, 6, -3), new Couleur(1)), new Lampe(new Point(0, 0, 1), new Couleur(1)))), chose -> null,
+                new Camera(L, H), 0, 150, 110);
+        pixel.faire();
+        Figure figure = new Figure(pixel);
+        Dimension vue = new Dimension(300, 200);
+        BufferedImage vues = peindre(figure, vue);
+        BufferedImage sansBord = peindre(figure, new Dimension(LOUPE * L, LOUPE * H));
+        int differents = 0;
+        Rectangle loinDuBord = new Rectangle(vue);
+        loinDuBord.grow(-CARACTERE, -CARACTERE);
+        for (int k = 0; k < vue.width * vue.height; k++) {
+            int x = k % vue.width;
+            int y = k / vue.width;
+            if (vues.getRGB(x, y) != sansBord.getRGB(x, y)) {
+                differents++;
+                assertTrue(!loinDuBord.contains(x, y), "une flèche en " + x + ", " + y);
+            }
+        }
+        assertTrue(differents > CARACTERE, "pas de flèche au bord");
+        assertEquals(vues.getRGB(1, 1), vues.getRGB(vue.width - 2, vue.height - 2), "ni là où rien ne sort");
+    }
+
+    /** Autour du pixel, sur une image où ne se voit qu'un morceau de la loupe. */
+    private static BufferedImage peindre(Figure figure, Dimension vue) {
+        BufferedImage image = new BufferedImage(300, 200, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
+        figure.peindre(g, new Rectangle(150 - LOUPE * 150, 100 - LOUPE * 110, LOUPE * L, LOUPE * H), vue);
+        g.dispose();
+        return image;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 10, 1e3, 2e4, 1e6, 1e9})
+    void leBordDUneSphereEstALaHauteurDeSonEquationQuelQueSoitSonRayon(double rayon) {
+        double sommet = -0.3;
+        double z = 4;
+        Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, sommet - rayon, z), rayon)), Collections.emptyList());
+        Inspection pixel = new Inspection(scene, chose -> null, new Camera(40, 40), 0, 20, 23);
+        pixel.faire();
+        assertTrue(pixel.getSegments().get(0).contact != null);
+        VueDeCote vue = new VueDeCote();
+        vue.setSize(500, 180);
+        vue.montrer(pixel);
+        BufferedImage peinte = new BufferedImage(500, 180, BufferedImage.TYPE_INT_RGB);
+        vue.paint(peinte.createGraphics());
+        int jugees = 0;
+        for (int x = 0; x < 500; x++) {
+            double dz = (x + 0.5 - vue.h(new Point(0, 0, z))) / (vue.h(new Point(0, 0, 1)) - vue.h(new Point()));
+            if (Math.abs(dz) < 0.9 * rayon) {
+                double hauteur = vue.v(new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z));
+                if (hauteur > 1 && hauteur < 178) {
+                    jugees++;
+                    assertTrue(estGris(peinte, x, (int) (hauteur - 0.5)) || estGris(peinte, x, (int) (hauteur + 0.5)),
+                            "colonne " + x + ", hauteur " + hauteur);
+                }
+            }
+        }
+        assertTrue(jugees > 15, jugees + " colonnes");
+    }
+
+    /** Un trait y passe, celui de la sphère ou un autre par-dessus lui. */
+    private static boolean estGris(BufferedImage vue, int x, int y) {
+        return new Color(vue.getRGB(x, y)).getRed() < 240;
     }
 }

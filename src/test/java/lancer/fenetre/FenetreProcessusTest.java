@@ -1,11 +1,13 @@
 package lancer.fenetre;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.util.Arrays;
 import java.util.List;
 import lancer.Main;
 import lancer.essai.Essai;
@@ -14,10 +16,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Un programme dont la fenêtre est ouverte, arrêté pendant qu'il dessine : il finit sans rien dire ni rien laisser. */
+/** Un programme dont la fenêtre s'ouvre, dans sa machine virtuelle : arrêté pendant qu'il dessine, ou mal installé. */
 @Tag("fenetre")
 @Timeout(900)
-class FenetreFermeeTest extends EssaiProcessus {
+class FenetreProcessusTest extends EssaiProcessus {
 
     @Test
     void ctrlCFenetreOuverteRend130() throws Exception {
@@ -37,11 +39,28 @@ class FenetreFermeeTest extends EssaiProcessus {
         List<String> commande = java("", "--taille=1200x700", "--reflets=1000", "--seuil=0", SCENE);
         int classe = commande.indexOf("lancer.Main");
         commande.set(classe, FermerEnDessinant.class.getName());
-        commande.set(classe - 1, commande.get(classe - 1) + File.pathSeparator + Essai.origine(FenetreFermeeTest.class));
+        commande.set(classe - 1, commande.get(classe - 1) + File.pathSeparator + Essai.origine(FenetreProcessusTest.class));
         assertEquals(0, statut(preparer(commande)), erreur());
         assertEquals("", erreur());
         assertEquals("fermée en dessinant", sortie().trim().replace("ferm?e", "fermée"));
         verifierDossier();
+    }
+
+    @Test
+    void uneClasseDAccessibiliteAbsenteNEstPasUnEcranAbsent() throws Exception {
+        BancFenetre.exigerEcran();
+        assertEquals(1, statut(preparer(java("-Djavax.accessibility.assistive_technologies=absente.Classe", SCENE))));
+        assertTrue(erreur().contains("absente.Classe") && !erreur().contains("pas d'écran"), erreur());
+        assertEquals(1, erreur().split("\n").length, erreur());
+    }
+
+    @Test
+    void unUtilisateurSansDossierNEnAPasUnDeCeNom() throws Exception {
+        BancFenetre.exigerEcran();
+        processus = preparer(java("-Duser.home=?", "--statistiques", "--taille=32x24", SCENE)).start();
+        attendre(() -> sortie().contains("trace.ms") || !processus.isAlive());
+        assertTrue(processus.isAlive(), erreur());
+        assertEquals(Arrays.asList("flux"), Arrays.asList(dossier.toFile().list()));
     }
 
     /** Le programme, dont la fenêtre est fermée comme par la croix dès que l'image s'y dessine. */
