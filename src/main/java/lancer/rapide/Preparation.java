@@ -31,7 +31,7 @@ public final class Preparation extends TousLesObjets {
     private static final int OBJETS_PAR_PIXEL = 8;
 
     /** Nombre de cases d'une carte par objet, nombre de cases de toutes les cartes, et de places par case. */
-    private static final int CASES_PAR_OBJET = 8;
+    private static final int CASES_PAR_OBJET = 2;
     private static final int CASES_TOUJOURS = 1 << 18;
     private static final int PLACES_PAR_CASE = 8;
 
