@@ -91,8 +91,8 @@ public final class Preparation extends TousLesObjets {
             Point place = lampes.get(l).getPosition();
             cartes[l] = Carte.de(PointDeVue.de(place, place, enveloppes, cases), enveloppes, places);
         }
-        Carte oeil = !utiles ? null : Carte.de(PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes, cases),
-                enveloppes, places);
+        PointDeVue vue = utiles ? PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes, cases) : null;
+        Carte oeil = Carte.de(vue, enveloppes, places);
         return new Foule(enveloppes, arbre, oeil, lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 
