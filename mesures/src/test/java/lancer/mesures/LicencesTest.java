@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
-import java.io.InputStream;
 import java.util.Scanner;
 import java.util.Set;
 import java.util.TreeSet;
@@ -32,23 +31,18 @@ class LicencesTest {
         return noms;
     }
 
-    private static String texte(String nom) {
-        InputStream entree = LicencesTest.class.getResourceAsStream(nom);
-        assertNotNull(entree, nom);
-        try (Scanner tout = new Scanner(entree, "UTF-8").useDelimiter("\\A")) {
-            return tout.next();
-        }
-    }
-
     @Test
     void chaqueBibliothequeEmbarqueeALesSiennesDansLArchive() {
         Set<String> dites = new TreeSet<>();
-        for (String ligne : texte("/META-INF/licences/LISEZMOI.txt").split("\n")) {
-            Matcher m = Pattern.compile("(\\S+) {2,}\\S.* {2,}(\\S+)( et (\\S+))?").matcher(ligne);
-            if (m.matches()) {
-                dites.add(m.group(1));
-                assertNotNull(getClass().getResource("/" + m.group(2)), ligne);
-                assertTrue(m.group(4) == null || getClass().getResource("/" + m.group(4)) != null, ligne);
+        try (Scanner lignes = new Scanner(getClass().getResourceAsStream("/META-INF/licences/LISEZMOI.txt"), "UTF-8")) {
+            while (lignes.hasNextLine()) {
+                String ligne = lignes.nextLine();
+                Matcher m = Pattern.compile("(\\S+) {2,}\\S.* {2,}(\\S+)( et (\\S+))?").matcher(ligne);
+                if (m.matches()) {
+                    dites.add(m.group(1));
+                    assertNotNull(getClass().getResource("/" + m.group(2)), ligne);
+                    assertTrue(m.group(4) == null || getClass().getResource("/" + m.group(4)) != null, ligne);
+                }
             }
         }
         assertEquals(bibliotheques(), dites);

@@ -139,12 +139,8 @@ class ReferenceTest extends JuryEssai {
     }
 
     @Test
-    void laPlusLointaineAuLieuDeLaPlusProcheEstUneFauteDeScene() {
+    void unContactLointainEstUneFauteDeSceneEtUnMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
         verifier("plus-loin", "scene");
-    }
-
-    @Test
-    void unMiroirALEnversSeVoitAuSpeculaireEtAuxReflets() {
         verifier("miroir-a-l-envers", "phong", "reflets");
     }
 
