@@ -37,7 +37,7 @@ public final class Volet {
 
     /** Couleurs des séries, dans l'ordre où elles sont ajoutées. */
     private static final Paint[] COULEURS = {new Color(0xD55E00), new Color(0x0072B2), new Color(0xE69F00), new Color(0x009E73),
-        new Color(0xCC79A7), new Color(0x56B4E9), new Color(0x222222)};
+        new Color(0xCC79A7), new Color(0x56B4E9), new Color(0x222222), new Color(0xF0E442)};
 
     private static final Color GRIS = new Color(0x707070);
     private static final Color GRILLE = new Color(0xD8D8D8);

@@ -59,9 +59,6 @@ final class Catalogue {
         for (String scene : CHRONOMETREES) {
             groupes.add(choix(scene));
         }
-        // entre des miroirs face à face, le réglage le plus juste prendrait à lui seul six minutes
-        String lePlusJuste = Reglage.partage(16, 0.01).nom();
-        groupes.forEach(g -> g.essais.removeIf(e -> g.scene.equals("miroirs") && e.reglage.nom().equals(lePlusJuste)));
         for (String scene : Scenes.DIFFICILES) {
             groupes.add(choix(scene));
         }

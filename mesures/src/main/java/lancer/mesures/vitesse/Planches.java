@@ -1,6 +1,7 @@
 package lancer.mesures.vitesse;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import lancer.mesures.Intervalle;
@@ -64,8 +65,8 @@ final class Planches {
         Volet volet = new Volet("Combien de réflexions ? L'erreur, avec anticrénelage", "--reflets", "erreur, en niveaux").xOrdinaire()
                 .repere(1, "1 niveau").repere(ARRONDI, "l'arrondi de l'écran");
         for (String scene : siens.scenes()) {
-            volet.serie(scene, true, siens.scene(scene).toutes.stream().map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, ""))
-                    .collect(Collectors.toList()));
+            volet.serie(scene, true, siens.scene(scene).toutes.stream().sorted(Comparator.comparingDouble(m -> m.x))
+                    .map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, "")).collect(Collectors.toList()));
         }
         return new Planche(1, 1000).volet(volet);
     }
