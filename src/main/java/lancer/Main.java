@@ -2,6 +2,7 @@ package lancer;
 
 import java.io.PrintStream;
 import java.util.function.Consumer;
+import lancer.commande.Aide;
 import lancer.commande.Messages;
 import lancer.commande.Options;
 import lancer.contrat.PixelFautif;
@@ -54,7 +55,7 @@ public class Main implements Toile {
         try {
             Options options = Options.lire(args);
             if (options.aide || options.version) {
-                Messages.repondre(options.aide ? Options.getAide() : Options.getVersion(), sortie);
+                Messages.repondre(options.aide ? Aide.getTexte() : Options.getVersion(), sortie);
             } else if (options.sansFenetre()) {
                 Main main = new Main(options, sortie, erreur, null, null);
                 return new SansFenetre(options, main::dans, sortie, erreur).faire();

@@ -11,64 +11,11 @@ import lancer.Constantes;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
-/** La ligne de commande, lue de gauche à droite. Une demande fausse est refusée par un {@link Echec}. */
+/** La ligne de commande. Une demande fausse est refusée par un {@link Echec}. */
 public final class Options {
-
-    /** Place d'un nom et de son exemple dans l'aide, en caractères. */
-    private static final int LARGEUR_DES_NOMS = 25;
-    private static final int COTE_MAX = 16384;
-    private static final int PIXELS_MAX = 100_000_000;
-    private static final int FILS_MAX = 1024;
-    private static final int REPETER_MAX = 100_000;
-    public static final int REFLETS_MAX = 1000;
 
     public static final List<String> VUES = Collections.unmodifiableList(
             Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
-
-    /** Les options, dans l'ordre de l'aide : nom, exemple de sa valeur, valeur attendue et aide. */
-    private static final Entree[] TABLE = {
-        new Entree("--image", "FICHIER.png", "un fichier dont le nom finit par .png",
-                "écrit l'image, sans fenêtre ni écran"),
-        new Entree("--lineaire", "FICHIER.pfm", "un fichier dont le nom finit par .pfm",
-                "écrit les couleurs non limitées (PFM) ; peut aller avec --image"),
-        new Entree("--taille", "800x600", "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX
-                + " chacune, et au plus " + PIXELS_MAX + " pixels",
-                "taille de l'image, 1 à " + COTE_MAX + " pixels de côté"),
-        new Entree("--reflets", "5", "un entier de 0 à " + REFLETS_MAX,
-                "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
-        new Entree("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
-                "le cours étape par étape : lambert, phong, ombres, puis reflets"),
-        new Entree("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
-                "avec --image, en fausses couleurs : normales, distance, lampes,\n"
-                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
-        new Entree("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
-                "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
-        new Entree("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-                "sans ces variantes, même si elles sont dans le chemin des classes"),
-        new Entree("--fils", "N", "un entier de 1 à " + FILS_MAX,
-                "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur"),
-        new Entree("--repeter", "N", "un entier de 1 à " + REPETER_MAX, "dessine N fois avant d'écrire, pour mesurer"),
-        new Entree("--statistiques", null, null, "après l'image, rayons et temps, une ligne « nom: valeur » chacun"),
-        new Entree("--simple", null, null, "les boucles du cours au lieu de la recherche rapide : la même image"),
-        new Entree("--pixel", "421,426",
-                "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
-                "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-                + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran"),
-        new Entree("--auto", "erreur=1", "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
-                "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
-                + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-                + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire"),
-        new Entree("--comparer", "REF.png", "une image PNG ou PFM",
-                "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-                + "pareilles, 1 différentes ; --image : l'image des différences"),
-        new Entree("--tolerance", "1", "un nombre de niveaux positif ou nul, par exemple 1",
-                "avec --comparer, l'écart permis, en niveaux sur 255"),
-        new Entree("--part", "0.5%", "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-                "avec --comparer, les pixels qui peuvent dépasser cet écart"),
-        new Entree("--aide", null, null, "ce texte, comme --help et -h"),
-        new Entree("--help", null, null, null),
-        new Entree("-h", null, null, null),
-        new Entree("--version", null, null, "la version")};
 
     /** Une option, puis celles qui ne vont pas avec elle ; une option, puis celles dont une doit aller avec elle. */
     private static final String[][] SEPAREES = {
@@ -94,7 +41,7 @@ public final class Options {
 
     /** La vue en fausses couleurs à écrire ; {@code null} pour l'image. */
     public String vue;
-    public int fils = Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors());
+    public int fils = Math.min(Aide.FILS_MAX, Runtime.getRuntime().availableProcessors());
     public int repeter = 1;
     public boolean statistiques;
 
@@ -119,29 +66,6 @@ public final class Options {
     private Options() {
     }
 
-    private static final class Entree {
-
-        final String nom;
-        /** {@code null} si l'option ne prend pas de valeur ; de même ce qui est attendu. */
-        final String exemple;
-        final String attendu;
-        /** {@code null} si l'aide n'a pas de ligne de cette option. */
-        final String aide;
-
-        Entree(String nom, String exemple, String attendu, String aide) {
-            this.nom = nom;
-            this.exemple = exemple;
-            this.attendu = attendu;
-            this.aide = aide;
-        }
-
-        String getLigne() {
-            String marge = "\n" + String.format("%" + (2 + LARGEUR_DES_NOMS) + "s", "");
-            return String.format("  %-" + LARGEUR_DES_NOMS + "s", exemple == null ? nom : nom + " " + exemple)
-                    + aide.replace("\n", marge) + "\n";
-        }
-    }
-
     /** @throws Echec si un argument est refusé */
     public static Options lire(String... arguments) {
         Options options = new Options();
@@ -151,16 +75,6 @@ public final class Options {
             options.accorder();
         }
         return options;
-    }
-
-    public static String getAide() {
-        StringBuilder aide = new StringBuilder("Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n\n"
-                + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n\n");
-        for (Entree entree : TABLE) {
-            aide.append(entree.aide == null ? "" : entree.getLigne());
-        }
-        return aide + "\nUne option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
-                + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";
     }
 
     public static String getVersion() {
@@ -197,15 +111,6 @@ public final class Options {
         return Texte.minuscules(nom).endsWith(fin);
     }
 
-    private static Entree entree(String nom) {
-        for (Entree entree : TABLE) {
-            if (entree.nom.equals(nom)) {
-                return entree;
-            }
-        }
-        throw demande("option inconnue : " + Texte.cite(nom), "une de celles que montre --aide");
-    }
-
     private void separer(String... arguments) {
         for (int k = 0; k < arguments.length && !aide && !version; k++) {
             String argument = arguments[k];
@@ -216,8 +121,8 @@ public final class Options {
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             String nom = egal < 0 ? argument : argument.substring(0, egal);
             String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            Entree entree = entree(nom);
-            boolean seule = entree.exemple == null;
+            Aide.Option option = Aide.trouver(nom);
+            boolean seule = option.exemple == null;
             if (seule && egal >= 0) {
                 throw Echec.demande("option qui ne prend pas de valeur : " + nom + " ; reçu : " + Texte.cite(valeur));
             }
@@ -229,7 +134,7 @@ public final class Options {
                 throw demande("option donnée deux fois : " + nom, "une seule fois chaque option");
             }
             if (!seule && valeur.isEmpty()) {
-                throw demande("option sans sa valeur : " + nom, entree.attendu);
+                throw demande("option sans sa valeur : " + nom, option.attendu);
             }
             aide = nom.equals("--aide") || nom.equals("--help") || nom.equals("-h");
             version = nom.equals("--version");
@@ -250,13 +155,13 @@ public final class Options {
     private void lireLesValeurs() {
         image = fichier("--image", ".png");
         lineaire = fichier("--lineaire", ".pfm");
-        int[] cotes = deuxEntiers("--taille", "x", COTE_MAX);
+        int[] cotes = deuxEntiers("--taille", "x", Aide.COTE_MAX);
         if (cotes != null) {
             largeur = cotes[0];
             hauteur = cotes[1];
-            exiger(largeur >= 1 && hauteur >= 1 && (long) largeur * hauteur <= PIXELS_MAX, "--taille");
+            exiger(largeur >= 1 && hauteur >= 1 && (long) largeur * hauteur <= Aide.PIXELS_MAX, "--taille");
         }
-        reglages = reglages.avecReflets(entier("--reflets", 0, REFLETS_MAX, reglages.getReflets()));
+        reglages = reglages.avecReflets(entier("--reflets", 0, Aide.REFLETS_MAX, reglages.getReflets()));
         reglages = reglages.avecSeuil(reel("--seuil", Double.MAX_VALUE, reglages.getSeuil()));
         reglages = reglages.avecEtape(choisie("--etape", Arrays.asList(Etape.values()), reglages.getEtape()));
         if (estDonnee("--sans")) {
@@ -268,8 +173,8 @@ public final class Options {
             reglages = reglages.avecLesBoucles();
         }
         vue = choisie("--vue", VUES, null);
-        fils = entier("--fils", 1, FILS_MAX, fils);
-        repeter = entier("--repeter", 1, REPETER_MAX, repeter);
+        fils = entier("--fils", 1, Aide.FILS_MAX, fils);
+        repeter = entier("--repeter", 1, Aide.REPETER_MAX, repeter);
         statistiques = estDonnee("--statistiques");
         int[] pixel = deuxEntiers("--pixel", ",", Constantes.INFINI);
         if (pixel != null) {
@@ -309,7 +214,7 @@ public final class Options {
             List<String> autres = Arrays.asList(une).subList(1, une.length);
             if (estDonnee(une[0]) && Collections.disjoint(autres, donnees.keySet())) {
                 throw demande(une[0] + " ne sert pas seule", "avec elle, " + autres.stream()
-                        .map(autre -> autre + " " + entree(autre).exemple).collect(Collectors.joining(" ou ")));
+                        .map(autre -> autre + " " + Aide.trouver(autre).exemple).collect(Collectors.joining(" ou ")));
             }
         }
         if (sansFenetre() && scene == null) {
@@ -371,7 +276,7 @@ public final class Options {
 
     private void exiger(boolean juste, String nom) {
         if (!juste) {
-            throw impossible(nom, entree(nom).attendu);
+            throw impossible(nom, Aide.trouver(nom).attendu);
         }
     }
 

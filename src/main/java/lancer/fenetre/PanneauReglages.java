@@ -23,7 +23,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import lancer.commande.Etape;
-import lancer.commande.Options;
+import lancer.commande.Aide;
 import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
@@ -55,8 +55,8 @@ final class PanneauReglages extends JScrollPane {
         JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape)));
         etapes.setToolTipText("F6 à F9");
         poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
-        saisir("réflexions", "un entier de 0 à " + Options.REFLETS_MAX + ", ou les touches + et −",
-                n -> n >= 0 && n <= Options.REFLETS_MAX && n == Math.rint(n),
+        saisir("réflexions", "un entier de 0 à " + Aide.REFLETS_MAX + ", ou les touches + et −",
+                n -> n >= 0 && n <= Aide.REFLETS_MAX && n == Math.rint(n),
                 n -> changer(reglages().avecReflets(n.intValue())), () -> (double) reglages().getReflets());
         saisir("seuil des reflets", "un nombre positif ou nul, par exemple 0.001",
                 n -> n >= 0 && n < Double.POSITIVE_INFINITY,

@@ -1,7 +1,6 @@
 package lancer.scene;
 
 import java.io.IOException;
-import java.nio.DoubleBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -124,19 +123,21 @@ public final class SceneLue {
     /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
     public static List<Objet3D> sansConfondues(List<? extends Objet3D> objets) {
         List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<DoubleBuffer> vues = new TreeSet<>();
+        Set<Sphere> vues = new TreeSet<>(SceneLue::comparer);
         for (Objet3D objet : objets) {
-            if (objet.getClass() != Sphere.class || vues.add(nombres((Sphere) objet))) {
+            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
                 gardes.add(objet);
             }
         }
         return gardes;
     }
 
-    private static DoubleBuffer nombres(Sphere s) {
-        Point c = s.getCentre();
-        // + 0.0 : −0.0 et 0.0 désignent la même position
-        return DoubleBuffer.wrap(new double[] {c.x + 0.0, c.y + 0.0, c.z + 0.0, s.getRayon()});
+    /** L'ordre des sphères par centre, puis par rayon ; + 0.0 : −0.0 et 0.0 désignent la même position. */
+    private static int comparer(Sphere a, Sphere b) {
+        int ordre = Double.compare(a.getCentre().x + 0.0, b.getCentre().x + 0.0);
+        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().y + 0.0, b.getCentre().y + 0.0);
+        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().z + 0.0, b.getCentre().z + 0.0);
+        return ordre != 0 ? ordre : Double.compare(a.getRayon(), b.getRayon());
     }
 
     /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */

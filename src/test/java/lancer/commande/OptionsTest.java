@@ -52,7 +52,7 @@ class OptionsTest {
     /** La console d'un Windows français, où « œ » n'existe pas. */
     @Test
     void lAideSEcritDansUneConsoleCp850() {
-        assertTrue(Charset.forName("IBM850").newEncoder().canEncode(Options.getAide()));
+        assertTrue(Charset.forName("IBM850").newEncoder().canEncode(Aide.getTexte()));
     }
 
     @Test
@@ -234,13 +234,13 @@ class OptionsTest {
 
     @Test
     void chaqueOptionEstDansLAideEtDansSaPage() throws IOException {
-        String source = new String(Files.readAllBytes(Paths.get("src/main/java/lancer/commande/Options.java")), StandardCharsets.UTF_8);
+        String source = new String(Files.readAllBytes(Paths.get("src/main/java/lancer/commande/Aide.java")), StandardCharsets.UTF_8);
         String page = new String(Files.readAllBytes(Paths.get("docs/options.md")), StandardCharsets.UTF_8);
         Matcher m = Pattern.compile("\"(--?[a-z][\\w-]*)\"").matcher(source);
         int options = 0;
         while (m.find()) {
             Pattern mot = Pattern.compile("(?<![\\w-])" + m.group(1) + "(?![\\w-])");
-            assertTrue(mot.matcher(Options.getAide()).find(), m.group(1) + " n'est pas dans l'aide");
+            assertTrue(mot.matcher(Aide.getTexte()).find(), m.group(1) + " n'est pas dans l'aide");
             assertTrue(mot.matcher(page).find(), m.group(1) + " n'est pas dans docs/options.md");
             options++;
         }

@@ -147,6 +147,17 @@ public abstract class EssaiProcessus {
         return false;
     }
 
+    /** Ctrl+C dès que ce programme tient son travail : statut 130, sans message ni fichier. */
+    protected void verifierCtrlC(String... arguments) throws Exception {
+        supposerUnix();
+        int pid = demarrerInterruptible(arguments);
+        attendre(() -> tientLesFils(pid));
+        interrompre(pid);
+        assertEquals(130, processus.waitFor());
+        assertEquals("", erreur());
+        verifierDossier();
+    }
+
     protected static void interrompre(int pid) throws Exception {
         new ProcessBuilder("/bin/sh", "-c", "kill -INT " + pid).start().waitFor();
     }

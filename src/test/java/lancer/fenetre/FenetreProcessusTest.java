@@ -23,14 +23,8 @@ class FenetreProcessusTest extends EssaiProcessus {
 
     @Test
     void ctrlCFenetreOuverteRend130() throws Exception {
-        supposerUnix();
         BancFenetre.exigerEcran();
-        int pid = demarrerInterruptible("--taille=400x300", SCENE);
-        attendre(() -> tientLesFils(pid));
-        interrompre(pid);
-        assertEquals(130, processus.waitFor());
-        assertEquals("", erreur());
-        verifierDossier();
+        verifierCtrlC("--taille=400x300", SCENE);
     }
 
     @Test

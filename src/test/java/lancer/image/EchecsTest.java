@@ -158,13 +158,7 @@ class EchecsTest extends EssaiProcessus {
 
     @Test
     void ctrlCPendantLeDessinRend130EtNeLaisseRien() throws Exception {
-        supposerUnix();
-        int pid = demarrerInterruptible(SCENE, "--image=a.png", "--lineaire=a.pfm", "--repeter=100000", "--taille=400x300");
-        attendre(() -> tientLesFils(pid));
-        interrompre(pid);
-        assertEquals(130, processus.waitFor());
-        assertEquals("", erreur());
-        verifierDossier();
+        verifierCtrlC(SCENE, "--image=a.png", "--lineaire=a.pfm", "--repeter=100000", "--taille=400x300");
     }
 
     @Test

@@ -23,21 +23,8 @@ public final class Texte {
 
     /** Le même, d'au plus {@code max} caractères, puis « … » s'il est coupé. */
     public static String protege(String texte, int max) {
-        if (texte.length() <= max && simple(texte)) {
-            return texte;
-        }
         String court = texte.length() > max ? couper(texte, max) + "…" : texte;
         return BLANCS.matcher(NUISIBLES.matcher(court).replaceAll(" ")).replaceAll(" ").trim();
-    }
-
-    /** Dit s'il n'y a rien à y changer : un nom de classe est écrit et lu à chaque appel. */
-    private static boolean simple(String texte) {
-        for (int k = 0; k < texte.length(); k++) {
-            if (texte.charAt(k) <= ' ' || texte.charAt(k) > '~') {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Protège un texte qu'un tableur prendrait pour une formule, en tête ou après « ; », qui peut séparer les cases. */
