@@ -56,7 +56,7 @@ mesures/target/embree: mesures/src/main/cpp/embree.cpp
 juge: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.juge.Juge $(JUGE)
 
-# --auto tient-il parole, et à quel prix ? Contre l'échelle dessinée, en dix minutes.
+# --auto tient-il parole, et à quel prix ? Contre l'échelle dessinée.
 mesure-auto: mesures/target/mesures.jar
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.MesureAuto mesures/resultats/auto.csv $(AUTO)
 	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse --dessiner
