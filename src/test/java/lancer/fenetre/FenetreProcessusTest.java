@@ -69,9 +69,9 @@ class FenetreProcessusTest extends EssaiProcessus {
                 Thread.sleep(1);
             }
             Frame fenetre = Frame.getFrames()[0];
+            System.out.println("fermée en dessinant");
             // la croix se clique dans le fil des événements
             EventQueue.invokeAndWait(() -> fenetre.dispatchEvent(new WindowEvent(fenetre, WindowEvent.WINDOW_CLOSING)));
-            System.out.println("fermée en dessinant");
         }
     }
 }
