@@ -50,7 +50,23 @@ class HostilesTest extends JuryEssai {
     }
 
     @Test
+    void confineUnRenduSansFinOuQuiSArreteOuQuiTricheNEmpechePasDeNoterUnAutre() throws IOException {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        Path rendus = Files.createDirectories(dossier.resolve("rendus"));
+        ecrireHostiles(rendus, List.of("boucle", "sortie", "falsification")::contains);
+        ecrireCorrige(rendus.resolve("ordinaire"));
+        Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
+        assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
+        rate(resultats, "boucle", "s de calcul");
+        rate(resultats, "sortie", "arrêté de lui-même");
+        rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
+    }
+
+    @Tag("long")
+    @Test
     void confinesAucunNEmpecheDeNoterLesAutres() throws IOException {
+        assumeTrue(Boolean.getBoolean("tests.longs"), "c'est un test long");
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         Path rendus = Files.createDirectories(dossier.resolve("rendus"));
