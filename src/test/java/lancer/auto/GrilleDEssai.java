@@ -7,15 +7,12 @@ import java.util.Map;
 import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.contrat.Pave;
 import lancer.contrat.Section;
-import lancer.contrat.Toile;
 import lancer.contrat.Variante;
-import lancer.contrat.Vue;
 import lancer.scene.SectionLue;
 
 /** Une quatrième variante, d'étudiant : n × n sous-pixels. */
-final class GrilleDEssai implements Variante {
+class GrilleDEssai implements Variante {
 
     private final Map<Section, Double> proposees;
 
@@ -51,21 +48,18 @@ final class GrilleDEssai implements Variante {
         return proposees;
     }
 
-    private static Echantillonnage grille(int n) {
-        return new Echantillonnage() {
-            @Override
-            public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-                for (int j = voulus.j0; j < voulus.j1; j++) {
-                    for (int i = voulus.i0; i < voulus.i1; i++) {
-                        Couleur somme = new Couleur();
-                        for (int k = 0; k < n * n; k++) {
-                            somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
-                        }
-                        toile.drawPixel(somme.div(n * n), i, j);
+    static Echantillonnage grille(int n) {
+        return (pave, voulus, vue, toile) -> {
+            for (int j = voulus.j0; j < voulus.j1; j++) {
+                for (int i = voulus.i0; i < voulus.i1; i++) {
+                    Couleur somme = new Couleur();
+                    for (int k = 0; k < n * n; k++) {
+                        somme = somme.add(vue.couleur(i + (k % n + 0.5) / n, j + (k / n + 0.5) / n));
                     }
+                    toile.drawPixel(somme.div(n * n), i, j);
                 }
-                return 0;
             }
+            return 0;
         };
     }
 }
