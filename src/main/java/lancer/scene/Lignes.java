@@ -3,11 +3,12 @@ package lancer.scene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.Reader;
+import java.io.StringReader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import lancer.contrat.Recherche;
 import lancer.texte.Texte;
 
 /**
@@ -31,10 +32,10 @@ final class Lignes extends Reader {
     private int lus;
     private int servis;
     private long total;
-    /** Les octets de la ligne en cours, son texte, et le nombre de ses caractères qui sont rendus, LF compris. */
+    /** Les octets de la ligne en cours, son texte, et ce qu'ini4j n'en a pas encore lu. */
     private byte[] octets = new byte[1 << 8];
     private String ligne = "";
-    private int rendus = 1;
+    private Reader reste = new StringReader("");
     private int numero;
 
     /**
@@ -58,16 +59,8 @@ final class Lignes extends Reader {
 
     @Override
     public int read(char[] cible, int position, int nombre) throws IOException {
-        if (rendus > ligne.length() && !avancer()) {
-            return -1;
-        }
-        int n = Math.min(nombre, ligne.length() - rendus);
-        ligne.getChars(rendus, rendus + n, cible, position);
-        if (n < nombre) {
-            cible[position + n++] = '\n';
-        }
-        rendus += n;
-        return n;
+        int n = reste.read(cible, position, nombre);
+        return n >= 0 || !avancer() ? n : reste.read(cible, position, nombre);
     }
 
     /** Passe à la ligne suivante, qui finit par CR, LF ou CRLF. */
@@ -100,7 +93,7 @@ final class Lignes extends Reader {
             coder();
         }
         String mots = ligne.trim();
-        rendus = mots.startsWith(";") || mots.startsWith("#") ? ligne.length() : 0;
+        reste = new StringReader(mots.startsWith(";") || mots.startsWith("#") ? "\n" : ligne + "\n");
         return true;
     }
 
@@ -116,9 +109,7 @@ final class Lignes extends Reader {
     /** L'octet suivant du fichier. */
     private int suivant() throws IOException {
         if (servis == lus) {
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("lecture interrompue");
-            }
+            Recherche.obeir();
             lus = Math.max(0, entree.read(tampon));
             servis = 0;
             total += lus;

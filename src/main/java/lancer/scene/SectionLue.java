@@ -130,9 +130,6 @@ public final class SectionLue extends Section {
                 throw impossible(entree, mot, nombres[k], attendu(combien, min, max));
             }
         }
-        if (nombres.length == 0) {
-            throw fautive(entree.ligne, entree.cle, "valeur absente", attendu(combien, min, max));
-        }
         if (nombres.length != combien) {
             throw fautive(entree.ligne, entree.cle, nombres.length + (nombres.length > 1 ? " nombres" : " nombre")
                     + " au lieu de " + combien + " : " + Texte.cite(entree.valeur), attendu(combien, min, max));
@@ -160,17 +157,10 @@ public final class SectionLue extends Section {
         String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
         boolean borne = max < Double.MAX_VALUE;
         if (min == Double.MIN_VALUE) {
-            return nombres + " plus grand que 0" + (borne ? auPlus(max) : "");
+            return nombres + " plus grand que 0" + (borne ? ", au plus " + Nombre.ecrire(max) : "");
         }
         return nombres + (borne ? " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
                 : " d'au moins " + Nombre.ecrire(min));
-    }
-
-    /** Une borne exclue, 180, est donnée par le nombre qui la précède. */
-    private static String auPlus(double max) {
-        double suivant = Math.nextUp(max);
-        return max != Math.rint(max) && suivant == Math.rint(suivant) ? ", plus petit que " + Nombre.ecrire(suivant)
-                : ", au plus " + Nombre.ecrire(max);
     }
 
     @Override
@@ -219,7 +209,11 @@ public final class SectionLue extends Section {
     }
 
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
-        return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
+        return new SceneFautive(message(ligneFaute, cle, faute, attendu));
+    }
+
+    String message(int ligneDite, String cle, String faute, String attendu) {
+        return message(fichier, ligneDite, nom, cle, faute, attendu);
     }
 
     /** Message d'une faute d'un fichier de scène. Sont inconnus {@code ligne} 0, {@code nom} et {@code cle} null. */
