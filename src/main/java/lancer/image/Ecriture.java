@@ -110,7 +110,9 @@ public final class Ecriture<T> {
         } catch (IOException e) {
             throw enCours.impossible(e);
         } finally {
-            fichiers.forEach(fichier -> fichier.provisoire.toFile().delete());
+            for (Ecriture<T> fichier : fichiers) {
+                fichier.provisoire.toFile().delete();
+            }
         }
     }
 

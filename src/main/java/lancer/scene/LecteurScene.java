@@ -13,6 +13,7 @@ import java.util.StringJoiner;
 import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
 import lancer.SceneFautive;
+import lancer.contrat.Variante;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 import org.ini4j.Config;
@@ -38,8 +39,9 @@ public final class LecteurScene {
     private LecteurScene(Path chemin) {
         fichier = chemin.toString();
         lue = new SceneLue(chemin);
-        sections.variantes.forEach(variante -> lue.variantes.put(variante,
-                new SectionLue(fichier, variante.getSection(), 0, null)));
+        for (Variante variante : sections.variantes) {
+            lue.variantes.put(variante, new SectionLue(fichier, variante.getSection(), 0, null));
+        }
     }
 
     /**
@@ -97,8 +99,6 @@ public final class LecteurScene {
         } catch (CharacterCodingException e) {
             throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
-        } catch (Lignes.LigneTropLongue e) {
-            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne");
         } catch (IOException e) {
             throw inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }

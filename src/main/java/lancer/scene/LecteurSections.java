@@ -153,8 +153,8 @@ public final class LecteurSections {
     /** Avertit que cette section, d'une variante absente, est laissée de côté. */
     private static void laisser(String variante, SectionLue section, SceneLue lue) {
         String module = Texte.minuscules(variante);
-        lue.avertissements.add(section.message(section.ligne, null, "section laissée de côté",
-                "la variante qui la lit, java -jar " + module + "/target/" + module + ".jar"));
+        lue.avertissements.add(section.fautive(section.ligne, null, "section laissée de côté",
+                "la variante qui la lit, java -jar " + module + "/target/" + module + ".jar").getMessage());
     }
 
     /** L'objet que cette forme lit dans cette section. @throws SceneFautive si elle est refusée */

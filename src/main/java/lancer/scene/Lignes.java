@@ -19,7 +19,7 @@ import lancer.texte.Texte;
 final class Lignes extends Reader {
 
     /** Longueur maximale d'une ligne, en octets : {@code /dev/zero} n'a pas de fin de ligne. */
-    static final int LIGNE_MAX = 1 << 23;
+    private static final int LIGNE_MAX = 1 << 23;
 
     /** Ce que rend {@link #suivant} à la fin du fichier. */
     private static final int FIN = Integer.MAX_VALUE;
@@ -75,7 +75,7 @@ final class Lignes extends Reader {
         for (; c != FIN && c != '\n' && c != '\r'; c = suivant()) {
             if (n == octets.length) {
                 if (n == LIGNE_MAX) {
-                    throw new LigneTropLongue();
+                    throw new IOException("ligne " + numero + " de plus de " + (LIGNE_MAX >> 20) + " Mo");
                 }
                 octets = Arrays.copyOf(octets, 2 * n);
             }
@@ -121,9 +121,5 @@ final class Lignes extends Reader {
     @Override
     public void close() throws IOException {
         entree.close();
-    }
-
-    static final class LigneTropLongue extends IOException {
-        private static final long serialVersionUID = 1;
     }
 }

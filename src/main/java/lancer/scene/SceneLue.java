@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -73,7 +72,7 @@ public final class SceneLue {
     /** L'heure et la taille d'un fichier. */
     static String version(Path chemin) throws IOException {
         BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
-        return a.lastModifiedTime().to(TimeUnit.NANOSECONDS) + " " + a.size();
+        return a.lastModifiedTime().toMillis() + " " + a.size();
     }
 
     /** Ajoute un objet ou une lampe. @param cle celle de sa place */

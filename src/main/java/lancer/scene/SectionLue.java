@@ -139,18 +139,15 @@ public final class SectionLue extends Section {
 
     /** Refuse un mot. Les fautes les plus courantes ont leur propre message. */
     private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
+        String faute = "n'est pas un nombre";
         if (mot.startsWith(";") || mot.startsWith("#")) {
-            return fautive(entree.ligne, entree.cle, "commentaire après une valeur : "
-                    + Texte.cite(entree.valeur.substring(entree.valeur.indexOf(mot))),
-                    "un commentaire seul sur sa ligne");
-        }
-        boolean virgule = mot.indexOf(',') >= 0;
-        String faute = virgule ? "une virgule dans un nombre" : "n'est pas un nombre";
-        if (!Double.isNaN(valeur)) {
+            faute = "commentaire après une valeur";
+        } else if (mot.indexOf(',') >= 0) {
+            faute = "une virgule dans un nombre";
+        } else if (!Double.isNaN(valeur)) {
             faute = Double.isInfinite(valeur) ? "nombre trop grand" : "hors limites";
         }
-        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot),
-                attendu + (virgule ? ", avec un point décimal" : ""));
+        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot), attendu);
     }
 
     private static String attendu(int combien, double min, double max) {
@@ -209,11 +206,7 @@ public final class SectionLue extends Section {
     }
 
     SceneFautive fautive(int ligneFaute, String cle, String faute, String attendu) {
-        return new SceneFautive(message(ligneFaute, cle, faute, attendu));
-    }
-
-    String message(int ligneDite, String cle, String faute, String attendu) {
-        return message(fichier, ligneDite, nom, cle, faute, attendu);
+        return new SceneFautive(message(fichier, ligneFaute, nom, cle, faute, attendu));
     }
 
     /** Message d'une faute d'un fichier de scène. Sont inconnus {@code ligne} 0, {@code nom} et {@code cle} null. */
