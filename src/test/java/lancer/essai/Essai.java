@@ -22,7 +22,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.Main;
-import lancer.Sphere;
 import lancer.scene.LecteurSections;
 
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
