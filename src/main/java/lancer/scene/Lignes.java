@@ -3,7 +3,6 @@ package lancer.scene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.Reader;
-import java.io.StringReader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -32,10 +31,10 @@ final class Lignes extends Reader {
     private int lus;
     private int servis;
     private long total;
-    /** Les octets de la ligne en cours, son texte, et ce qu'ini4j n'en a pas encore lu. */
+    /** Les octets de la ligne en cours, son texte, et le nombre de ses caractères qui sont rendus, LF compris. */
     private byte[] octets = new byte[1 << 8];
     private String ligne = "";
-    private Reader reste = new StringReader("");
+    private int rendus = 1;
     private int numero;
 
     /**
@@ -59,8 +58,16 @@ final class Lignes extends Reader {
 
     @Override
     public int read(char[] cible, int position, int nombre) throws IOException {
-        int n = reste.read(cible, position, nombre);
-        return n >= 0 || !avancer() ? n : reste.read(cible, position, nombre);
+        if (rendus > ligne.length() && !avancer()) {
+            return -1;
+        }
+        int n = Math.min(nombre, ligne.length() - rendus);
+        ligne.getChars(rendus, rendus + n, cible, position);
+        if (n < nombre) {
+            cible[position + n++] = '\n';
+        }
+        rendus += n;
+        return n;
     }
 
     /** Passe à la ligne suivante, qui finit par CR, LF ou CRLF. */
@@ -93,7 +100,7 @@ final class Lignes extends Reader {
             coder();
         }
         String mots = ligne.trim();
-        reste = new StringReader(mots.startsWith(";") || mots.startsWith("#") ? "\n" : ligne + "\n");
+        rendus = mots.startsWith(";") || mots.startsWith("#") ? ligne.length() : 0;
         return true;
     }
 
