@@ -31,7 +31,7 @@ public final class Scene {
     /**
      * Lit une scène dans un fichier, et y installe les variantes présentes.
      *
-     * @param nomFichier voir {@link lancer.scene.FichierScene#trouver}
+     * @param nomFichier voir {@link lancer.scene.LecteurScene#trouver}
      * @throws SceneFautive si le fichier ne peut être utilisé, avec un message d'une ligne
      */
     public Scene(String nomFichier) {

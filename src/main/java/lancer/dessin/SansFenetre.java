@@ -3,10 +3,10 @@ package lancer.dessin;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.function.Function;
 import lancer.Lancer;
 import lancer.Scene;
@@ -28,7 +28,7 @@ import lancer.image.LectureImage;
 import lancer.inspection.FaussesCouleurs;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
-import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre {
@@ -73,7 +73,7 @@ public final class SansFenetre {
     }
 
     private void dessinerDansDesFichiers() {
-        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
+        List<Ecriture<ImageMemoire>> fichiers = fichiers();
         lire();
         Dessin dessin = new Dessin(demande, new ImageMemoire(options.largeur, options.hauteur, options.image != null,
                 options.lineaire != null || options.auto()));
@@ -97,24 +97,23 @@ public final class SansFenetre {
      *
      * @throws Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre
      */
-    private Map<Ecriture, Ecriture.Format> fichiers() {
-        Map<Ecriture, Ecriture.Format> fichiers = new LinkedHashMap<>();
+    private List<Ecriture<ImageMemoire>> fichiers() {
+        List<Ecriture<ImageMemoire>> fichiers = new ArrayList<>();
         boolean deuxImages = options.comparer != null && Options.estImage(options.scene);
-        Path scene = deuxImages ? Paths.get(options.scene) : FichierScene.trouver(options.scene);
-        Ecriture png = options.image == null ? null : new Ecriture(options.image);
-        if (png != null) {
-            fichiers.put(png, new FichierPng());
+        Path scene = deuxImages ? Paths.get(options.scene) : LecteurScene.trouver(options.scene);
+        if (options.image != null) {
+            fichiers.add(new Ecriture<>(options.image, new FichierPng()));
         }
         if (options.lineaire != null) {
-            fichiers.put(new Ecriture(options.lineaire), new FichierPfm());
+            fichiers.add(new Ecriture<>(options.lineaire, new FichierPfm()));
         }
-        for (Ecriture fichier : fichiers.keySet()) {
+        for (Ecriture<ImageMemoire> fichier : fichiers) {
             fichier.distinguer(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
             if (options.comparer != null) {
                 fichier.distinguer(Paths.get(options.comparer), "une des images comparées");
             }
-            if (png != null && fichier != png) {
-                png.distinguer(fichier.getCible(), "celle de --image et de --lineaire");
+            if (fichier != fichiers.get(0)) {
+                fichier.distinguer(fichiers.get(0).cible, "celle de --image et de --lineaire");
             }
         }
         return fichiers;
@@ -148,7 +147,7 @@ public final class SansFenetre {
     }
 
     /** Dessine avec les réglages que {@code --auto} choisit, et dit en deux lignes lesquels, et l'erreur de l'image. */
-    private void choisirEtDessiner(Dessin dessin, Map<Ecriture, Ecriture.Format> fichiers) {
+    private void choisirEtDessiner(Dessin dessin, List<Ecriture<ImageMemoire>> fichiers) {
         long debut = System.nanoTime();
         Auto auto = new Auto(dessin.lancer, Echelle.de(demande.reglages, options.estDonnee("--reflets"),
                 options.estDonnee("--seuil")), options.erreurVoulue, options.fils);
@@ -188,7 +187,7 @@ public final class SansFenetre {
     private int comparer() {
         ImageMemoire attendue = LectureImage.lire(options.comparer);
         ImageMemoire autre = Options.estImage(options.scene) ? LectureImage.lire(options.scene) : null;
-        Map<Ecriture, Ecriture.Format> fichiers = fichiers();
+        List<Ecriture<ImageMemoire>> fichiers = fichiers();
         if (autre == null) {
             lire();
             demande = demande.avecTaille(attendue.largeur, attendue.hauteur);

@@ -53,8 +53,7 @@ final class Controleur implements Travail.Suite {
         this.moteur = moteur;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire), () -> EventQueue.invokeLater(
-                () -> panneau.bandeau.dire(Sujet.SCENE, "fichier effacé : la dernière image reste")));
+        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
     }
 
     /** Appelle {@code siChange} quand l'état de la fenêtre change. */

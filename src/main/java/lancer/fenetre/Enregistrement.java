@@ -16,7 +16,7 @@ import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
-import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 import lancer.texte.Texte;
 
 /** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
@@ -101,13 +101,13 @@ final class Enregistrement {
     }
 
     private static void ecrire(ImageMemoire image, File cible, String scene) {
-        Ecriture ecriture = new Ecriture(cible.getPath());
+        Ecriture<ImageMemoire> ecriture = new Ecriture<>(cible.getPath(), new FichierPng());
         try {
-            ecriture.distinguer(FichierScene.trouver(scene), "la scène elle-même");
+            ecriture.distinguer(LecteurScene.trouver(scene), "la scène elle-même");
         } catch (SceneFautive e) {
             // le fichier de la scène a été effacé depuis sa lecture
         }
-        ecriture.ecrire(image, new FichierPng());
+        ecriture.ecrire(image);
     }
 
     /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */

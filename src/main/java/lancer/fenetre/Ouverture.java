@@ -19,8 +19,8 @@ import lancer.commande.Options;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Lecture;
-import lancer.scene.FichierScene;
 import lancer.scene.LecteurSections;
+import lancer.scene.Surveillance;
 import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
@@ -54,7 +54,7 @@ public final class Ouverture {
         }
         // pendant que la scène se lit ici
         EventQueue.invokeLater(Apparence::preparer);
-        String version = options.scene == null ? null : FichierScene.version(options.scene);
+        String version = options.scene == null ? null : Surveillance.version(options.scene);
         Demande demande = options.scene == null ? null : moteur.lire(options.scene, part -> { });
         Fenetre[] ouverte = new Fenetre[1];
         try {

@@ -26,7 +26,7 @@ import lancer.commande.Messages;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
 import lancer.image.Ecriture;
-import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
@@ -95,7 +95,8 @@ final class Prise extends MouseAdapter {
         SceneLue celle = lue;
         SceneLue voulue = deplacee;
         String fichier = controleur.demande.lecture.fichier;
-        disque.confier(() -> new Ecriture(FichierScene.trouver(fichier).toString()).ecrire(celle.deplacer(voulue)),
+        disque.confier(() -> new Ecriture<SceneLue>(LecteurScene.trouver(fichier).toString(),
+                (scene, sortie) -> sortie.write(celle.deplacer(scene))).ecrire(voulue),
                 () -> {
                     // une autre scène a pu être lue depuis
                     if (lue == celle) {

@@ -7,7 +7,7 @@ import javax.swing.SwingWorker;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.image.ImageMemoire;
-import lancer.scene.FichierScene;
+import lancer.scene.Surveillance;
 
 /**
  * Un dessin de la fenêtre (cours, « Bilan intermédiaire ») : lire la scène si elle ne l'est pas, puis dessiner le
@@ -67,7 +67,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     @Override
     protected Void doInBackground() {
         if (aLire != null) {
-            version = FichierScene.version(aLire);
+            version = Surveillance.version(aLire);
             Demande initiale = moteur.lire(aLire, part -> partLue = part);
             demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
             lue = true;

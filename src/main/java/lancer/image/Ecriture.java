@@ -3,14 +3,15 @@ package lancer.image;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.util.Collection;
 import java.util.Collections;
-import java.util.Map;
 import lancer.commande.Echec;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
@@ -18,62 +19,55 @@ import lancer.texte.Texte;
 /**
  * Un fichier écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis renommé.
  * Un lien symbolique est suivi. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
+ *
+ * @param <T> ce que contient le fichier
  */
-public final class Ecriture {
+public final class Ecriture<T> {
 
-    public interface Format {
-        void ecrire(ImageMemoire image, OutputStream sortie) throws IOException;
+    public interface Format<T> {
+        void ecrire(T contenu, OutputStream sortie) throws IOException;
     }
 
     private final String nom;
-    private final Path cible;
-    /** Vrai si la cible n'est pas un fichier ordinaire, et ne peut être remplacée. */
+    private final Format<T> format;
+    /** Le fichier qui sera écrit, liens suivis. */
+    public final Path cible;
     private final boolean directe;
     private final Path provisoire;
 
     /** @throws Echec si l'on sait déjà que le fichier ne pourra être écrit */
-    public Ecriture(String nom) {
+    public Ecriture(String nom, Format<T> format) {
         this.nom = nom;
+        this.format = format;
         try {
-            cible = suivre(Paths.get(nom).toAbsolutePath());
+            Path chemin = Paths.get(nom).toAbsolutePath();
+            // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom d'aucun fichier
+            directe = Files.exists(chemin) && !Files.isRegularFile(chemin);
+            cible = directe ? chemin : suivre(chemin);
+            // un nom court : celui de la cible peut avoir la longueur maximale
+            provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
+            if (!directe) {
+                Files.delete(Files.createFile(provisoire));
+            }
+            if (Files.isDirectory(cible)) {
+                throw new FileSystemException(nom, null, "c'est un dossier");
+            }
+            if (Files.exists(cible) && !Files.isWritable(cible)) {
+                throw new AccessDeniedException(nom);
+            }
         } catch (IOException | InvalidPathException e) {
-            throw impossible(raison(e) + ErreurSysteme.horsLangue(nom));
-        }
-        directe = estSpeciale(cible);
-        // un nom court : celui de la cible peut avoir la longueur maximale
-        provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
-        if (Files.isDirectory(cible)) {
-            throw impossible("c'est un dossier");
-        }
-        if (!directe && !Files.isWritable(cible.getParent())) {
-            throw impossible("écriture interdite dans le dossier " + Texte.echappe(cible.getParent().toString()));
-        }
-        if (Files.exists(cible) && !Files.isWritable(cible)) {
-            throw impossible("écriture interdite");
+            throw impossible(e);
         }
     }
 
     /** Le fichier que désignent les liens, qu'il existe ou non, dans son dossier réel. */
     private static Path suivre(Path chemin) throws IOException {
-        // le lien d'un tube, /proc/self/fd/1, mène à « pipe:[123] », qui n'est le nom d'aucun fichier
-        if (estSpeciale(chemin)) {
-            return chemin;
-        }
         try {
             return chemin.toRealPath();
-        } catch (NoSuchFileException | AccessDeniedException e) {
+        } catch (NoSuchFileException e) {
             return Files.isSymbolicLink(chemin) ? suivre(chemin.resolveSibling(Files.readSymbolicLink(chemin)))
                     : chemin.getParent().toRealPath().resolve(chemin.getFileName());
         }
-    }
-
-    private static boolean estSpeciale(Path chemin) {
-        return Files.exists(chemin) && !Files.isRegularFile(chemin);
-    }
-
-    /** Le fichier qui sera écrit, liens suivis. */
-    public Path getCible() {
-        return cible;
     }
 
     /** @throws Echec si la cible est cet autre fichier, même sous un autre nom ; {@code quoi} dit ce qu'il est */
@@ -88,30 +82,25 @@ public final class Ecriture {
         }
     }
 
-    /** Remplace le contenu du fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
-    public void ecrire(byte[] octets) {
-        ecrire(null, (sansImage, sortie) -> sortie.write(octets));
+    /** Remplace le contenu de ce fichier. @throws Echec si l'écriture échoue ; le fichier est alors inchangé */
+    public void ecrire(T contenu) {
+        ecrire(contenu, Collections.singleton(this));
     }
 
-    /** Écrit l'image dans ce fichier. @throws Echec comme {@link #ecrire(byte[])} */
-    public void ecrire(ImageMemoire image, Format format) {
-        ecrire(image, Collections.singletonMap(this, format));
-    }
-
-    /** Écrit l'image dans tous ces fichiers ou dans aucun. @throws Echec si une écriture échoue */
-    public static void ecrire(ImageMemoire image, Map<Ecriture, Format> fichiers) {
-        Ecriture enCours = null;
+    /** Écrit ce contenu dans tous ces fichiers ou dans aucun. @throws Echec si une écriture échoue */
+    public static <T> void ecrire(T contenu, Collection<Ecriture<T>> fichiers) {
+        Ecriture<T> enCours = null;
         try {
-            for (Ecriture fichier : fichiers.keySet()) {
+            for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
                 // le fichier provisoire disparaît même si Ctrl+C interrompt l'écriture
                 fichier.provisoire.toFile().deleteOnExit();
-                Path ecrit = fichier.directe ? fichier.cible : fichier.provisoire;
-                try (OutputStream sortie = Files.newOutputStream(ecrit)) {
-                    fichiers.get(fichier).ecrire(image, sortie);
+                try (OutputStream sortie = Files.newOutputStream(
+                        fichier.directe ? fichier.cible : fichier.provisoire)) {
+                    fichier.format.ecrire(contenu, sortie);
                 }
             }
-            for (Ecriture fichier : fichiers.keySet()) {
+            for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
                 if (!fichier.directe) {
                     // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme le verrait absent
@@ -119,19 +108,16 @@ public final class Ecriture {
                 }
             }
         } catch (IOException e) {
-            throw enCours.impossible(raison(e));
+            throw enCours.impossible(e);
         } finally {
-            for (Ecriture fichier : fichiers.keySet()) {
+            for (Ecriture<T> fichier : fichiers) {
                 fichier.provisoire.toFile().delete();
             }
         }
     }
 
-    private static String raison(Exception e) {
-        return e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
-    }
-
-    private Echec impossible(String raison) {
-        return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison);
+    private Echec impossible(Exception e) {
+        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
+        return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison + ErreurSysteme.horsLangue(nom));
     }
 }

@@ -7,7 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /** Le format PFM : les couleurs non limitées, en nombres de 32 bits petit-boutistes, du bas de l'image vers le haut. */
-public final class FichierPfm implements Ecriture.Format {
+public final class FichierPfm implements Ecriture.Format<ImageMemoire> {
 
     /** @param image une image qui a gardé ses couleurs non limitées */
     @Override

@@ -9,7 +9,7 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
 /** Le format PNG (ISO/IEC 15948), 8 bits par composante, sans ImageIO : charger AWT dure plus que dessiner. */
-public final class FichierPng implements Ecriture.Format {
+public final class FichierPng implements Ecriture.Format<ImageMemoire> {
 
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     private static final byte HUIT_BITS = 8;

@@ -3,6 +3,8 @@ package lancer.scene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.HashMap;
@@ -10,11 +12,7 @@ import java.util.Map;
 import java.util.StringJoiner;
 import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
-import java.util.zip.CRC32;
-import java.util.zip.CheckedInputStream;
-import lancer.Lampe;
 import lancer.SceneFautive;
-import lancer.contrat.Forme;
 import lancer.contrat.Variante;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
@@ -26,60 +24,84 @@ import org.ini4j.spi.IniParser;
 /** Lecture d'un fichier INI. ini4j ne fait que le découper en lignes, sans ses substitutions (CVE-2022-41404). */
 public final class LecteurScene {
 
-    private final Path chemin;
-    /** Le nom demandé de la scène, ou le chemin où elle a été trouvée. */
+    /** Nombre de dossiers parents où une scène est aussi cherchée. */
+    private static final int DOSSIERS_AU_DESSUS = 4;
+
     private final String fichier;
     private final LecteurSections sections = new LecteurSections();
     private final SceneLue lue;
-    /** Les sections de variantes, et celle de la caméra, par type. */
-    private final Map<String, SectionLue> uniques = new HashMap<>();
-    /** La ligne de chaque section, par son nom ; le type y a son écriture ordinaire. */
+    /** La ligne de chaque section, par son nom, où le type a son écriture ordinaire ; par son type, s'il est unique. */
     private final Map<String, Integer> noms = new HashMap<>();
     private Lignes lignes;
+    private LecteurSections.Type type;
     private SectionLue courante;
-    /** Vrai si la section en cours est celle d'une variante, ou celle de la caméra. */
-    private boolean variante;
-    private boolean camera;
 
-    private LecteurScene(String nomFichier) {
-        chemin = FichierScene.trouver(nomFichier);
-        fichier = chemin.equals(Paths.get(nomFichier)) ? nomFichier : chemin.toString();
+    private LecteurScene(Path chemin) {
+        fichier = chemin.toString();
         lue = new SceneLue(chemin);
+        for (Variante variante : sections.variantes) {
+            lue.variantes.put(variante, new SectionLue(fichier, variante.getSection(), 0, null));
+        }
     }
 
     /**
-     * @param nomFichier voir {@link FichierScene#trouver}
+     * Le chemin de la scène. Un chemin relatif qui n'existe pas ici est cherché dans les quatre dossiers parents, du
+     * plus proche au plus lointain.
+     *
+     * @throws SceneFautive s'il ne mène à aucun fichier
+     */
+    public static Path trouver(String fichier) {
+        Path chemin;
+        try {
+            chemin = Paths.get(fichier);
+        } catch (InvalidPathException e) {
+            throw inutilisable(fichier, "nom de fichier impossible" + ErreurSysteme.horsLangue(fichier), e);
+        }
+        Path trouve = chemin;
+        for (int k = 0; k < DOSSIERS_AU_DESSUS && !Files.exists(trouve); k++) {
+            trouve = Paths.get("..").resolve(trouve);
+        }
+        if (!Files.exists(trouve)) {
+            String ici = Paths.get("").toAbsolutePath().toString();
+            String ou = " dans " + Texte.echappe(ici) + " et les " + DOSSIERS_AU_DESSUS + " dossiers au-dessus"
+                    + ErreurSysteme.horsLangue(ici);
+            throw inutilisable(fichier, "fichier introuvable" + (chemin.isAbsolute() ? "" : ou), null);
+        }
+        if (Files.isDirectory(trouve)) {
+            throw inutilisable(trouve.toString(), "c'est un dossier", null);
+        }
+        return trouve;
+    }
+
+    private static SceneFautive inutilisable(String fichier, String faute, Exception cause) {
+        return new SceneFautive(SectionLue.message(fichier, 0, null, null, faute, "un fichier de scène"), cause);
+    }
+
+    /**
+     * @param nomFichier voir {@link #trouver}
      * @param suivi reçoit la part lue du fichier, de 0 à 1
      * @throws SceneFautive si le fichier ne peut être utilisé
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
-        return new LecteurScene(nomFichier).lire(suivi);
+        return new LecteurScene(trouver(nomFichier)).lire(suivi);
     }
 
     private SceneLue lire(DoubleConsumer suivi) {
-        CRC32 somme = new CRC32();
-        try (InputStream entree = new CheckedInputStream(FichierScene.ouvrir(chemin), somme)) {
-            lignes = new Lignes(entree, chemin.toFile().length(), suivi);
+        try (InputStream entree = Files.newInputStream(lue.chemin)) {
+            lue.version = SceneLue.version(lue.chemin);
+            lignes = new Lignes(entree, lue.chemin.toFile().length(), suivi);
             Decoupage decoupage = new Decoupage();
             decoupage.parse(lignes, decoupage);
+            return lue;
         } catch (InvalidFileFormatException e) {
             throw illisible(lignes.getTexte().trim());
         } catch (CharacterCodingException e) {
             throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
-        } catch (Lignes.LigneTropLongue e) {
-            throw refus("ligne trop longue", "au plus " + (Lignes.LIGNE_MAX >> 20) + " Mo par ligne");
         } catch (IOException e) {
-            throw FichierScene.inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
+            throw inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
         }
-        for (Map.Entry<String, Variante> presente : sections.variantes.entrySet()) {
-            SectionLue donnee = uniques.get(presente.getKey());
-            lue.variantes.put(presente.getValue(), donnee != null ? donnee
-                    : new SectionLue(fichier, presente.getValue().getSection(), 0, null));
-        }
-        lue.somme = somme.getValue();
-        return lue;
     }
 
     /** Découpage par ini4j, sans échappements, et traitement de chaque ligne. */
@@ -99,11 +121,26 @@ public final class LecteurScene {
             if (nomEcrit.indexOf(']') >= 0) {
                 throw illisible("[" + nomEcrit + "]");
             }
-            StringJoiner nom = new StringJoiner(" ");
-            for (StringTokenizer mots = new StringTokenizer(nomEcrit, " \t"); mots.hasMoreTokens();) {
-                nom.add(mots.nextToken());
+            StringJoiner mots = new StringJoiner(" ");
+            StringTokenizer ecrits = new StringTokenizer(nomEcrit, " \t");
+            String mot = ecrits.nextToken();
+            mots.add(mot);
+            while (ecrits.hasMoreTokens()) {
+                mots.add(ecrits.nextToken());
             }
-            commencer(nom.toString());
+            String nom = mots.toString();
+            int ligne = lignes.getNumero();
+            type = sections.trouver(mot);
+            courante = new SectionLue(fichier, nom, ligne, type == null ? null : type.cles);
+            if (type == null) {
+                throw courante.fautive(ligne, null, "type de section inconnu", sections.noms());
+            }
+            String ordinaire = mot.equals(type.nom) ? nom : type.nom + nom.substring(mot.length());
+            Integer deja = noms.putIfAbsent(type.unique ? type.nom : ordinaire, ligne);
+            if (deja != null) {
+                throw courante.fautive(ligne, null, "section déjà donnée, ligne " + deja,
+                        type.unique ? "une seule section " + type.nom : "un nom différent pour chaque section");
+            }
         }
 
         @Override
@@ -113,13 +150,7 @@ public final class LecteurScene {
 
         @Override
         public void endSection() {
-            if (camera) {
-                lue.cadrage = LecteurSections.lireCamera(courante);
-            } else if (!variante) {
-                Object chose = sections.lire(courante);
-                lue.ajouter(chose, courante.nom, courante.ligne,
-                        courante.getLigne(chose instanceof Lampe ? "position" : "centre"));
-            }
+            type.lecture.accept(courante, lue);
         }
 
         @Override
@@ -135,50 +166,20 @@ public final class LecteurScene {
         }
     }
 
-    private void commencer(String nom) {
-        String mot = LecteurSections.mot(nom);
-        String type = Texte.minuscules(mot);
-        int ligne = lignes.getNumero();
-        Forme forme = sections.formes.get(type);
-        variante = !sections.cles.containsKey(type);
-        camera = type.equals(LecteurSections.CAMERA);
-        courante = new SectionLue(fichier, nom, ligne, sections.cles.get(type));
-        boolean presente = !variante || sections.variantes.containsKey(type);
-        if (!presente && !LecteurSections.varianteConnue(type)) {
-            throw courante.fautive(ligne, null, "type de section inconnu", sections.types());
-        }
-        String ordinaire = forme == null ? type : forme.getSection();
-        Integer deja = noms.putIfAbsent(
-                mot.equals(ordinaire) ? nom : ordinaire + nom.substring(mot.length()), ligne);
-        if (deja != null) {
-            throw courante.fautive(ligne, null, "deux sections de ce nom, la première ligne " + deja,
-                    "un nom différent pour chaque section");
-        }
-        SectionLue premiere = variante || camera ? uniques.put(type, courante) : null;
-        if (premiere != null) {
-            throw courante.fautive(ligne, null, "deuxième section de ce type, la première ligne " + premiere.ligne,
-                    "une seule section " + mot);
-        }
-        if (!presente) {
-            lue.avertissements.add(SectionLue.message(fichier, ligne, nom, null, "section laissée de côté",
-                    "la variante qui la lit, java -jar " + type + "/target/" + type + ".jar"));
-        }
-    }
-
     /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */
     private SceneFautive illisible(String texte) {
-        String cite = " : " + Texte.cite(texte);
-        if (texte.startsWith("[")) {
-            return refus("section illisible" + cite, "par exemple [Sphere 1], seule sur sa ligne");
+        if (courante == null) {
+            return refus("texte avant toute section : " + Texte.cite(texte),
+                    "d'abord une section seule sur sa ligne, par exemple [Sphere 1]");
         }
-        return courante == null ? refus("texte avant toute section" + cite,
-                "d'abord une section, par exemple [Sphere 1]") : refus("ligne illisible" + cite,
+        return refus("ligne illisible : " + Texte.cite(texte),
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 
-    /** Refuse la ligne en cours. Elle appartient à la section en cours, sauf si elle en commence une autre. */
+    /** Refuse la ligne en cours. */
     private SceneFautive refus(String faute, String attendu) {
-        String nom = courante == null || lignes.getTexte().trim().startsWith("[") ? null : courante.nom;
-        return new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), nom, null, faute, attendu));
+        return courante == null
+                ? new SceneFautive(SectionLue.message(fichier, lignes.getNumero(), null, null, faute, attendu))
+                : courante.fautive(lignes.getNumero(), null, faute, attendu);
     }
 }

@@ -3,16 +3,15 @@ package lancer.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Camera;
 import lancer.CameraPlacee;
 import lancer.Constantes;
@@ -23,81 +22,82 @@ import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Forme;
-import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /**
- * Les formes et les variantes présentes dans le chemin des classes, par type de section, en minuscules ; le passage
- * d'une section à son objet ou à sa lampe.
+ * Les types de sections d'un fichier de scène : ceux de la base, ceux des formes et des variantes présentes dans le
+ * chemin des classes. Une section devient un objet, une lampe, la caméra ou les valeurs d'une variante.
  */
 public final class LecteurSections {
 
     private static final double LUMIERE_MAX = 1e6;
     private static final double NS_MAX = 1e9;
 
-    /** Type de la section de la caméra, et les valeurs du champ, en degrés, l'une et l'autre exclues. */
-    static final String CAMERA = "camera";
-    private static final double CHAMP_MIN = 0;
+    /** Le plus grand champ de la caméra, en degrés, exclu. */
     private static final double CHAMP_MAX = 180;
 
     /** Types des sections des trois variantes du projet, présentes ou non. */
     private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
 
-    /** La sphère, forme de la base. Elle n'est dans aucun fichier de services. */
-    private static final Forme SPHERE = new Forme() {
-        @Override
-        public String getSection() {
-            return "Sphere";
-        }
-
-        @Override
-        public String[] getCles() {
-            return new String[] {"centre", "rayon"};
-        }
-
-        @Override
-        public Objet3D lire(Section valeurs) {
-            return new Sphere(valeurs.point("centre"), valeurs.longueur("rayon"));
-        }
-    };
-
     /** Les clés de la matière, permises dans la section de toute forme. */
     public static final List<String> CLES_MATIERE =
             Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
 
-    final Map<String, Forme> formes = new LinkedHashMap<>();
-    final Map<String, Variante> variantes = new LinkedHashMap<>();
-    /** Les clés permises dans une section de chaque type, sauf celui d'une variante. */
-    final Map<String, List<String>> cles = new LinkedHashMap<>();
+    /** Un type de section. */
+    static final class Type {
+        final String nom;
+        /** La classe qui le lit ; {@code null} si elle est absente : la section est alors laissée de côté. */
+        final Class<?> classe;
+        /** Les clés permises ; {@code null} pour une variante : celles qu'elle demandera. */
+        final List<String> cles;
+        /** Vrai si un fichier n'en a qu'une section. */
+        final boolean unique;
+        /** Ajoute à la scène ce que dit une section. */
+        final BiConsumer<SectionLue, SceneLue> lecture;
 
-    /** Le nom de la classe qui lit chaque type. */
-    private final Map<String, String> preneurs = new HashMap<>();
-
-    public static List<String> nomsDesVariantes() {
-        return new LecteurSections().variantes.values().stream().map(Variante::getSection).collect(Collectors.toList());
+        Type(String nom, Class<?> classe, List<String> cles, boolean unique,
+                BiConsumer<SectionLue, SceneLue> lecture) {
+            this.nom = nom;
+            this.classe = classe;
+            this.cles = cles;
+            this.unique = unique;
+            this.lecture = lecture;
+        }
     }
+
+    private final Map<String, Type> types = new LinkedHashMap<>();
+    final List<Variante> variantes = inscrites(Variante.class);
 
     /** @throws SceneFautive si une classe inscrite ne convient pas, ou si deux classes lisent le même type */
     LecteurSections() {
-        ajouter(SPHERE, Sphere.class);
-        cles.put(prendre("Lampe", Lampe.class), Arrays.asList("position", "couleur"));
-        cles.put(prendre("Camera", Camera.class), Arrays.asList("oeil", "cible", "champ"));
-        for (Variante variante : inscrites(Variante.class)) {
-            variantes.put(prendre(variante.getSection(), variante.getClass()), variante);
+        ajouter(new Type("Sphere", Sphere.class, avecMatiere("centre", "rayon"), false, LecteurSections::lireSphere));
+        ajouter(new Type("Lampe", Lampe.class, Arrays.asList("position", "couleur"), false,
+                LecteurSections::lireLampe));
+        ajouter(new Type("Camera", Camera.class, Arrays.asList("oeil", "cible", "champ"), true,
+                (section, lue) -> lue.cadrage = lireCamera(section)));
+        for (String absente : VARIANTES_CONNUES) {
+            ajouter(new Type(absente, null, null, true, (section, lue) -> laisser(absente, section, lue)));
+        }
+        for (Variante variante : variantes) {
+            ajouter(new Type(variante.getSection(), variante.getClass(), null, true,
+                    (section, lue) -> lue.variantes.put(variante, section)));
         }
         for (Forme forme : inscrites(Forme.class)) {
-            ajouter(forme, forme.getClass());
+            ajouter(new Type(forme.getSection(), forme.getClass(), avecMatiere(forme.getCles()), false,
+                    (section, lue) -> lue.ajouter(lire(forme, section), section, "centre")));
         }
     }
 
-    private void ajouter(Forme forme, Class<?> lecteur) {
-        String type = prendre(forme.getSection(), lecteur);
-        formes.put(type, forme);
-        List<String> siennes = new ArrayList<>(Arrays.asList(forme.getCles()));
-        siennes.addAll(CLES_MATIERE);
-        cles.put(type, siennes);
+    public static List<String> nomsDesVariantes() {
+        return new LecteurSections().variantes.stream().map(Variante::getSection).collect(Collectors.toList());
+    }
+
+    private static List<String> avecMatiere(String... cles) {
+        List<String> toutes = new ArrayList<>(Arrays.asList(cles));
+        toutes.addAll(CLES_MATIERE);
+        return toutes;
     }
 
     private static <T> List<T> inscrites(Class<T> contrat) {
@@ -115,15 +115,23 @@ public final class LecteurSections {
         }
     }
 
-    /** Réserve un type de section à cette classe, la seule qui le lit. @return ce type, en minuscules */
-    private String prendre(String type, Class<?> lecteur) {
-        String classe = lecteur.getName();
-        String deja = preneurs.putIfAbsent(Texte.minuscules(type), classe);
-        if (deja != null) {
-            throw new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type) + "] : " + deja + " et "
-                    + classe + " ; attendu : un type de section pour chacune");
+    /** Ajoute ce type, qu'une seule classe lit. */
+    private void ajouter(Type type) {
+        Type deja = types.put(Texte.minuscules(type.nom), type);
+        if (deja != null && deja.classe != null) {
+            throw new SceneFautive("deux classes veulent les sections [" + Texte.abrege(type.nom) + "] : "
+                    + deja.classe.getName() + " et " + type.classe.getName()
+                    + " ; attendu : un type de section pour chacune");
         }
-        return Texte.minuscules(type);
+    }
+
+    /** Le type de ce nom, quelle que soit sa casse ; {@code null} s'il est inconnu. */
+    Type trouver(String nom) {
+        return types.get(Texte.minuscules(nom));
+    }
+
+    String noms() {
+        return types.values().stream().map(type -> type.nom).collect(Collectors.joining(", "));
     }
 
     /** Dit si ce type est celui d'une des trois variantes du projet, présente ou non. */
@@ -131,23 +139,26 @@ public final class LecteurSections {
         return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
     }
 
-    String types() {
-        return Stream.of(formes.values().stream().map(Forme::getSection), Stream.of("Lampe", "Camera"),
-                VARIANTES_CONNUES.stream(), variantes.values().stream().map(Variante::getSection))
-                .flatMap(sections -> sections).distinct().collect(Collectors.joining(", "));
+    private static void lireSphere(SectionLue section, SceneLue lue) {
+        Sphere sphere = new Sphere(section.point("centre"), section.longueur("rayon"));
+        lireMatiere(section, sphere);
+        lue.ajouter(sphere, section, "centre");
     }
 
-    /** Le premier mot du nom d'une section. */
-    static String mot(String nom) {
-        return nom.indexOf(' ') < 0 ? nom : nom.substring(0, nom.indexOf(' '));
+    private static void lireLampe(SectionLue section, SceneLue lue) {
+        Lampe lampe = new Lampe(section.point("position"), section.couleur("couleur", LUMIERE_MAX));
+        lue.ajouter(lampe, section, "position");
     }
 
-    /** L'objet ou la lampe que décrit cette section. @throws SceneFautive si elle est refusée */
-    Object lire(SectionLue section) {
-        Forme forme = formes.get(Texte.minuscules(mot(section.nom)));
-        if (forme == null) {
-            return new Lampe(section.point("position"), section.couleur("couleur", LUMIERE_MAX));
-        }
+    /** Avertit que cette section, d'une variante absente, est laissée de côté. */
+    private static void laisser(String variante, SectionLue section, SceneLue lue) {
+        String module = Texte.minuscules(variante);
+        lue.avertissements.add(section.fautive(section.ligne, null, "section laissée de côté",
+                "la variante qui la lit, java -jar " + module + "/target/" + module + ".jar").getMessage());
+    }
+
+    /** L'objet que cette forme lit dans cette section. @throws SceneFautive si elle est refusée */
+    private static Objet3D lire(Forme forme, SectionLue section) {
         try {
             Objet3D objet = forme.lire(section);
             if (objet == null || objet == forme) {
@@ -166,7 +177,11 @@ public final class LecteurSections {
 
     /** La caméra que place cette section, selon la largeur et la hauteur de l'image. */
     static BiFunction<Integer, Integer, Camera> lireCamera(SectionLue section) {
-        double champ = section.reel("champ", Constantes.CHAMP, Math.nextUp(CHAMP_MIN), Math.nextDown(CHAMP_MAX));
+        double champ = section.reel("champ", Constantes.CHAMP, 0, CHAMP_MAX);
+        if (champ == 0 || champ == CHAMP_MAX) {
+            throw section.fautive("champ", "hors limites : " + Texte.cite(section.mot("champ", "")),
+                    "un nombre plus grand que 0 et plus petit que " + (int) CHAMP_MAX);
+        }
         if (!section.contient("oeil") && !section.contient("cible")) {
             Point oeil = new Point(0, 0, -CameraPlacee.focale(champ));
             return (largeur, hauteur) -> new CameraPlacee(largeur, hauteur, oeil, new Vecteur(0, 0, 1), champ);
@@ -181,7 +196,7 @@ public final class LecteurSections {
     }
 
     /** Lit la matière d'un objet. Une clé absente garde la valeur que l'objet a reçue à sa création. */
-    private void lireMatiere(SectionLue section, Objet3D lu) {
+    private static void lireMatiere(SectionLue section, Objet3D lu) {
         lu.setKd(section.couleur("Kd", lu.getKd(), 1));
         if (section.contient("Ks") && section.contient("Kr")) {
             throw section.fautive("Kr", "donnée en même temps que Ks, son synonyme", "Ks ou Kr, pas les deux");

@@ -6,8 +6,8 @@ import java.io.Reader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import lancer.contrat.Recherche;
 import lancer.texte.Texte;
 
 /**
@@ -18,7 +18,7 @@ import lancer.texte.Texte;
 final class Lignes extends Reader {
 
     /** Longueur maximale d'une ligne, en octets : {@code /dev/zero} n'a pas de fin de ligne. */
-    static final int LIGNE_MAX = 1 << 23;
+    private static final int LIGNE_MAX = 1 << 23;
 
     /** Ce que rend {@link #suivant} à la fin du fichier. */
     private static final int FIN = Integer.MAX_VALUE;
@@ -82,7 +82,7 @@ final class Lignes extends Reader {
         for (; c != FIN && c != '\n' && c != '\r'; c = suivant()) {
             if (n == octets.length) {
                 if (n == LIGNE_MAX) {
-                    throw new LigneTropLongue();
+                    throw new IOException("ligne " + numero + " de plus de " + (LIGNE_MAX >> 20) + " Mo");
                 }
                 octets = Arrays.copyOf(octets, 2 * n);
             }
@@ -116,9 +116,7 @@ final class Lignes extends Reader {
     /** L'octet suivant du fichier. */
     private int suivant() throws IOException {
         if (servis == lus) {
-            if (Thread.currentThread().isInterrupted()) {
-                throw new CancellationException("lecture interrompue");
-            }
+            Recherche.obeir();
             lus = Math.max(0, entree.read(tampon));
             servis = 0;
             total += lus;
@@ -130,9 +128,5 @@ final class Lignes extends Reader {
     @Override
     public void close() throws IOException {
         entree.close();
-    }
-
-    static final class LigneTropLongue extends IOException {
-        private static final long serialVersionUID = 1;
     }
 }

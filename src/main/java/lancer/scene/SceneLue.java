@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -14,7 +15,6 @@ import java.util.TreeSet;
 import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.zip.CRC32;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -24,7 +24,6 @@ import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.texte.ErreurSysteme;
 import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
@@ -46,8 +45,8 @@ public final class SceneLue {
     BiFunction<Integer, Integer, Camera> cadrage = Camera::new;
 
     final Path chemin;
-    /** Le contrôle CRC-32 des octets lus. */
-    long somme;
+    /** La {@link #version} du fichier avant sa lecture. */
+    String version;
     /** Les objets et les lampes, dans l'ordre du fichier. */
     private final List<Origine> origines = new ArrayList<>();
 
@@ -70,13 +69,24 @@ public final class SceneLue {
         this.chemin = chemin;
     }
 
-    void ajouter(Object chose, String nom, int ligne, int lignePlace) {
-        if (chose instanceof Lampe) {
-            lampes.add((Lampe) chose);
+    /** L'heure et la taille d'un fichier. */
+    static String version(Path chemin) throws IOException {
+        BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
+        return a.lastModifiedTime().toMillis() + " " + a.size();
+    }
+
+    /** Ajoute un objet ou une lampe. @param cle celle de sa place */
+    void ajouter(Object chose, SectionLue section, String cle) {
+        ajouter(new Origine(chose, section.nom, section.ligne, section.getLigne(cle)));
+    }
+
+    private void ajouter(Origine lue) {
+        if (lue.chose instanceof Lampe) {
+            lampes.add((Lampe) lue.chose);
         } else {
-            objets.add((Objet3D) chose);
+            objets.add((Objet3D) lue.chose);
         }
-        origines.add(new Origine(chose, nom, ligne, lignePlace));
+        origines.add(lue);
     }
 
     /** Texte de la forme {@code [Sphere ambre] ligne 52} ; {@code null} si cette chose ne vient pas du fichier. */
@@ -92,23 +102,25 @@ public final class SceneLue {
 
     /** La même scène, où cette lampe, ou cette sphère qui n'est pas d'une autre classe, a cette place. */
     public SceneLue avec(Object chose, Point place) {
-        if (chose instanceof Lampe) {
-            return remplacer(chose, new Lampe(place, ((Lampe) chose).getCouleur()));
-        }
-        Sphere deplacee = new Sphere(place, ((Sphere) chose).getRayon());
-        deplacee.setMatiere((Sphere) chose);
-        return remplacer(chose, deplacee);
-    }
-
-    private SceneLue remplacer(Object ancienne, Object nouvelle) {
         SceneLue faite = new SceneLue(chemin);
-        faite.somme = somme;
+        faite.version = version;
         faite.cadrage = cadrage;
-        origines.forEach(lue -> faite.ajouter(lue.chose == ancienne ? nouvelle : lue.chose, lue.nom, lue.ligne,
-                lue.lignePlace));
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
+        for (Origine lue : origines) {
+            faite.ajouter(lue.chose != chose ? lue
+                    : new Origine(deplacee(chose, place), lue.nom, lue.ligne, lue.lignePlace));
+        }
         return faite;
+    }
+
+    private static Object deplacee(Object chose, Point place) {
+        if (chose instanceof Lampe) {
+            return new Lampe(place, ((Lampe) chose).getCouleur());
+        }
+        Sphere sphere = new Sphere(place, ((Sphere) chose).getRayon());
+        sphere.setMatiere((Sphere) chose);
+        return sphere;
     }
 
     public BiFunction<Integer, Integer, Camera> getCadrage() {
@@ -155,8 +167,13 @@ public final class SceneLue {
      * la valeur de leur ligne {@code centre} ou {@code position} change.
      *
      * @throws SceneFautive si le fichier a changé depuis sa lecture
+     * @throws IOException s'il ne peut être relu
      */
-    public byte[] deplacer(SceneLue deplacee) {
+    public byte[] deplacer(SceneLue deplacee) throws IOException {
+        if (!Files.isRegularFile(chemin) || !version.equals(version(chemin))) {
+            throw new SceneFautive(SectionLue.message(chemin.toString(), 0, null, null,
+                    "le fichier a changé depuis sa lecture", "le fichier relu, puis le déplacement refait"));
+        }
         Map<Integer, Point> places = new HashMap<>();
         for (int k = 0; k < origines.size(); k++) {
             Object chose = deplacee.origines.get(k).chose;
@@ -165,7 +182,8 @@ public final class SceneLue {
             }
         }
         // un octet, un caractère : ceux que rien ne change restent les mêmes
-        Matcher ligne = Pattern.compile(LIGNE).matcher(new String(relire(), StandardCharsets.ISO_8859_1));
+        String texte = new String(Files.readAllBytes(chemin), StandardCharsets.ISO_8859_1);
+        Matcher ligne = Pattern.compile(LIGNE).matcher(texte);
         StringBuffer ecrit = new StringBuffer();
         for (int numero = 1; ligne.find(); numero++) {
             if (places.containsKey(numero)) {
@@ -173,21 +191,5 @@ public final class SceneLue {
             }
         }
         return ligne.appendTail(ecrit).toString().getBytes(StandardCharsets.ISO_8859_1);
-    }
-
-    /** Les octets du fichier, les mêmes qu'à sa lecture. */
-    private byte[] relire() {
-        try {
-            byte[] octets = Files.isRegularFile(chemin) ? Files.readAllBytes(chemin) : new byte[0];
-            CRC32 lus = new CRC32();
-            lus.update(octets);
-            if (lus.getValue() == somme) {
-                return octets;
-            }
-        } catch (IOException e) {
-            throw FichierScene.inutilisable(chemin.toString(), ErreurSysteme.raison(e), e);
-        }
-        throw new SceneFautive(SectionLue.message(chemin.toString(), 0, null, null,
-                "le fichier a changé depuis sa lecture", "le fichier relu, puis le déplacement refait"));
     }
 }

@@ -130,9 +130,6 @@ public final class SectionLue extends Section {
                 throw impossible(entree, mot, nombres[k], attendu(combien, min, max));
             }
         }
-        if (nombres.length == 0) {
-            throw fautive(entree.ligne, entree.cle, "valeur absente", attendu(combien, min, max));
-        }
         if (nombres.length != combien) {
             throw fautive(entree.ligne, entree.cle, nombres.length + (nombres.length > 1 ? " nombres" : " nombre")
                     + " au lieu de " + combien + " : " + Texte.cite(entree.valeur), attendu(combien, min, max));
@@ -142,35 +139,25 @@ public final class SectionLue extends Section {
 
     /** Refuse un mot. Les fautes les plus courantes ont leur propre message. */
     private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
+        String faute = "n'est pas un nombre";
         if (mot.startsWith(";") || mot.startsWith("#")) {
-            return fautive(entree.ligne, entree.cle, "commentaire après une valeur : "
-                    + Texte.cite(entree.valeur.substring(entree.valeur.indexOf(mot))),
-                    "un commentaire seul sur sa ligne");
-        }
-        boolean virgule = mot.indexOf(',') >= 0;
-        String faute = virgule ? "une virgule dans un nombre" : "n'est pas un nombre";
-        if (!Double.isNaN(valeur)) {
+            faute = "commentaire après une valeur";
+        } else if (mot.indexOf(',') >= 0) {
+            faute = "une virgule dans un nombre";
+        } else if (!Double.isNaN(valeur)) {
             faute = Double.isInfinite(valeur) ? "nombre trop grand" : "hors limites";
         }
-        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot),
-                attendu + (virgule ? ", avec un point décimal" : ""));
+        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot), attendu);
     }
 
     private static String attendu(int combien, double min, double max) {
         String nombres = combien == 1 ? "un nombre" : combien + " nombres séparés par des blancs, chacun";
         boolean borne = max < Double.MAX_VALUE;
         if (min == Double.MIN_VALUE) {
-            return nombres + " plus grand que 0" + (borne ? auPlus(max) : "");
+            return nombres + " plus grand que 0" + (borne ? ", au plus " + Nombre.ecrire(max) : "");
         }
         return nombres + (borne ? " de " + Nombre.ecrire(min) + " à " + Nombre.ecrire(max)
                 : " d'au moins " + Nombre.ecrire(min));
-    }
-
-    /** Une borne exclue, 180, est donnée par le nombre qui la précède. */
-    private static String auPlus(double max) {
-        double suivant = Math.nextUp(max);
-        return max != Math.rint(max) && suivant == Math.rint(suivant) ? ", plus petit que " + Nombre.ecrire(suivant)
-                : ", au plus " + Nombre.ecrire(max);
     }
 
     @Override

@@ -242,7 +242,7 @@ class FormesTest {
         "point=0 0 0~NORMALE=0 -0 0e5 | ligne 3, [Panneau sol], normale : vecteur nul : « 0 -0 0e5 » ; attendu : trois nombres "
                 + "qui ne sont pas tous nuls",
         "point=0 0 0~normale=0 1 0~[Cube] | ligne 4, [Cube] : type de section inconnu ; attendu : "
-                + "Sphere, Panneau, Lampe, Camera, Brume, Antialias, Blinn"})
+                + "Sphere, Lampe, Camera, Brume, Antialias, Blinn, Panneau"})
     void uneSectionFautiveEstRefuseeEnUneLigne(String lignes, String message) throws IOException {
         refuser(Essai.message("{fichier}, " + message, scene), executer(classesDuPanneau, ("[Panneau sol]~" + lignes).split("~")));
     }
@@ -260,7 +260,7 @@ class FormesTest {
                 String message = lireTexte(fichier.resolveSibling(fichier.getFileName().toString().replace(".ini", ".message")));
                 Essai e = programme.executer("--taille=1x1", "--lineaire", pfm.toString(), scene.toString());
                 assertEquals(Essai.message(message, scene).replaceAll("\\[(?i:sphere)", "[Sphere"),
-                        e.sansAutresFormes("").replace("[Ballon", "[Sphere"), fichier.toString());
+                        e.sansAutresFormes("aucune").replace("[Ballon", "[Sphere"), fichier.toString());
                 assertEquals(2, e.code);
                 refusees += octets.contains("[Sphere") ? 1 : 0;
             }

@@ -110,7 +110,7 @@ public final class Defauts {
 
     /** Écrit les images de la page. @param args leur dossier */
     public static void main(String[] args) {
-        dessiner().forEach((nom, image) -> new Ecriture(Paths.get(args[0], nom).toString()).ecrire(image, new FichierPng()));
+        dessiner().forEach((nom, image) -> new Ecriture<>(Paths.get(args[0], nom).toString(), new FichierPng()).ecrire(image));
     }
 
     /** Chaque image, par son nom : celle du défaut à gauche, celle du programme à droite. */

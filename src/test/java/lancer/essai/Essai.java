@@ -22,7 +22,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import lancer.Main;
-import lancer.Sphere;
 import lancer.scene.LecteurSections;
 
 /** De quoi essayer le programme entier, par sa ligne de commande : ce qu'il a rendu, et les images qu'il a écrites. */
@@ -129,12 +128,9 @@ public final class Essai {
         }
     }
 
-    /**
-     * Ce qui est sur la sortie d'erreur, moins les formes que nomme la liste des types de section, {@link Sphere} et celle-ci
-     * exceptées.
-     */
+    /** Ce qui est sur la sortie d'erreur, moins les formes qui finissent la liste des types de section, celle-ci exceptée. */
     public String sansAutresFormes(String forme) {
-        return erreur.replaceAll("attendu : Sphere, (\\w+, )*?(" + forme + ", )?Lampe, ", "attendu : Sphere, $2Lampe, ");
+        return erreur.replaceAll(", Blinn(?:, (?!" + forme + "\\b)\\w+)*(, " + forme + ")?(?:, \\w+)*", ", Blinn$1");
     }
 
     /** De quoi comprendre un essai qui échoue. */

@@ -40,7 +40,7 @@ class FenetreFichiersTest extends EssaiFenetre {
     void unFichierEffaceSeDitEtLImageResteJusquACeQuIlRevienne() throws Exception {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
-        banc.attendreMessage("fichier effacé : la dernière image reste");
+        banc.attendreMessage(scene + " : fichier introuvable ; attendu : un fichier de scène");
         assertSame(image, banc.controleur.getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");

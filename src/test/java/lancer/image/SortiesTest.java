@@ -94,7 +94,7 @@ class SortiesTest extends EssaiCommande {
     void uneEcritureQuiEchoueLaisseLeFichierCommeAvant() throws IOException {
         ecrireTexte(png, "avant");
         ImageMemoire image = new ImageMemoire(3, 2, true);
-        Map<String, Ecriture.Format> pannes = new LinkedHashMap<>();
+        Map<String, Ecriture.Format<ImageMemoire>> pannes = new LinkedHashMap<>();
         pannes.put("disque plein", (i, sortie) -> {
             new FichierPng().ecrire(i, sortie);
             throw new IOException("No space left on device");
@@ -103,16 +103,16 @@ class SortiesTest extends EssaiCommande {
             sortie.write(new byte[1 << 20]);
             throw new IOException("la prise est débranchée");
         });
-        for (Map.Entry<String, Ecriture.Format> panne : pannes.entrySet()) {
+        for (Map.Entry<String, Ecriture.Format<ImageMemoire>> panne : pannes.entrySet()) {
             for (Path sortie : new Path[] {png, pfm}) {
-                Echec e = assertThrows(Echec.class, () -> new Ecriture(sortie.toString()).ecrire(image, panne.getValue()));
+                Echec e = assertThrows(Echec.class, () -> new Ecriture<>(sortie.toString(), panne.getValue()).ecrire(image));
                 assertEquals(sortie + " : écriture impossible, " + panne.getKey(), e.getMessage());
                 assertEquals(1, e.code);
             }
         }
-        assertThrows(OutOfMemoryError.class, () -> new Ecriture(png.toString()).ecrire(image, (i, sortie) -> {
+        assertThrows(OutOfMemoryError.class, () -> new Ecriture<ImageMemoire>(png.toString(), (i, sortie) -> {
             throw new OutOfMemoryError();
-        }));
+        }).ecrire(image));
         assertEquals("avant", lireTexte(png));
         verifierFichiers("image.png");
     }
@@ -159,7 +159,7 @@ class SortiesTest extends EssaiCommande {
             for (int k = 0; k < memoire.codes.length; k++) {
                 memoire.codes[k] = 0xFF000000 | hasard.nextInt();
             }
-            new Ecriture(png.toString()).ecrire(memoire, new FichierPng());
+            new Ecriture<>(png.toString(), new FichierPng()).ecrire(memoire);
             BufferedImage lue = ImageIO.read(png.toFile());
             assertArrayEquals(memoire.codes, lue.getRGB(0, 0, taille[0], taille[1], null, 0, taille[0]), Arrays.toString(taille));
         }
@@ -172,7 +172,7 @@ class SortiesTest extends EssaiCommande {
         memoire.drawPixel(new Couleur(4, 5, 6), 1, 0);
         memoire.drawPixel(new Couleur(-7, 1e6, 0.1), 0, 1);
         memoire.drawPixel(new Couleur(0), 1, 1);
-        new Ecriture(pfm.toString()).ecrire(memoire, new FichierPfm());
+        new Ecriture<>(pfm.toString(), new FichierPfm()).ecrire(memoire);
         ByteBuffer octets = ByteBuffer.wrap(Files.readAllBytes(pfm)).order(ByteOrder.LITTLE_ENDIAN);
         byte[] entete = new byte["PF\n2 2\n-1.0\n".length()];
         octets.get(entete);

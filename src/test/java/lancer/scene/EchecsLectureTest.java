@@ -95,7 +95,7 @@ class EchecsLectureTest extends EssaiProcessus {
     void unFichierSansFinEstRefuseAvecPeuDeMemoire() throws Exception {
         assumeTrue(Files.exists(Paths.get("/dev/zero")), "pas de /dev/zero ici");
         assertEquals(2, statut(preparer(java("-Xmx48m", "--image=a.png", "/dev/zero"))), erreur());
-        assertTrue(erreur().matches("lancer : /dev/zero, ligne 1 : ligne trop longue ; attendu : .+\n"), erreur());
+        assertEquals("lancer : /dev/zero : lecture impossible (ligne 1 de plus de 8 Mo) ; attendu : un fichier de scène\n", erreur());
         verifierDossier();
     }
 }

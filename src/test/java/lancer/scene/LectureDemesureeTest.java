@@ -88,15 +88,15 @@ class LectureDemesureeTest {
     @Test
     void unNomDeSectionDUnMillionDeNiveauxNEstQuUnNom() throws IOException {
         assertEquals(1, lire(ecrire("[Sphere a", "/a", 1_000_000, "]\ncentre=0 0 6\nrayon=1")).getObjets().size());
-        refuse(", ligne 1 : section illisible : « [*… »", ecrire("", "[", 1_000_000, ""));
-        refuse(", ligne 1 : section illisible : « [ *… »", ecrire("[", " ", 1_000_000, "]"));
+        refuse(", ligne 1 : texte avant toute section : « [*… »", ecrire("", "[", 1_000_000, ""));
+        refuse(", ligne 1 : texte avant toute section : « [ *… »", ecrire("[", " ", 1_000_000, "]"));
     }
 
     @Test
     void desMillionsDeLignesVidesOuDeCommentairesNeSontPasGardes() throws IOException {
         assertEquals(1, lire(ecrire(DEBUT, "\n", 3_000_000, "rayon=1")).getObjets().size());
         assertEquals(1, lire(ecrire(DEBUT, ";\r", 2_000_000, "rayon=1")).getObjets().size());
-        refuse(", ligne 3000003, [Sphere 1], rayon : valeur absente", ecrire(DEBUT, "\r", 3_000_000, "rayon="));
+        refuse(", ligne 3000003, [Sphere 1], rayon : 0 nombre au lieu de 1 : «  »", ecrire(DEBUT, "\r", 3_000_000, "rayon="));
     }
 
     @Test
@@ -108,8 +108,8 @@ class LectureDemesureeTest {
     @Test
     void uneLigneDePlusDeHuitMegaoctetsEstTropLongue() throws IOException {
         assertEquals(1, lire(ecrire(DEBUT + "rayon=1", " ", 8_000_000, "")).getObjets().size());
-        refuse(", ligne 3, [Sphere 1] : ligne trop longue", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
-        refuse(", ligne 3, [Sphere 1] : ligne trop longue", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
+        refuse(" : lecture impossible (ligne 3 de plus de 8 Mo)", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
+        refuse(" : lecture impossible (ligne 3 de plus de 8 Mo)", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
     }
 
     @Test

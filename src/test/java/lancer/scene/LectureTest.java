@@ -79,7 +79,7 @@ class LectureTest {
         Path png = dossier.resolve("image.png");
         Path pfm = dossier.resolve("image.pfm");
         Essai e = Essai.executer("--image", png.toString(), "--lineaire", pfm.toString(), "--statistiques", scene.toString());
-        assertEquals(attendu(scene), e.sansAutresFormes(""));
+        assertEquals(attendu(scene), e.sansAutresFormes("aucune"));
         assertEquals(1, e.erreur.split("\r?\n").length, e.erreur);
         assertEquals(2, e.code);
         assertEquals("", e.sortie);

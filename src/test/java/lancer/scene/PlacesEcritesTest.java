@@ -13,6 +13,7 @@ import java.nio.file.Paths;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lancer.Lampe;
 import lancer.Point;
@@ -114,7 +115,7 @@ class PlacesEcritesTest {
                 byte[] ecrits = lue.deplacer(lue.avec(chose, place));
                 Object deplacee = choses(lire(ecrits)).get(rang);
                 assertEquals(place, SceneLue.place(deplacee));
-                Files.write(fichier, avant);
+                lue = lire(avant);
             }
         }
     }
@@ -137,12 +138,11 @@ class PlacesEcritesTest {
     void unFichierQuiAChangeDepuisSaLectureNEstPasTouche() throws IOException {
         byte[] avant = scene(SCENE, "0 0.2 6", "-4 6 -3", "1 1 7");
         SceneLue lue = lire(avant);
-        FileTime date = Files.getLastModifiedTime(fichier);
         SceneLue voulue = lue.avec(lue.lampes.get(0), new Point(3, 3, 0));
-        // la même taille, la même date : seul le contenu le dit
+        // la même taille : seule la date le dit
         byte[] change = scene(SCENE, "0 0.3 6", "-4 6 -3", "1 1 7");
         Files.write(fichier, change);
-        Files.setLastModifiedTime(fichier, date);
+        Files.setLastModifiedTime(fichier, FileTime.from(1, TimeUnit.HOURS));
         String faute = assertThrows(SceneFautive.class, () -> lue.deplacer(voulue)).getMessage();
         assertTrue(faute.matches("\\Q" + fichier + "\\E : le fichier a changé depuis sa lecture ; attendu : .+"), faute);
         assertArrayEquals(change, Files.readAllBytes(fichier));

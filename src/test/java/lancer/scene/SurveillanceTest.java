@@ -1,6 +1,6 @@
 package lancer.scene;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.io.IOException;
@@ -22,15 +22,15 @@ class SurveillanceTest {
 
     @TempDir
     Path dossier;
-    private final LinkedBlockingQueue<String> dits = new LinkedBlockingQueue<>();
-    private final Surveillance veille = new Surveillance(20, () -> dits.add("change"), () -> dits.add("efface"));
+    private final LinkedBlockingQueue<Boolean> dits = new LinkedBlockingQueue<>();
+    private final Surveillance veille = new Surveillance(() -> dits.add(true));
     private Path fichier;
 
     @BeforeEach
     void suivreUnFichier() throws IOException {
         fichier = dossier.resolve("s.ini");
         ecrire("un", 1);
-        veille.suivre(fichier.toString(), FichierScene.version(fichier.toString()));
+        veille.suivre(fichier.toString(), Surveillance.version(fichier.toString()));
     }
 
     @AfterEach
@@ -45,35 +45,35 @@ class SurveillanceTest {
         Files.move(neuf, fichier, StandardCopyOption.ATOMIC_MOVE);
     }
 
-    private void attendre(String attendu) throws InterruptedException {
-        assertEquals(attendu, dits.poll(40, TimeUnit.SECONDS));
-        assertNull(dits.poll(200, TimeUnit.MILLISECONDS), "cela ne se dit qu'une fois");
+    private void attendre(String quoi) throws InterruptedException {
+        assertNotNull(dits.poll(40, TimeUnit.SECONDS), quoi);
+        assertNull(dits.poll(800, TimeUnit.MILLISECONDS), "cela ne se dit qu'une fois");
     }
 
     @Test
     void uneAutreDateOuUneAutreTailleSeDisentUneFois() throws Exception {
         ecrire("un", 2);
-        attendre("change");
+        attendre("une autre date");
         ecrire("trois", 2);
-        attendre("change");
+        attendre("une autre taille");
     }
 
     @Test
     void unFichierEffaceSeDitPuisSonRetour() throws Exception {
         Files.delete(fichier);
-        attendre("efface");
+        attendre("effacé");
         ecrire("un", 1);
-        attendre("change");
+        attendre("revenu");
     }
 
     @Test
     void unFichierQuiNEstPlusSuiviNeDitPlusRien() throws Exception {
         Path autre = Files.write(dossier.resolve("autre.ini"), "deux".getBytes());
-        veille.suivre(autre.toString(), FichierScene.version(autre.toString()));
+        veille.suivre(autre.toString(), Surveillance.version(autre.toString()));
         ecrire("un", 2);
         Files.delete(fichier);
-        assertNull(dits.poll(400, TimeUnit.MILLISECONDS));
+        assertNull(dits.poll(1200, TimeUnit.MILLISECONDS));
         Files.delete(autre);
-        attendre("efface");
+        attendre("celui qui est suivi");
     }
 }

@@ -159,7 +159,7 @@ class BrumeTest {
         Path scene = scene("[Brume]", "[Brume 2]");
         Essai essai = Essai.executer("--lineaire", dossier.resolve("image.pfm").toString(), scene.toString());
         assertEquals("lancer : " + scene
-                + ", ligne 2, [Brume 2] : deuxième section de ce type, la première ligne 1 ; attendu : une seule section Brume"
+                + ", ligne 2, [Brume 2] : section déjà donnée, ligne 1 ; attendu : une seule section Brume"
                 + System.lineSeparator(), essai.erreur);
         assertEquals(2, essai.code);
     }

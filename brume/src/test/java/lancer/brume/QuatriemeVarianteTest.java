@@ -187,7 +187,7 @@ class QuatriemeVarianteTest {
         String scene = boule("[Nuit]", "portee=2.5");
         Essai essai = Essai.executerAvec(Collections.<Path>emptyList(), "--lineaire", dossier.resolve("nuit.pfm").toString(), scene);
         assertEquals("lancer : " + scene + ", ligne 8, [Nuit] : type de section inconnu ; attendu : Sphere, Lampe, Camera, Brume, "
-                + "Antialias, Blinn" + System.lineSeparator(), essai.sansAutresFormes(""));
+                + "Antialias, Blinn" + System.lineSeparator(), essai.sansAutresFormes("aucune"));
         assertEquals(2, essai.code);
     }
 

@@ -20,7 +20,7 @@ import lancer.antialias.Antialias;
 import lancer.contrat.Echantillonnage;
 import lancer.dessin.Dessin;
 import lancer.mesures.scenes.Scenes;
-import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -40,7 +40,7 @@ class ErreursTest {
     private double seuil;
 
     private Scene lire(String nom) {
-        Scene scene = Scenes.lire(FichierScene.trouver("scenes/" + nom + ".ini"));
+        Scene scene = Scenes.lire(LecteurScene.trouver("scenes/" + nom + ".ini"));
         for (Objet3D o : scene.getObjets()) {
             Point c = ((Sphere) o).getCentre();
             spheres.add(new double[] {c.x, c.y, c.z, ((Sphere) o).getRayon(), o.getKd().r, o.getKd().v, o.getKd().b, o.getKs().r,

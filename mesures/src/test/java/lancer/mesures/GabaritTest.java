@@ -8,7 +8,7 @@ import lancer.Scene;
 import lancer.dessin.Dessin;
 import lancer.mesures.scenes.SceneAuHasard;
 import lancer.mesures.scenes.Scenes;
-import lancer.scene.FichierScene;
+import lancer.scene.LecteurScene;
 import org.junit.jupiter.api.Test;
 
 /** L'erreur d'une image, contre deux images au hasard. */
@@ -40,7 +40,7 @@ class GabaritTest {
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
-        Scene miroirs = Scenes.lire(FichierScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
+        Scene miroirs = Scenes.lire(LecteurScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
         Gabarit gabarit = new Gabarit(miroirs, L, H, 2);
         double cinq = erreur(gabarit, image(miroirs, L, H, 5));
         double cent = erreur(gabarit, image(miroirs, L, H, 100));

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
-import lancer.scene.FichierScene;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
@@ -31,7 +30,7 @@ public final class Scenes {
 
     /** Les fichiers des scènes livrées, par ordre alphabétique. */
     public static List<Path> livrees() throws IOException {
-        try (Stream<Path> fichiers = Files.list(FichierScene.trouver("scenes/scene1.ini").toAbsolutePath().getParent())) {
+        try (Stream<Path> fichiers = Files.list(LecteurScene.trouver("scenes/scene1.ini").toAbsolutePath().getParent())) {
             return fichiers.filter(f -> f.toString().endsWith(".ini")).sorted().collect(Collectors.toList());
         }
     }
@@ -50,7 +49,7 @@ public final class Scenes {
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
         if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom) && !Rares.NOMS.contains(nom)) {
-            return FichierScene.trouver("scenes/" + nom + ".ini");
+            return LecteurScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");
         // ce fichier peut dépasser cent millions d'octets : Ctrl+C ne doit pas le laisser

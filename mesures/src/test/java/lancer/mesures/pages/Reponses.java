@@ -49,8 +49,8 @@ public final class Reponses {
         PagesMesurees.reecrire(Paths.get(args[0]), valeurs());
         Path figures = Paths.get(args[1]);
         Files.write(figures.resolve("reponses-cosinus.svg"), cosinus().getBytes(StandardCharsets.UTF_8));
-        new Ecriture(figures.resolve("reponses-etapes.png").toString()).ecrire(etapes(), new FichierPng());
-        new Ecriture(figures.resolve("reponses-escaliers.png").toString()).ecrire(escaliers(), new FichierPng());
+        new Ecriture<>(figures.resolve("reponses-etapes.png").toString(), new FichierPng()).ecrire(etapes());
+        new Ecriture<>(figures.resolve("reponses-escaliers.png").toString(), new FichierPng()).ecrire(escaliers());
     }
 
     /** Les nombres de la page, par nom. */
