@@ -141,9 +141,9 @@ public final class SectionLue extends Section {
     private SceneFautive impossible(Entree entree, String mot, double valeur, String attendu) {
         String faute = "n'est pas un nombre";
         if (mot.startsWith(";") || mot.startsWith("#")) {
-            faute = "commentaire après une valeur";
+            faute = "commentaire après une valeur, et non seul sur sa ligne";
         } else if (mot.indexOf(',') >= 0) {
-            faute = "une virgule dans un nombre";
+            faute = "une virgule, au lieu d'un point ou d'un blanc";
         } else if (!Double.isNaN(valeur)) {
             faute = Double.isInfinite(valeur) ? "nombre trop grand" : "hors limites";
         }
