@@ -19,7 +19,7 @@ final class PointDeVue {
     private final double y;
     private final double z;
     /** La plus grande coordonnée, en valeur absolue, du point et du départ d'un rayon. */
-    final double portee;
+    private final double portee;
     private final FaceDeCube[] faces = new FaceDeCube[6];
     /** Nombre de cases. La dernière est celle des directions hors des fenêtres. */
     final int nombre;
