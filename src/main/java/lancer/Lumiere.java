@@ -1,6 +1,7 @@
 package lancer;
 
 import lancer.contrat.Ecoute;
+import lancer.contrat.Modele;
 
 /**
  * La somme des lumières qu'un contact renvoie vers le rayon. Si la scène a une {@link Ecoute}, une copie de chaque
@@ -18,11 +19,10 @@ final class Lumiere {
     /**
      * @param N normale au contact
      * @param R direction réfléchie du rayon incident
-     * @param seuil plus petit produit des Ks pour lequel un rayon réfléchi est lancé
      */
-    Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
-        this.ecoute = ecoute;
-        this.seuil = seuil;
+    Lumiere(Modele modele, Vecteur N, Vecteur R) {
+        ecoute = modele.getEcoute();
+        seuil = modele.getSeuil();
         if (ecoute != null) {
             ecoute.normale(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
         }

@@ -50,7 +50,7 @@ public abstract class Objet3D {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Lumiere lumiere = scene.getLumiere(N, R);
+        Lumiere lumiere = new Lumiere(scene.getModele(), N, R);
         Couleur diffusion = getKd(contact);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
@@ -80,13 +80,6 @@ public abstract class Objet3D {
     /** La couleur de diffusion en ce point : celle de la matière, sauf si une forme a un motif. */
     public Couleur getKd(Point contact) {
         return Kd;
-    }
-
-    /** Prend la matière d'un autre objet. */
-    public void setMatiere(Objet3D autre) {
-        Kd = autre.Kd;
-        Ks = autre.Ks;
-        ns = autre.ns;
     }
 
     /** Couleur de diffusion de la matière, composantes dans [0, 1]. */

@@ -82,7 +82,7 @@ class ModificationsTest {
 
     @ParameterizedTest(name = "{0} : {2}")
     @CsvSource(delimiter = '|', value = {
-        "Objet3D | scene.getLumiere(N, R); | scene.getLumiere(N, R); lumiere.ajouter(Kd.mul(0.1));",
+        "Objet3D | new Lumiere(scene.getModele(), N, R); | new Lumiere(scene.getModele(), N, R); lumiere.ajouter(Kd.mul(0.1));",
         "Objet3D | && !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
         "Objet3D | Math.min(1, N.dot(L)) | 1",
         "Objet3D | V.add(-2 * V.dot(N), N) | V.add(-1.9 * V.dot(N), N)",
