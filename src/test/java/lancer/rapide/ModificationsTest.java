@@ -166,7 +166,7 @@ class ModificationsTest {
         // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
         MOBILE + "Lancer|Echantillonnage prepare =|"
                 + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
-        MOBILE + "Lancer|if (brouillon) {|placer(scene, pave.i0 < 64 ? 1 : 0); if (brouillon) {",
+        MOBILE + "Lancer|TracerPixels(pave, pave,|placer(scene, pave.i0 < 64 ? 1 : 0); TracerPixels(pave, pave,",
         MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
                 + "|Lancer|equipe.obeir();|placer(scene, 1); equipe.obeir();",
         MOBILE + "Lancer|equipe.faire(paves.size(),|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(paves.size(),",
