@@ -57,9 +57,9 @@ final class Masques implements Recherche {
         int n = objets.length;
         tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        oeil = PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
+        oeil = new PointDeVue(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
                 1 + (int) (pixels / (TUILE * TUILE)));
-        parTuile = oeil == null ? null : masques(oeil);
+        parTuile = masques(oeil);
         parDirection = new long[CUBES * n];
         for (int b = 0; b < n; b++) {
             for (int a = 0; a < n; a++) {
@@ -73,7 +73,7 @@ final class Masques implements Recherche {
         for (int l = 0; l < lampes.length; l++) {
             Recherche.obeir();
             Point place = lampes[l].getPosition();
-            vues[l] = cases > n ? PointDeVue.de(place, place, enveloppes, cases) : null;
+            vues[l] = cases > n ? new PointDeVue(place, place, enveloppes, cases) : null;
             parCase[l] = vues[l] == null ? null : masques(vues[l]);
         }
     }
@@ -144,7 +144,7 @@ final class Masques implements Recherche {
         dAbord = 0;
         if (depart == null) {
             bloqueur = 0;
-            int c = oeil == null ? -1 : oeil.caseDe(P, V);
+            int c = oeil.caseDe(P, V);
             poser(c < 0 ? tous : parTuile[c]);
         } else {
             rang = Enveloppes.trouver(depart, objets, rang);
