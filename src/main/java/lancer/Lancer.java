@@ -72,7 +72,7 @@ public final class Lancer {
         TracerPixels(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
     }
 
-    /** Dessine tous les pixels selon cet échantillonnage. Des fils, qui ont chacun leur lancer, se partagent les pavés. */
+    /** Dessine tous les pixels selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
     public void TracerPixels(Echantillonnage choisi, Toile toile, int profondeur, int fils) {
         Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
         long debut = System.nanoTime();
