@@ -82,6 +82,13 @@ public abstract class Objet3D {
         return Kd;
     }
 
+    /** Prend la matière d'un autre objet. */
+    public void setMatiere(Objet3D autre) {
+        Kd = autre.Kd;
+        Ks = autre.Ks;
+        ns = autre.ns;
+    }
+
     /** Couleur de diffusion de la matière, composantes dans [0, 1]. */
     public Couleur getKd() {
         return Kd;

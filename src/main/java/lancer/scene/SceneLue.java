@@ -95,11 +95,8 @@ public final class SceneLue {
         if (chose instanceof Lampe) {
             return remplacer(chose, new Lampe(place, ((Lampe) chose).getCouleur()));
         }
-        Sphere sphere = (Sphere) chose;
-        Sphere deplacee = new Sphere(place, sphere.getRayon());
-        deplacee.setKd(sphere.getKd());
-        deplacee.setKs(sphere.getKs());
-        deplacee.setNs(sphere.getNs());
+        Sphere deplacee = new Sphere(place, ((Sphere) chose).getRayon());
+        deplacee.setMatiere((Sphere) chose);
         return remplacer(chose, deplacee);
     }
 
