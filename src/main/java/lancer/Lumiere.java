@@ -38,11 +38,12 @@ final class Lumiere {
 
     /** Apport d'une lampe de couleur KL, si aucun objet ne la cache : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
-        Couleur diffus = Kd.mul(cosinus, KL);
+        Couleur diffus = Kd.mul(KL).mul(cosinus);
+        Couleur reflet = Ks.mul(KL).mul(eclat);
         if (ecoute != null) {
-            ecoute.apport(cosinus, eclat, Kd.mul(cosinus, KL), Ks.mul(eclat, KL));
+            ecoute.apport(cosinus, eclat, Kd.mul(KL).mul(cosinus), Ks.mul(KL).mul(eclat));
         }
-        return diffus.add(eclat, Ks, KL);
+        return diffus.add(reflet);
     }
 
     /** Dit si le rayon réfléchi doit être lancé : la plus grande composante du produit des Ks atteint le seuil. */
