@@ -29,11 +29,6 @@ public final class Couleur {
         return new Couleur(r + c.r, v + c.v, b + c.b);
     }
 
-    /** Somme de cette couleur et du produit de {@code c} et {@code d} par {@code k}. */
-    public Couleur add(double k, Couleur c, Couleur d) {
-        return new Couleur(r + c.r * d.r * k, v + c.v * d.v * k, b + c.b * d.b * k);
-    }
-
     public Couleur sub(Couleur c) {
         return new Couleur(r - c.r, v - c.v, b - c.b);
     }
@@ -45,11 +40,6 @@ public final class Couleur {
     /** Produit composante par composante : la lumière que renvoie une surface de couleur {@code c}. */
     public Couleur mul(Couleur c) {
         return new Couleur(r * c.r, v * c.v, b * c.b);
-    }
-
-    /** Produit composante par composante, puis par {@code k}. */
-    public Couleur mul(double k, Couleur c) {
-        return new Couleur(r * c.r * k, v * c.v * k, b * c.b * k);
     }
 
     public Couleur div(double k) {

@@ -64,7 +64,7 @@ public final class Lancer {
 
     /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
     public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        partager(fils, true, null, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON));
+        TracerPixels(Lancer::brouillon, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
     }
 
     /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
@@ -72,18 +72,39 @@ public final class Lancer {
         TracerPixels(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
     }
 
-    /** Dessine comme {@link #TracerPixels(Toile, int, int)}, selon cet échantillonnage. */
+    /** Dessine tous les pixels selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
     public void TracerPixels(Echantillonnage choisi, Toile toile, int profondeur, int fils) {
         Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        partager(fils, false, prepare, toile, profondeur);
+        long debut = System.nanoTime();
+        List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
+        List<Lancer> siens = new ArrayList<>();
+        List<IntConsumer> travaux = new ArrayList<>();
+        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
+            Lancer sien = new Lancer(this);
+            siens.add(sien);
+            travaux.add(rang -> sien.tracer(paves.get(rang), prepare, toile, profondeur));
+        }
+        equipe.faire(paves.size(), travaux);
+        Compteurs total = new Compteurs();
+        for (Lancer sien : siens) {
+            total.ajouter(sien.scene.getCompteurs());
+        }
+        compteurs = total;
+        dureeNs = System.nanoTime() - debut;
     }
 
-    void TracerBrouillon(Pave pave, Toile toile, int profondeur) {
+    /** Dessine un pavé dans un fil, dont ce lancer est à lui seul. */
+    private void tracer(Pave pave, Echantillonnage prepare, Toile toile, int profondeur) {
+        TracerPixels(pave, pave, prepare, toile, profondeur);
+        fautes.peindre(pave, toile);
+    }
+
+    private static int brouillon(Pave pave, Pave voulus, Vue vue, Toile toile) {
         for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
             int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
             for (int i = pave.i0; i < pave.i1; i += Constantes.PAS_BROUILLON) {
                 int iFin = Math.min(i + Constantes.PAS_BROUILLON, pave.i1);
-                Couleur couleur = getCouleurPixel((i + iFin) / 2.0, (j + jFin) / 2.0, profondeur);
+                Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
                 for (int y = j; y < jFin; y++) {
                     for (int x = i; x < iFin; x++) {
                         toile.drawPixel(couleur, x, y);
@@ -91,6 +112,7 @@ public final class Lancer {
                 }
             }
         }
+        return 0;
     }
 
     /** Dessine ces pixels d'un pavé. @param prepare échantillonnage, {@code null} pour un rayon au centre de chacun */
@@ -127,36 +149,6 @@ public final class Lancer {
         } catch (RuntimeException | Error e) {
             return fautes.noter(e, xe, ye);
         }
-    }
-
-    /** Partage les pavés de l'image entre des fils, qui ont chacun leur lancer. */
-    private void partager(int fils, boolean brouillon, Echantillonnage prepare, Toile toile, int profondeur) {
-        long debut = System.nanoTime();
-        List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
-        List<Lancer> siens = new ArrayList<>();
-        List<IntConsumer> travaux = new ArrayList<>();
-        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
-            Lancer sien = new Lancer(this);
-            siens.add(sien);
-            travaux.add(rang -> sien.tracer(paves.get(rang), brouillon, prepare, toile, profondeur));
-        }
-        equipe.faire(paves.size(), travaux);
-        Compteurs total = new Compteurs();
-        for (Lancer sien : siens) {
-            total.ajouter(sien.scene.getCompteurs());
-        }
-        compteurs = total;
-        dureeNs = System.nanoTime() - debut;
-    }
-
-    /** Dessine un pavé dans un fil, dont ce lancer est à lui seul. */
-    private void tracer(Pave pave, boolean brouillon, Echantillonnage prepare, Toile toile, int profondeur) {
-        if (brouillon) {
-            TracerBrouillon(pave, toile, profondeur);
-        } else {
-            TracerPixels(pave, pave, prepare, toile, profondeur);
-        }
-        fautes.peindre(pave, toile);
     }
 
     private Vue vue(int profondeur) {

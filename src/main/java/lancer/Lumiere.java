@@ -1,6 +1,7 @@
 package lancer;
 
 import lancer.contrat.Ecoute;
+import lancer.contrat.Modele;
 
 /**
  * La somme des lumières qu'un contact renvoie vers le rayon. Si la scène a une {@link Ecoute}, une copie de chaque
@@ -18,11 +19,10 @@ final class Lumiere {
     /**
      * @param N normale au contact
      * @param R direction réfléchie du rayon incident
-     * @param seuil plus petit produit des Ks pour lequel un rayon réfléchi est lancé
      */
-    Lumiere(Ecoute ecoute, Vecteur N, Vecteur R, double seuil) {
-        this.ecoute = ecoute;
-        this.seuil = seuil;
+    Lumiere(Modele modele, Vecteur N, Vecteur R) {
+        ecoute = modele.getEcoute();
+        seuil = modele.getSeuil();
         if (ecoute != null) {
             ecoute.normale(new Vecteur(N.x, N.y, N.z), new Vecteur(R.x, R.y, R.z));
         }
@@ -38,11 +38,12 @@ final class Lumiere {
 
     /** Apport d'une lampe de couleur KL, si aucun objet ne la cache : Kd ⊗ KL · cosinus + Ks ⊗ KL · éclat. */
     Couleur apport(Couleur KL, Couleur Kd, double cosinus, Couleur Ks, double eclat) {
-        Couleur diffus = Kd.mul(cosinus, KL);
+        Couleur diffus = Kd.mul(KL).mul(cosinus);
+        Couleur reflet = Ks.mul(KL).mul(eclat);
         if (ecoute != null) {
-            ecoute.apport(cosinus, eclat, Kd.mul(cosinus, KL), Ks.mul(eclat, KL));
+            ecoute.apport(cosinus, eclat, Kd.mul(KL).mul(cosinus), Ks.mul(KL).mul(eclat));
         }
-        return diffus.add(eclat, Ks, KL);
+        return diffus.add(reflet);
     }
 
     /** Dit si le rayon réfléchi doit être lancé : la plus grande composante du produit des Ks atteint le seuil. */

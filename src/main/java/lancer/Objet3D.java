@@ -50,7 +50,7 @@ public abstract class Objet3D {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Lumiere lumiere = scene.getLumiere(N, R);
+        Lumiere lumiere = new Lumiere(scene.getModele(), N, R);
         Couleur diffusion = getKd(contact);
         for (Lampe lampe : scene.lampes) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());

@@ -18,9 +18,6 @@ import lancer.scene.SceneLue;
  */
 public final class Scene {
 
-    /** Nombre d'intersections, moins un, entre deux lectures de l'interruption du fil. */
-    private static final long PAS = (1 << 14) - 1;
-
     private final Objet3D[] objets;
     final Lampe[] lampes;
     private final BiFunction<Integer, Integer, Camera> cadrage;
@@ -149,11 +146,9 @@ public final class Scene {
         return recherche == null ? tous : recherche;
     }
 
-    /** Distance du contact de cet objet sur ce rayon. L'interruption du fil est lue de temps en temps. */
+    /** Distance du contact de cet objet sur ce rayon. */
     private double demander(Objet3D objet, Rayon rayon) {
-        if ((++compteurs.testsSpheres & PAS) == 0) {
-            Recherche.obeir();
-        }
+        compteurs.testsSpheres++;
         double d = objet.getIntersectionDistance(rayon);
         if (Double.isNaN(d)) {
             throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
@@ -189,11 +184,6 @@ public final class Scene {
             ecoute.vue(new Couleur(couleur.r, couleur.v, couleur.b), new Couleur(vue.r, vue.v, vue.b));
         }
         return vue;
-    }
-
-    /** La lumière, encore nulle, d'un contact. @param N sa normale @param R la direction réfléchie */
-    Lumiere getLumiere(Vecteur N, Vecteur R) {
-        return new Lumiere(modele.getEcoute(), N, R, modele.getSeuil());
     }
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */

@@ -238,9 +238,9 @@ public final class Recit {
         if (e.L != null) {
             facteurs.add(dire("L = %s", e.L));
         }
-        facteurs.add(produit("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", Kd.mul(e.cosinus, KL),
+        facteurs.add(produit("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", Kd.mul(KL).mul(e.cosinus),
                 lue(Kd), lue(KL), e.cosinus, e.diffus));
-        facteurs.add(produit("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(eclat, KL),
+        facteurs.add(produit("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", objet.getKs().mul(KL).mul(eclat),
                 lue(objet.getKs()), lue(KL), facteur, e.reflet));
         return facteurs;
     }

@@ -30,14 +30,10 @@ final class Carte {
     /**
      * La carte de ce point.
      *
-     * @param point {@code null} s'il n'en a pas
      * @param places nombre maximal de places
      * @return {@code null} s'il en faut davantage
      */
     static Carte de(PointDeVue point, Enveloppes enveloppes, int places) {
-        if (point == null) {
-            return null;
-        }
         Carte carte = new Carte(point, enveloppes);
         double[] g = enveloppes.geometrie;
         long[] ordre = new long[enveloppes.bornes.length];

@@ -73,16 +73,6 @@ final class Enveloppes {
         return Arrays.equals(geometrie, copier());
     }
 
-    /** La plus grande coordonnée des enveloppes, en valeur absolue, rayon compris. */
-    double portee() {
-        double portee = 0;
-        for (int k : bornes) {
-            int i = PAS * k;
-            portee = Math.max(portee, plusGrande(geometrie[i], geometrie[i + 1], geometrie[i + 2]) + geometrie[i + 3]);
-        }
-        return portee;
-    }
-
     static double plusGrande(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }

@@ -25,12 +25,9 @@ final class Foule implements Recherche {
     /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
     private int lampe;
 
-    private double px;
-    private double py;
-    private double pz;
-    private double vx;
-    private double vy;
-    private double vz;
+    /** Départ et direction du rayon en cours. */
+    private Point P;
+    private Vecteur V;
 
     /** Place en cours d'une case ou d'une feuille, et place de fin. */
     private int[] liste;
@@ -84,13 +81,9 @@ final class Foule implements Recherche {
         ouvrir(lampes.length > 0 && lampes[lampe] == demandee ? cartes[lampe] : null, P, V);
     }
 
-    private void ouvrir(Carte carte, Point P, Vecteur V) {
-        px = P.x;
-        py = P.y;
-        pz = P.z;
-        vx = V.x;
-        vy = V.y;
-        vz = V.z;
+    private void ouvrir(Carte carte, Point depart, Vecteur direction) {
+        P = depart;
+        V = direction;
         fin = 0;
         haut = 0;
         libre = 0;
@@ -102,7 +95,8 @@ final class Foule implements Recherche {
             pres = carte.pres;
             avance = carte.point.avance(P, V);
             lire(carte.objets, carte.debut[c], carte.debut[c + 1]);
-        } else if (Enveloppes.estUnitaire(vx, vy, vz) && Enveloppes.plusGrande(px, py, pz) < Enveloppes.LONGUEUR_MAX) {
+        } else if (Enveloppes.estUnitaire(V.x, V.y, V.z)
+                && Enveloppes.plusGrande(P.x, P.y, P.z) < Enveloppes.LONGUEUR_MAX) {
             pile[0] = 0;
             entrees[0] = 0;
             haut = arbre.feuilles.length == 0 ? 0 : 1;
@@ -145,10 +139,10 @@ final class Foule implements Recherche {
     /** Cherche la feuille suivante. @return faux s'il n'y en a plus */
     private boolean descendre(double auPlus) {
         double[] q = arbre.boites;
-        double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);
-        double ax = Math.abs(vx);
-        double ay = Math.abs(vy);
-        double az = Math.abs(vz);
+        double marge = Arbre.MARGE * Enveloppes.plusGrande(P.x, P.y, P.z);
+        double ax = Math.abs(V.x);
+        double ay = Math.abs(V.y);
+        double az = Math.abs(V.z);
         int visites = 0;
         while (haut > 0) {
             if (entrees[--haut] > auPlus) {
@@ -185,17 +179,17 @@ final class Foule implements Recherche {
      * sont V et ses produits vectoriels avec les trois axes.
      */
     private double entree(double[] q, int b, double ax, double ay, double az, double marge, double auPlus) {
-        double x = q[b] - px;
-        double y = q[b + 1] - py;
-        double z = q[b + 2] - pz;
+        double x = q[b] - P.x;
+        double y = q[b + 1] - P.y;
+        double z = q[b + 2] - P.z;
         double hx = q[b + 3] + marge;
         double hy = q[b + 4] + marge;
         double hz = q[b + 5] + marge;
-        if (Math.abs(y * vz - z * vy) > hy * az + hz * ay || Math.abs(z * vx - x * vz) > hz * ax + hx * az
-                || Math.abs(x * vy - y * vx) > hx * ay + hy * ax) {
+        if (Math.abs(y * V.z - z * V.y) > hy * az + hz * ay || Math.abs(z * V.x - x * V.z) > hz * ax + hx * az
+                || Math.abs(x * V.y - y * V.x) > hx * ay + hy * ax) {
             return Double.NaN;
         }
-        double milieu = x * vx + y * vy + z * vz;
+        double milieu = x * V.x + y * V.y + z * V.z;
         double demi = hx * ax + hy * ay + hz * az;
         return milieu + demi < 0 ? Double.NaN : milieu - demi;
     }

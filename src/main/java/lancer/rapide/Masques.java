@@ -23,9 +23,6 @@ final class Masques implements Recherche {
     /** Côté d'une tuile de l'écran, en pixels. */
     private static final double TUILE = 8;
 
-    /** Élargissement d'un départ ou d'un contact, en part des longueurs ; un rayon en vérifie la moitié. */
-    private static final double MARGE = 1e-9;
-
     /** Nombre de cases d'une lampe, et de pixels pour une case des lampes. */
     private static final int CASES_D_UNE_LAMPE = 4096;
     private static final int PIXELS_PAR_CASE = 8;
@@ -36,7 +33,6 @@ final class Masques implements Recherche {
     private final PointDeVue oeil;
     private final long[] parTuile;
     private final long[] parDirection;
-    private final double portee;
     private final Lampe[] lampes;
     /** Pour chaque lampe, elle-même, et ce que peut rencontrer un rayon de chaque case ; {@code null} sans masques. */
     private final PointDeVue[] vues;
@@ -61,10 +57,9 @@ final class Masques implements Recherche {
         int n = objets.length;
         tous = n == 0 ? 0 : -1L >>> Long.SIZE - n;
         double pixels = (double) camera.getLargeur() * camera.getHauteur();
-        oeil = PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
+        oeil = new PointDeVue(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
                 1 + (int) (pixels / (TUILE * TUILE)));
-        portee = Math.max(enveloppes.portee(), oeil == null ? 0 : oeil.portee);
-        parTuile = oeil == null ? null : masques(oeil);
+        parTuile = masques(oeil);
         parDirection = new long[CUBES * n];
         for (int b = 0; b < n; b++) {
             for (int a = 0; a < n; a++) {
@@ -78,7 +73,7 @@ final class Masques implements Recherche {
         for (int l = 0; l < lampes.length; l++) {
             Recherche.obeir();
             Point place = lampes[l].getPosition();
-            vues[l] = cases > n ? PointDeVue.de(place, place, enveloppes, cases) : null;
+            vues[l] = cases > n ? new PointDeVue(place, place, enveloppes, cases) : null;
             parCase[l] = vues[l] == null ? null : masques(vues[l]);
         }
     }
@@ -103,7 +98,6 @@ final class Masques implements Recherche {
         oeil = autre.oeil;
         parTuile = autre.parTuile;
         parDirection = autre.parDirection;
-        portee = autre.portee;
         lampes = autre.lampes;
         vues = autre.vues;
         parCase = autre.parCase;
@@ -123,8 +117,8 @@ final class Masques implements Recherche {
         double z = g[sb + 2] - g[sa + 2];
         double d = Math.sqrt(x * x + y * y + z * z);
         // NaN si l'un des deux est sans borne : la négation le note alors partout
-        double sinus = (g[sa + 3] + g[sb + 3] + MARGE * portee) / d;
-        double cosinus = Math.sqrt(1 - sinus * sinus) - MARGE;
+        double sinus = (g[sa + 3] + g[sb + 3]) / d;
+        double cosinus = Math.sqrt(1 - sinus * sinus) - Enveloppes.MARGE;
         x /= d;
         y /= d;
         z /= d;
@@ -150,11 +144,11 @@ final class Masques implements Recherche {
         dAbord = 0;
         if (depart == null) {
             bloqueur = 0;
-            int c = oeil == null ? -1 : oeil.caseDe(P, V);
+            int c = oeil.caseDe(P, V);
             poser(c < 0 ? tous : parTuile[c]);
         } else {
             rang = Enveloppes.trouver(depart, objets, rang);
-            boolean connu = objets.length > 0 && objets[rang] == depart && estPres(P.x, P.y, P.z, portee)
+            boolean connu = objets.length > 0 && objets[rang] == depart && estDansLEnveloppe(P)
                     && Enveloppes.estUnitaire(V.x, V.y, V.z);
             poser(connu ? parDirection[CUBES * rang + (cube(V.z) * COTE + cube(V.y)) * COTE + cube(V.x)] : tous);
         }
@@ -184,14 +178,13 @@ final class Masques implements Recherche {
         propose = 0;
     }
 
-    /** Dit si ce point est à la surface, ou dans l'enveloppe, de l'objet trouvé. */
-    private boolean estPres(double x, double y, double z, double longueur) {
+    /** Dit si ce point est dans l'enveloppe de l'objet trouvé. */
+    private boolean estDansLEnveloppe(Point p) {
         int s = Enveloppes.PAS * rang;
-        double dx = x - g[s];
-        double dy = y - g[s + 1];
-        double dz = z - g[s + 2];
-        double r = g[s + 3] + MARGE / 2 * longueur;
-        return dx * dx + dy * dy + dz * dz <= r * r;
+        double dx = p.x - g[s];
+        double dy = p.y - g[s + 1];
+        double dz = p.z - g[s + 2];
+        return dx * dx + dy * dy + dz * dz <= g[s + 3] * g[s + 3];
     }
 
     @Override

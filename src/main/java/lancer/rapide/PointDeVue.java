@@ -19,13 +19,19 @@ final class PointDeVue {
     private final double y;
     private final double z;
     /** La plus grande coordonnée, en valeur absolue, du point et du départ d'un rayon. */
-    final double portee;
+    private final double portee;
     private final FaceDeCube[] faces = new FaceDeCube[6];
     /** Nombre de cases. La dernière est celle des directions hors des fenêtres. */
     final int nombre;
 
-    private PointDeVue(Point p, double portee, Enveloppes enveloppes, int cases) {
-        this.portee = portee;
+    /**
+     * Ce point, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf celles des grandes enveloppes.
+     *
+     * @param depart un point d'où part un rayon : une lampe elle-même, ou un point de l'écran
+     */
+    PointDeVue(Point p, Point depart, Enveloppes enveloppes, int cases) {
+        portee = Math.max(Enveloppes.plusGrande(p.x, p.y, p.z),
+                Enveloppes.plusGrande(depart.x, depart.y, depart.z));
         x = p.x;
         y = p.y;
         z = p.z;
@@ -49,21 +55,9 @@ final class PointDeVue {
     }
 
     /**
-     * Ce point, et sur chaque face d'un cube une fenêtre autour des silhouettes, sauf celles des grandes enveloppes.
-     *
-     * @param depart un point d'où part un rayon : une lampe elle-même, ou un point de l'écran
-     * @return {@code null} s'il est trop loin
-     */
-    static PointDeVue de(Point p, Point depart, Enveloppes enveloppes, int cases) {
-        double portee = Math.max(Enveloppes.plusGrande(p.x, p.y, p.z),
-                Enveloppes.plusGrande(depart.x, depart.y, depart.z));
-        return portee < Enveloppes.LONGUEUR_MAX ? new PointDeVue(p, portee, enveloppes, cases) : null;
-    }
-
-    /**
      * Note dans d la direction de cette enveloppe.
      *
-     * @return le sinus de son demi-angle, 1 ou plus si elle contient ce point
+     * @return le sinus de son demi-angle, 1 ou plus si elle contient ce point ou en est trop loin
      */
     private double viser(double[] g, int k, double[] d) {
         int s = Enveloppes.PAS * k;
@@ -75,7 +69,7 @@ final class PointDeVue {
         d[1] = dy / loin;
         d[2] = dz / loin;
         double r = g[s + 3] + 2 * ECART * portee;
-        return loin > LOIN_MIN ? r / loin : Double.POSITIVE_INFINITY;
+        return loin > LOIN_MIN && loin < Enveloppes.LONGUEUR_MAX ? r / loin : Double.POSITIVE_INFINITY;
     }
 
     /** Borne inférieure de la distance de ce point à l'enveloppe k. */
@@ -86,7 +80,7 @@ final class PointDeVue {
         double dz = g[s + 2] - z;
         double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double pres = loin - g[s + 3] - 2 * ECART * portee - Enveloppes.MARGE * loin;
-        return Math.max(0, Math.nextDown((float) pres));
+        return loin < Enveloppes.LONGUEUR_MAX ? Math.max(0, Math.nextDown((float) pres)) : 0;
     }
 
     /** Ajoute les cases où se voit l'enveloppe k, ou l'objet libre k. */

@@ -89,10 +89,10 @@ public final class Preparation extends TousLesObjets {
         boolean utiles = avecCartes && cases > n / 16;
         for (int l = 0; l < cartes.length && utiles; l++) {
             Point place = lampes.get(l).getPosition();
-            cartes[l] = Carte.de(PointDeVue.de(place, place, enveloppes, cases), enveloppes, places);
+            cartes[l] = Carte.de(new PointDeVue(place, place, enveloppes, cases), enveloppes, places);
         }
-        PointDeVue vue = utiles ? PointDeVue.de(camera.getOeil(), camera.getEcran(0, 0), enveloppes, cases) : null;
-        Carte oeil = Carte.de(vue, enveloppes, places);
+        Carte oeil = !utiles ? null : Carte.de(new PointDeVue(camera.getOeil(), camera.getEcran(0, 0), enveloppes,
+                cases), enveloppes, places);
         return new Foule(enveloppes, arbre, oeil, lampes.toArray(new Lampe[0]), cartes, new Compteurs());
     }
 

@@ -70,8 +70,7 @@ public final class Regard {
         Map<Class<?>, List<Objet3D>> parClasse = new LinkedHashMap<>();
         for (Objet3D objet : scene.getObjets()) {
             if (objet.getEnveloppe() != null) {
-                parClasse.putIfAbsent(objet.getClass(), new ArrayList<>());
-                parClasse.get(objet.getClass()).add(objet);
+                parClasse.computeIfAbsent(objet.getClass(), classe -> new ArrayList<>()).add(objet);
             }
         }
         List<List<Objet3D>> classes = new ArrayList<>(parClasse.values());

@@ -66,7 +66,7 @@ public final class TraceurNaif implements Vue {
             // comme le cours, la question part de la lampe
             Point vise = lampe.getPosition().add(versLampe.norme(), L.neg());
             if (N.dot(versLampe) > 0 && !cachee(lampe, vise, contact.objet)) {
-                couleur = couleur.add(contact.objet.getKd().mul(N.dot(L), lampe.getCouleur()));
+                couleur = couleur.add(contact.objet.getKd().mul(lampe.getCouleur()).mul(N.dot(L)));
             }
         }
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();

@@ -63,7 +63,7 @@ class SommesDitesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "avant les lampes | scene.getLumiere(N, R); | scene.getLumiere(N, R); lumiere.ajouter(KE);",
+        "avant les lampes | new Lumiere(scene.getModele(), N, R); | new Lumiere(scene.getModele(), N, R); lumiere.ajouter(KE);",
         "avant chaque lampe | Vecteur versLampe = | lumiere.ajouter(KE); Vecteur versLampe =",
         "avec chaque apport | lumiere.ajouter(apport); | lumiere.ajouter(KE); lumiere.ajouter(apport);",
         "après chaque apport | lumiere.ajouter(apport); | lumiere.ajouter(apport); lumiere.ajouter(KE);",

@@ -82,7 +82,7 @@ class ModificationsTest {
 
     @ParameterizedTest(name = "{0} : {2}")
     @CsvSource(delimiter = '|', value = {
-        "Objet3D | scene.getLumiere(N, R); | scene.getLumiere(N, R); lumiere.ajouter(Kd.mul(0.1));",
+        "Objet3D | new Lumiere(scene.getModele(), N, R); | new Lumiere(scene.getModele(), N, R); lumiere.ajouter(Kd.mul(0.1));",
         "Objet3D | && !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
         "Objet3D | Math.min(1, N.dot(L)) | 1",
         "Objet3D | V.add(-2 * V.dot(N), N) | V.add(-1.9 * V.dot(N), N)",
@@ -112,10 +112,10 @@ class ModificationsTest {
         "Vecteur | 1.5 - 0.5 * carre | 1.4 - 0.5 * carre",
         "Point | new Point(x + k * v.x, y + k * v.y, z + k * v.z) | new Point(x + k * v.x, y + k * v.y, z + 0.99 * k * v.z)",
         "Couleur | new Couleur(r * c.r, v * c.v, b * c.b) | new Couleur(r * c.r, v * c.v, 0)",
-        "Couleur | v + c.v * d.v * k | v",
+        "Couleur | v + c.v | v",
         "Lumiere | r += c.r | r += 0.5 * c.r",
-        "Lumiere | Kd.mul(cosinus, KL) | Kd.mul(0.5 * cosinus, KL)",
-        "Lumiere | diffus.add(eclat, Ks, KL) | diffus.add(0.5 * eclat, Ks, KL)",
+        "Lumiere | Kd.mul(KL).mul(cosinus) | Kd.mul(KL).mul(0.5 * cosinus)",
+        "Lumiere | Ks.mul(KL).mul(eclat) | Ks.mul(KL).mul(0.5 * eclat)",
         "Lampe | return couleur; | return couleur.mul(0.5);",
         "Scene | lampe.getPosition(), L.neg(), distance, objet | lampe.getPosition(), L, distance, objet",
         "Rayon | return V; | return V.add(new Vecteur(0, 1e-10, 0));",
@@ -166,7 +166,7 @@ class ModificationsTest {
         // des sphères qui bougent : avant le dessin, pendant, ou d'une ligne à l'autre
         MOBILE + "Lancer|Echantillonnage prepare =|"
                 + "placer(scene, ((Sphere) scene.getObjets().get(2)).centre.x + 0.5); Echantillonnage prepare =",
-        MOBILE + "Lancer|if (brouillon) {|placer(scene, pave.i0 < 64 ? 1 : 0); if (brouillon) {",
+        MOBILE + "Lancer|TracerPixels(pave, pave,|placer(scene, pave.i0 < 64 ? 1 : 0); TracerPixels(pave, pave,",
         MOBILE + "Lancer|Rayon initial =|placer(scene, ye / 100); Rayon initial ="
                 + "|Lancer|equipe.obeir();|placer(scene, 1); equipe.obeir();",
         MOBILE + "Lancer|equipe.faire(paves.size(),|((Sphere) scene.getObjets().get(1)).rayon = 2; equipe.faire(paves.size(),",

@@ -31,7 +31,8 @@ public final class Antialias implements Variante {
 
     /** La méthode qui partage les sous-pixels entre pixels voisins, et interpole si les couleurs se ressemblent. */
     public static Echantillonnage partage(int n, double seuil) {
-        return new Partage(n, seuil);
+        // avec un seul sous-pixel, ou tous, aucune interpolation n'est possible
+        return n == 1 || seuil == 0 ? new Coins(n, 0) : new Partage(n, seuil);
     }
 
     @Override

@@ -22,7 +22,7 @@ final class Partage implements Echantillonnage {
     /** Les petites sphères ; {@code null} avant {@link #pour}. */
     private final Petites petites;
 
-    /** @param seuil contraste, pour une case d'un pixel de côté ; 0 pour tous les sous-pixels de chaque pixel */
+    /** @param n au moins 2 @param seuil contraste, pour une case d'un pixel de côté ; plus grand que 0 */
     Partage(int n, double seuil) {
         this(n, seuil, null);
     }
@@ -35,14 +35,12 @@ final class Partage implements Echantillonnage {
 
     @Override
     public Echantillonnage pour(List<Objet3D> objets, Camera camera) {
-        return n == 1 || seuil == 0 ? this : new Partage(n, seuil, new Petites(objets, camera));
+        return new Partage(n, seuil, new Petites(objets, camera));
     }
 
     /** @return le nombre de pixels dont une case a été divisée */
     @Override
     public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        // avec un seul sous-pixel, ou tous, aucune interpolation n'est possible
-        return n == 1 || seuil == 0 ? new Coins(n, 0).tracer(pave, voulus, vue, toile)
-                : new Cases(n, seuil, petites, pave, vue).tracer(voulus, toile);
+        return new Cases(n, seuil, petites, pave, vue).tracer(voulus, toile);
     }
 }
