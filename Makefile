@@ -13,7 +13,7 @@ FENETRES ?= $(if $(XVFB),exigees)
 
 # Les tests de tous les modules, par groupes qui ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
 test: outils
-	@echo "Tous les tests : cinq à huit minutes sur deux cœurs"
+	@echo "Tous les tests : quatre à six minutes sur deux cœurs"
 	$(XVFB) $(MVN) -T 4 -Pgroupes $(if $(FENETRES),-Dfenetre.exigee=true) package
 	@$(if $(FENETRES),,echo "Les tests qui ouvrent une fenêtre sont laissés de côté. Pour les avoir : sudo apt-get install xvfb xauth")
 

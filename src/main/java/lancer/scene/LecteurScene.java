@@ -100,7 +100,8 @@ public final class LecteurScene {
             throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
         } catch (IOException e) {
-            throw inutilisable(fichier, "lecture impossible (" + ErreurSysteme.raison(e) + ")", e);
+            String faute = "lecture impossible (" + ErreurSysteme.raison(e) + ")";
+            throw lignes == null ? inutilisable(fichier, faute, e) : refus(faute, "un fichier de scène");
         }
     }
 

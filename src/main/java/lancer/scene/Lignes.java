@@ -82,7 +82,7 @@ final class Lignes extends Reader {
         for (; c != FIN && c != '\n' && c != '\r'; c = suivant()) {
             if (n == octets.length) {
                 if (n == LIGNE_MAX) {
-                    throw new IOException("ligne " + numero + " de plus de " + (LIGNE_MAX >> 20) + " Mo");
+                    throw new IOException("ligne de plus de " + (LIGNE_MAX >> 20) + " Mo");
                 }
                 octets = Arrays.copyOf(octets, 2 * n);
             }

@@ -76,6 +76,7 @@ class OptionsTest {
         String[][] paires = {{"--image", "a.png"}, {"--lineaire", "b.pfm"}, {"--taille", "30x20"}, {"--reflets", "7"},
             {"--seuil", ".25"}, {"--fils", "3"}, {"--repeter", "2"}, {"--statistiques"}, {"s.ini"}};
         assertEquals("a=b.png", Options.lire("--image=a=b.png", "s.ini").image, "le signe égal ne coupe qu'une fois");
+        assertEquals("--x.png", Options.lire("--image=--x.png", "s.ini").image);
         Random hasard = new Random(6);
         for (int essai = 0; essai < 200; essai++) {
             List<String[]> melange = new ArrayList<>(Arrays.asList(paires));

@@ -30,7 +30,7 @@ class EchecsLectureTest extends EssaiProcessus {
         assumeTrue(Files.exists(memoire), "il faut un fichier qu'on ouvre et qui ne se lit pas");
         Essai e = Essai.executer("--image=" + dossier.resolve("a.png"), memoire.toString());
         assertEquals(2, e.code, e.toString());
-        assertTrue(e.erreur.matches("lancer : /proc/self/mem : lecture (impossible \\(.+\\)|interdite) ; attendu : un fichier de scène\n"),
+        assertTrue(e.erreur.matches("lancer : /proc/self/mem, ligne 1 : lecture impossible \\(.+\\) ; attendu : un fichier de scène\n"),
                 e.toString());
         verifierDossier();
     }
@@ -95,7 +95,8 @@ class EchecsLectureTest extends EssaiProcessus {
     void unFichierSansFinEstRefuseAvecPeuDeMemoire() throws Exception {
         assumeTrue(Files.exists(Paths.get("/dev/zero")), "pas de /dev/zero ici");
         assertEquals(2, statut(preparer(java("-Xmx48m", "--image=a.png", "/dev/zero"))), erreur());
-        assertEquals("lancer : /dev/zero : lecture impossible (ligne 1 de plus de 8 Mo) ; attendu : un fichier de scène\n", erreur());
+        assertEquals("lancer : /dev/zero, ligne 1 : lecture impossible (ligne de plus de 8 Mo) ; attendu : un fichier de scène\n",
+                erreur());
         verifierDossier();
     }
 }

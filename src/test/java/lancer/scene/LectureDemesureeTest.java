@@ -108,8 +108,8 @@ class LectureDemesureeTest {
     @Test
     void uneLigneDePlusDeHuitMegaoctetsEstTropLongue() throws IOException {
         assertEquals(1, lire(ecrire(DEBUT + "rayon=1", " ", 8_000_000, "")).getObjets().size());
-        refuse(" : lecture impossible (ligne 3 de plus de 8 Mo)", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
-        refuse(" : lecture impossible (ligne 3 de plus de 8 Mo)", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
+        refuse(", ligne 3, [Sphere 1] : lecture impossible (ligne de plus de 8 Mo)", ecrire(DEBUT + "rayon=1", " ", 10_000_000, ""));
+        refuse(", ligne 3, [Sphere 1] : lecture impossible (ligne de plus de 8 Mo)", ecrire(DEBUT + ";", "x", 10_000_000, "\nrayon=1"));
     }
 
     @Test
