@@ -1,9 +1,6 @@
 package lancer;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.function.IntConsumer;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
@@ -11,7 +8,7 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.fils.Equipe;
+import lancer.fils.Atelier;
 import lancer.fils.Fautes;
 
 /**
@@ -22,110 +19,21 @@ public final class Lancer {
 
     private final Scene scene;
     private final Camera camera;
-    private final Equipe equipe;
-    private final Fautes fautes;
-    private Compteurs compteurs = new Compteurs();
-    private long dureeNs;
+    private final Atelier atelier;
 
     public Lancer(Scene scene, Camera camera) {
+        this(scene, camera, new Atelier(camera.getLargeur(), camera.getHauteur()));
+    }
+
+    private Lancer(Scene scene, Camera camera, Atelier atelier) {
         this.scene = scene;
         this.camera = camera;
-        equipe = new Equipe("lancer");
-        fautes = new Fautes(camera.getLargeur());
+        this.atelier = atelier;
     }
 
     /** Un lancer de la même scène, déjà préparée, dessinée selon ce modèle. */
     public Lancer avec(Modele modele) {
-        modele.setRecherche(scene.getModele().getRecherche());
         return new Lancer(scene.avec(modele), camera);
-    }
-
-    /** Le lancer d'un fil, avec sa propre scène. */
-    private Lancer(Lancer autre) {
-        scene = autre.scene.avec(autre.scene.getModele());
-        camera = autre.camera;
-        equipe = autre.equipe;
-        fautes = autre.fautes;
-    }
-
-    /**
-     * Dessine un brouillon, un rayon pour 4 × 4 pixels et une réflexion au plus, puis tous les pixels.
-     *
-     * @param profondeur nombre de réflexions permises
-     * @param fils nombre de fils d'exécution, au moins 1
-     * @throws CancellationException si le fil appelant est interrompu
-     * @throws PixelFautif si un pixel ne peut être calculé
-     */
-    public void TracerImage(Toile toile, int profondeur, int fils) {
-        TracerBrouillon(toile, profondeur, fils);
-        toile.finirBrouillon();
-        TracerPixels(toile, profondeur, fils);
-    }
-
-    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
-    public void TracerBrouillon(Toile toile, int profondeur, int fils) {
-        TracerPixels(Lancer::brouillon, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
-    }
-
-    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
-    public void TracerPixels(Toile toile, int profondeur, int fils) {
-        TracerPixels(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
-    }
-
-    /** Dessine tous les pixels selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
-    public void TracerPixels(Echantillonnage choisi, Toile toile, int profondeur, int fils) {
-        Echantillonnage prepare = choisi == null ? null : choisi.pour(scene.getObjets(), camera);
-        long debut = System.nanoTime();
-        List<Pave> paves = Pave.battus(camera.getLargeur(), camera.getHauteur());
-        List<Lancer> siens = new ArrayList<>();
-        List<IntConsumer> travaux = new ArrayList<>();
-        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
-            Lancer sien = new Lancer(this);
-            siens.add(sien);
-            travaux.add(rang -> sien.tracer(paves.get(rang), prepare, toile, profondeur));
-        }
-        equipe.faire(paves.size(), travaux);
-        Compteurs total = new Compteurs();
-        for (Lancer sien : siens) {
-            total.ajouter(sien.scene.getCompteurs());
-        }
-        compteurs = total;
-        dureeNs = System.nanoTime() - debut;
-    }
-
-    /** Dessine un pavé dans un fil, dont ce lancer est à lui seul. */
-    private void tracer(Pave pave, Echantillonnage prepare, Toile toile, int profondeur) {
-        TracerPixels(pave, pave, prepare, toile, profondeur);
-        fautes.peindre(pave, toile);
-    }
-
-    private static int brouillon(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        for (int j = pave.j0; j < pave.j1; j += Constantes.PAS_BROUILLON) {
-            int jFin = Math.min(j + Constantes.PAS_BROUILLON, pave.j1);
-            for (int i = pave.i0; i < pave.i1; i += Constantes.PAS_BROUILLON) {
-                int iFin = Math.min(i + Constantes.PAS_BROUILLON, pave.i1);
-                Couleur couleur = vue.couleur((i + iFin) / 2.0, (j + jFin) / 2.0);
-                for (int y = j; y < jFin; y++) {
-                    for (int x = i; x < iFin; x++) {
-                        toile.drawPixel(couleur, x, y);
-                    }
-                }
-            }
-        }
-        return 0;
-    }
-
-    /** Dessine ces pixels d'un pavé. @param prepare échantillonnage, {@code null} pour un rayon au centre de chacun */
-    public void TracerPixels(Pave pave, Pave voulus, Echantillonnage prepare, Toile toile, int profondeur) {
-        if (prepare != null) {
-            scene.getCompteurs().pixelsRaffines += prepare.tracer(pave, voulus, vue(profondeur), toile);
-            return;
-        }
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                toile.drawPixel(getCouleurPixel(i + 0.5, j + 0.5, profondeur), i, j);
-            }
-        }
     }
 
     /**
@@ -137,21 +45,75 @@ public final class Lancer {
      * @throws CancellationException si le dessin est arrêté
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
-        scene.getCompteurs().primaires++;
         try {
             Rayon initial = camera.getRayon(xe, ye);
-            Couleur vue = scene.getCouleurVue(initial, null, profondeur);
-            equipe.obeir();
-            return PixelFautif.exigerFinie(vue, xe, ye);
-        } catch (CancellationException | OutOfMemoryError e) {
-            // ni un arrêt ni le manque de mémoire n'est un échec du pixel
-            throw e;
+            Couleur couleur = scene.getCouleurVue(initial, null, profondeur);
+            return atelier.verifier(couleur, xe, ye);
         } catch (RuntimeException | Error e) {
-            return fautes.noter(e, xe, ye);
+            return atelier.noter(e, xe, ye);
         }
     }
 
-    private Vue vue(int profondeur) {
+    /**
+     * Dessine un brouillon, un rayon pour 4 × 4 pixels et une réflexion au plus, puis tous les pixels.
+     *
+     * @param profondeur nombre de réflexions permises
+     * @param fils nombre de fils d'exécution, au moins 1
+     * @throws CancellationException si le fil appelant est interrompu
+     * @throws PixelFautif si un pixel ne peut être calculé
+     */
+    public void TracerImage(Toile toile, int profondeur, int fils) {
+        if (toile.montreUnBrouillon()) {
+            TracerBrouillon(toile, profondeur, fils);
+            toile.finirBrouillon();
+        }
+        TracerPixels(toile, profondeur, fils);
+    }
+
+    /** Dessine toute l'image en carrés de 4 × 4 pixels, chacun de la couleur de son centre, une réflexion au plus. */
+    public void TracerBrouillon(Toile toile, int profondeur, int fils) {
+        Tracer(Lancer::TracerCarres, toile, Math.min(profondeur, Constantes.REFLETS_BROUILLON), fils);
+    }
+
+    /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
+    public void TracerPixels(Toile toile, int profondeur, int fils) {
+        Tracer(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** Dessine l'image selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
+    public void Tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
+        atelier.dessiner(echantillonnage.pour(scene.getObjets(), camera),
+                () -> new Lancer(scene.avec(scene.getModele()), camera, atelier).getVue(profondeur), toile, fils);
+    }
+
+    /** Dessine chaque pixel d'un pavé de la couleur de son centre : c'est la double boucle du cours. */
+    public static int TracerPave(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        for (int ye = voulus.j0; ye < voulus.j1; ye++) {
+            for (int xe = voulus.i0; xe < voulus.i1; xe++) {
+                toile.drawPixel(vue.couleur(xe + 0.5, ye + 0.5), xe, ye);
+            }
+        }
+        return 0;
+    }
+
+    private static int TracerCarres(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        for (int ye = pave.j0; ye < pave.j1; ye += Constantes.PAS_BROUILLON) {
+            for (int xe = pave.i0; xe < pave.i1; xe += Constantes.PAS_BROUILLON) {
+                int yFin = Math.min(ye + Constantes.PAS_BROUILLON, pave.j1);
+                int xFin = Math.min(xe + Constantes.PAS_BROUILLON, pave.i1);
+                Couleur couleur = vue.couleur((xe + xFin) / 2.0, (ye + yFin) / 2.0);
+                for (int y = ye; y < yFin; y++) {
+                    for (int x = xe; x < xFin; x++) {
+                        toile.drawPixel(couleur, x, y);
+                    }
+                }
+            }
+        }
+        return 0;
+    }
+
+    /** Les points de l'écran que voit ce lancer. @param profondeur nombre de réflexions permises */
+    private Vue getVue(int profondeur) {
         return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
@@ -165,24 +127,9 @@ public final class Lancer {
         };
     }
 
-    /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
-    public double getAvancement() {
-        return equipe.getAvancement();
-    }
-
-    /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */
-    public Fautes getFautes() {
-        return fautes;
-    }
-
-    /** Compteurs du dernier dessin achevé, sommés sur tous les fils. */
-    public Compteurs getCompteurs() {
-        return compteurs;
-    }
-
-    /** Le temps du dernier dessin achevé, en nanosecondes. */
-    public long getDureeNs() {
-        return dureeNs;
+    /** Le dessin par plusieurs fils : avancement, fautes, compteurs, durée. */
+    public Atelier getAtelier() {
+        return atelier;
     }
 
     public Scene getScene() {

@@ -80,19 +80,16 @@ public class Main implements Toile {
     public void doTracerImage(int largeur, int hauteur) {
         dessin = new Dessin(demande.avecTaille(largeur, hauteur));
         suivi.accept(dessin);
-        dessin.lancer.getFautes().tolerer();
+        dessin.lancer.getAtelier().getFautes().tolerer();
         try {
             int profondeur = demande.reglages.getProfondeur();
             dessin.lancer.TracerImage(dans(dessin.image), profondeur, options.fils);
-            if (dessin.estARefaire(dessin.lancer, profondeur)) {
-                dessin.lancer.TracerPixels(this, profondeur, options.fils);
-            }
         } catch (PixelFautif e) {
             throw demande.nommer(e);
         }
         dessin.direEcart(erreur);
         if (options.statistiques) {
-            sortie.println(dessin.statistiques(dessin.lancer, dessin.lancer.getDureeNs()));
+            sortie.println(dessin.statistiques(dessin.lancer, dessin.lancer.getAtelier().getDureeNs()));
             sortie.flush();
         }
     }

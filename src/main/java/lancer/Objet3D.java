@@ -40,6 +40,11 @@ public abstract class Objet3D {
         return contact;
     }
 
+    /** La direction où cette surface renvoie un rayon : R = V − 2 (V·N) N, miroir de V, de longueur 1. */
+    public Vecteur getReflexion(Vecteur V, Vecteur N) {
+        return V.add(-2 * V.dot(N), N).normalized();
+    }
+
     /**
      * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
      *
@@ -49,32 +54,31 @@ public abstract class Objet3D {
     public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
         Vecteur V = incident.getV();
         Vecteur N = getNormale(contact);
-        Vecteur R = V.add(-2 * V.dot(N), N).normalized();
-        Lumiere lumiere = new Lumiere(scene.getModele(), N, R);
+        Vecteur R = getReflexion(V, N);
         Couleur diffusion = getKd(contact);
-        for (Lampe lampe : scene.lampes) {
+        Couleur couleur = new Couleur();
+        for (Lampe lampe : scene.getLampes()) {
             Vecteur versLampe = new Vecteur(contact, lampe.getPosition());
             // le signe de N·L suffit : une lampe exactement sur le contact n'a pas de direction L
-            if (lumiere.estDevant(lampe, N.dot(versLampe))) {
+            if (N.dot(versLampe) > 0) {
                 Vecteur L = versLampe.normalized();
                 Couleur KL = lampe.getCouleur();
                 double cosinus = Math.min(1, N.dot(L));
                 double eclat = Ks.estNoire() ? 0 : scene.getModele().getSpecularite().eclat(V, N, L, R, ns);
-                Couleur apport = lumiere.apport(KL, diffusion, cosinus, Ks, eclat);
+                Couleur apport = diffusion.mul(KL).mul(cosinus).add(Ks.mul(KL).mul(eclat));
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
-                    lumiere.ajouter(apport);
+                    couleur = couleur.add(apport);
                 }
             }
         }
         if (profondeur > 0 && !Ks.estNoire()) {
             Couleur produitKs = incident.getProduitKs().mul(Ks);
-            if (lumiere.vautUnReflet(produitKs)) {
-                scene.getCompteurs().reflechis++;
-                Rayon reflechi = new Rayon(contact, R, produitKs);
-                lumiere.ajouter(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
+            if (produitKs.max() >= scene.getModele().getSeuil()) {
+                Rayon reflechi = Rayon.reflechi(contact, R, produitKs);
+                couleur = couleur.add(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
             }
         }
-        return lumiere.getCouleur();
+        return couleur;
     }
 
     /** La couleur de diffusion en ce point : celle de la matière, sauf si une forme a un motif. */

@@ -33,21 +33,20 @@ public class Rayon {
         this(p, v.normalized(), BLANC);
     }
 
-    /**
-     * Un rayon réfléchi : sa direction est déjà normalisée.
-     *
-     * @param v direction, de longueur 1
-     * @param produitKs produit des Ks rencontrés jusqu'à {@code p} compris
-     */
-    public Rayon(Point p, Vecteur v, Couleur produitKs) {
-        this.P = p;
-        this.V = v;
+    private Rayon(Point p, Vecteur v, Couleur produitKs) {
+        P = p;
+        V = v;
         this.produitKs = produitKs;
     }
 
-    /** Un rayon d'ombre : sa direction est déjà normalisée. */
-    public static Rayon dOmbre(Point p, Vecteur v) {
+    /** Le rayon de direction {@code v}, qui est déjà de longueur 1. */
+    public static Rayon norme(Point p, Vecteur v) {
         return new Rayon(p, v, BLANC);
+    }
+
+    /** Le rayon que renvoie {@code p}, de direction {@code r} déjà de longueur 1. @param produitKs des Ks, p compris */
+    public static Rayon reflechi(Point p, Vecteur r, Couleur produitKs) {
+        return new Rayon(p, r, produitKs);
     }
 
     /** Le point de départ. */

@@ -1,11 +1,10 @@
 package lancer;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.BiFunction;
 import lancer.contrat.Compteurs;
-import lancer.contrat.Ecoute;
 import lancer.contrat.Modele;
 import lancer.contrat.Recherche;
 import lancer.contrat.TousLesObjets;
@@ -18,11 +17,11 @@ import lancer.scene.SceneLue;
  */
 public final class Scene {
 
-    private final Objet3D[] objets;
-    final Lampe[] lampes;
+    private final List<Objet3D> objets;
+    private final List<Lampe> lampes;
     private final BiFunction<Integer, Integer, Camera> cadrage;
     private final Modele modele;
-    private final Recherche tous;
+    private final Recherche recherche;
     private final Compteurs compteurs = new Compteurs();
 
     /**
@@ -36,34 +35,40 @@ public final class Scene {
     }
 
     private Scene(SceneLue lue) {
-        this(new Scene(lue.objets, lue.lampes, lue.getCadrage()), lue.getModele());
+        this(lue.objets, lue.lampes, lue.getCadrage(), lue.getModele());
     }
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this(objets, lampes, Camera::new);
+        this(objets, lampes, Camera::new, new Modele());
     }
 
     /** Une scène sans fichier. @param cadrage voir {@link #getCamera} */
-    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage) {
+    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage,
+            Modele modele) {
+        this.objets = Collections.unmodifiableList(SceneLue.sansConfondues(objets));
+        this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
         this.cadrage = cadrage;
-        this.objets = SceneLue.sansConfondues(objets).toArray(new Objet3D[0]);
-        this.lampes = lampes.toArray(new Lampe[0]);
-        tous = new TousLesObjets(this.objets.length);
-        modele = new Modele();
+        this.modele = modele;
+        recherche = new TousLesObjets(getObjets()).pourUnFil(compteurs);
     }
 
-    private Scene(Scene autre, Modele modele) {
+    private Scene(Scene autre, Modele modele, Recherche recherche) {
         objets = autre.objets;
         lampes = autre.lampes;
         cadrage = autre.cadrage;
-        tous = autre.tous.pourUnFil(compteurs);
-        this.modele = modele.pourUnFil(compteurs);
+        this.modele = modele;
+        this.recherche = recherche.pourUnFil(compteurs);
     }
 
     /** La même scène pour un autre fil, avec ses propres compteurs, dessinée selon ce modèle. */
     public Scene avec(Modele autre) {
-        return new Scene(this, autre);
+        return new Scene(this, autre, recherche);
+    }
+
+    /** La même scène pour un autre fil, avec ses propres compteurs, où cette recherche propose les objets. */
+    public Scene avec(Recherche autre) {
+        return new Scene(this, modele, autre);
     }
 
     /** La caméra que place la scène, ou celle du cours, pour une image de cette taille. */
@@ -77,28 +82,26 @@ public final class Scene {
     }
 
     /**
-     * Le contact le plus proche sur ce rayon. Le rayon le retient à la place du précédent.
+     * Le contact le plus proche sur ce rayon. Le rayon le retient à la place du précédent. Si deux objets sont à la même
+     * distance, c'est le premier dans l'ordre de la scène.
      *
      * @param saufLui l'objet d'où part le rayon, ou {@code null} ; un arrondi pourrait le faire toucher de nouveau
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
-        Recherche.obeir();
-        Recherche recherche = getRecherche();
-        recherche.commencer(incident.getP(), incident.getV(), saufLui);
+        Objet3D plusProche = null;
         double distance = Constantes.INFINI;
-        int plusProche = -1;
-        for (int k = recherche.suivant(distance); k >= 0; k = recherche.suivant(distance)) {
-            if (objets[k] != saufLui) {
-                double d = demander(objets[k], incident);
-                // à la même distance, l'objet qui vient d'abord dans la scène
-                if (d < distance || d == distance && k < plusProche) {
-                    plusProche = k;
+        for (Objet3D objet : recherche.candidats(incident, saufLui, Constantes.INFINI)) {
+            if (objet != saufLui) {
+                double d = objet.getIntersectionDistance(incident);
+                if (d < distance) {
+                    plusProche = objet;
                     distance = d;
+                    recherche.limiter(distance);
                 }
             }
         }
-        incident.setContact(plusProche < 0 ? null : objets[plusProche], distance);
+        incident.setContact(recherche.aEgalite(plusProche), distance);
         return incident.calcContact();
     }
 
@@ -114,46 +117,22 @@ public final class Scene {
         if (!modele.aDesOmbres()) {
             return false;
         }
-        compteurs.ombre++;
-        if (modele.getEcoute() != null) {
-            modele.getEcoute().ombre(new Vecteur(L.x, L.y, L.z), distance);
+        Rayon deLaLampe = Rayon.norme(lampe.getPosition(), L.neg());
+        if (!estLointaine(lampe, contact)) {
+            return estArrete(deLaLampe, distance, objet);
         }
-        if (estLointaine(lampe, contact)) {
-            double milieu = distance / 2;
-            return estCacheeDe(contact, L, milieu, objet, lampe)
-                    || estCacheeDe(lampe.getPosition(), L.neg(), milieu, objet, lampe);
-        }
-        return estCacheeDe(lampe.getPosition(), L.neg(), distance, objet, lampe);
+        return estArrete(deLaLampe, distance / 2, objet)
+                || estArrete(Rayon.norme(contact, L), distance / 2, objet);
     }
 
-    /** Dit si le rayon d'ombre qui part de P dans la direction V rencontre un autre objet avant cette distance. */
-    private boolean estCacheeDe(Point P, Vecteur V, double distance, Objet3D objet, Lampe lampe) {
-        Recherche.obeir();
-        Recherche recherche = getRecherche();
-        recherche.commencerOmbre(lampe, P, V, distance, objet);
-        Rayon ombre = Rayon.dOmbre(P, V);
-        for (int k = recherche.suivant(distance); k >= 0; k = recherche.suivant(distance)) {
-            if (objets[k] != objet && demander(objets[k], ombre) < distance) {
+    /** Dit si ce rayon d'ombre rencontre avant cette distance un objet autre que celui qu'il éclaire. */
+    private boolean estArrete(Rayon ombre, double distance, Objet3D eclaire) {
+        for (Objet3D objet : recherche.candidats(ombre, eclaire, distance)) {
+            if (objet != eclaire && objet.getIntersectionDistance(ombre) < distance) {
                 return true;
             }
         }
         return false;
-    }
-
-    /** Ce qui propose des objets aux deux boucles : tous, si le modèle n'a pas de recherche. */
-    private Recherche getRecherche() {
-        Recherche recherche = modele.getRecherche();
-        return recherche == null ? tous : recherche;
-    }
-
-    /** Distance du contact de cet objet sur ce rayon. */
-    private double demander(Objet3D objet, Rayon rayon) {
-        compteurs.testsSpheres++;
-        double d = objet.getIntersectionDistance(rayon);
-        if (Double.isNaN(d)) {
-            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
-        }
-        return d;
     }
 
     /** Dit si une coordonnée de la lampe dépasse {@link Constantes#LOINTAINE} fois chaque coordonnée du contact. */
@@ -173,27 +152,21 @@ public final class Scene {
      */
     public Couleur getCouleurVue(Rayon rayon, Objet3D saufLui, int profondeur) {
         PointContact contact = getClosestIntersection(rayon, saufLui);
-        Ecoute ecoute = modele.getEcoute();
-        if (ecoute != null) {
-            ecoute.rayon(new Vecteur(rayon.getV().x, rayon.getV().y, rayon.getV().z), contact);
+        if (contact == null) {
+            return modele.getAtmosphere().traverser(rayon.getSkyColor(), Constantes.INFINI);
         }
-        Couleur couleur = contact == null ? rayon.getSkyColor()
-                : contact.objet.getColor(this, rayon, contact, profondeur);
-        Couleur vue = modele.getAtmosphere().traverser(couleur, contact == null ? Constantes.INFINI : contact.distance);
-        if (ecoute != null) {
-            ecoute.vue(new Couleur(couleur.r, couleur.v, couleur.b), new Couleur(vue.r, vue.v, vue.b));
-        }
-        return vue;
+        Couleur couleur = contact.objet.getColor(this, rayon, contact, profondeur);
+        return modele.getAtmosphere().traverser(couleur, contact.distance);
     }
 
     /** Les objets, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Objet3D> getObjets() {
-        return Collections.unmodifiableList(Arrays.asList(objets));
+        return objets;
     }
 
     /** Les lampes, dans l'ordre du fichier ; la liste ne change pas. */
     public List<Lampe> getLampes() {
-        return Collections.unmodifiableList(Arrays.asList(lampes));
+        return lampes;
     }
 
     public Compteurs getCompteurs() {

@@ -76,11 +76,11 @@ public final class Auto {
     public boolean controler(IntFunction<Couleur> dessinee) {
         boolean premiere = mesure == null;
         Echantillon controle = new Echantillon(prepare, fils, dessinee, voulue,
-                lancer.getCompteurs().primaires, hasard);
+                lancer.getAtelier().getCompteurs().primaires, hasard);
         mesure = controle.mesurer(dessinee);
         if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
             rang++;
-            rayons += lancer.getCompteurs().rayons();
+            rayons += lancer.getAtelier().getCompteurs().rayons();
             choisir(controle);
             return false;
         }

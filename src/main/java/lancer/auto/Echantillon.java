@@ -94,14 +94,10 @@ public final class Echantillon {
     /** Dessine les pixels tirés, chacun dans son pavé. */
     private Couleur[] dessiner(Modele modele, int reflets) {
         Couleur[] couleurs = new Couleur[rangs.length];
-        Echantillonnage sien = modele.getEchantillonnage();
-        Echantillonnage choisi = sien != null ? sien.pour(prepare.getScene().getObjets(), prepare.getCamera())
-                : (pave, lui, vue, toile) -> {
-                    toile.drawPixel(vue.couleur(lui.i0 + 0.5, lui.j0 + 0.5), lui.i0, lui.j0);
-                    return 0;
-                };
+        Echantillonnage choisi = modele.getEchantillonnage()
+                .pour(prepare.getScene().getObjets(), prepare.getCamera());
         Lancer lancer = prepare.avec(modele);
-        lancer.TracerPixels((pave, voulus, vue, toile) -> {
+        lancer.Tracer((pave, voulus, vue, toile) -> {
             for (int k = 0; k < rangs.length; k++) {
                 int place = k;
                 int i = rangs[k] % largeur;
@@ -113,7 +109,7 @@ public final class Echantillon {
             }
             return 0;
         }, (couleur, xe, ye) -> { }, reflets, fils);
-        rayons += lancer.getCompteurs().rayons();
+        rayons += lancer.getAtelier().getCompteurs().rayons();
         return couleurs;
     }
 

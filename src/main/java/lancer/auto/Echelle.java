@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.commande.Etape;
 import lancer.commande.Reglages;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
 
 /** Les réglages que l'on essaie pour une scène, du moins cher au plus juste. */
@@ -45,7 +46,7 @@ public final class Echelle {
     /** Texte d'un échelon : la section à écrire dans la scène, et les options. */
     public static String dire(Reglages echelon) {
         Variante essayee = echelon.getEssayee();
-        String deLaScene = echelon.getModele().getEchantillonnage() == null ? "un rayon par pixel"
+        String deLaScene = echelon.getModele().getEchantillonnage() == Echantillonnage.CENTRES ? "un rayon par pixel"
                 : "l'échantillonnage de la scène";
         String choisi = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
         return choisi + ", --reflets " + echelon.getProfondeur() + " --seuil "

@@ -1,5 +1,10 @@
 package lancer.contrat;
 
+import lancer.Constantes;
+import lancer.Objet3D;
+import lancer.PointContact;
+import lancer.Rayon;
+
 /** Compteurs d'un fil. Ceux de tous les fils sont additionnés à la fin du dessin. */
 public final class Compteurs {
 
@@ -14,6 +19,17 @@ public final class Compteurs {
     /** Nœuds, cases et masques que la recherche a visités, et pixels que l'échantillonnage a raffinés. */
     public long noeudsVisites;
     public long pixelsRaffines;
+
+    /** Compte ce rayon. D'une lampe lointaine, le second rayon d'ombre, qui part du contact, n'est pas compté. */
+    public void compter(Rayon rayon, Objet3D depart, double portee) {
+        if (portee < Constantes.INFINI) {
+            ombre += rayon.getP() instanceof PointContact ? 0 : 1;
+        } else if (depart == null) {
+            primaires++;
+        } else {
+            reflechis++;
+        }
+    }
 
     public void ajouter(Compteurs autres) {
         primaires += autres.primaires;

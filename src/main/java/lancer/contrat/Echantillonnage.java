@@ -2,6 +2,7 @@ package lancer.contrat;
 
 import java.util.List;
 import lancer.Camera;
+import lancer.Lancer;
 import lancer.Objet3D;
 
 /**
@@ -9,6 +10,9 @@ import lancer.Objet3D;
  * voisins d'un pavé partagent des points. Tous les fils appellent le même objet, qui n'a pas d'état.
  */
 public interface Echantillonnage {
+
+    /** Celui de la base : un rayon au centre de chaque pixel. */
+    Echantillonnage CENTRES = Lancer::TracerPave;
 
     /**
      * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue.

@@ -3,18 +3,16 @@ package lancer.contrat;
 import lancer.Constantes;
 import lancer.SceneFautive;
 
-/** Façon de dessiner une scène : air, reflet, échantillonnage, que des variantes changent, recherche et seuil. */
+/** Façon de dessiner une scène : air, reflet, échantillonnage, que des variantes changent, étape du cours et seuil. */
 public final class Modele {
 
     private Atmosphere atmosphere = Atmosphere.CLAIRE;
     private Specularite specularite = Specularite.PHONG;
-    private Echantillonnage echantillonnage;
-    private Recherche recherche;
+    private Echantillonnage echantillonnage = Echantillonnage.CENTRES;
     private double seuil = Constantes.SEUIL;
-    private Ecoute ecoute;
     private boolean ombres = true;
 
-    /** Le modèle de la base : un rayon par pixel, les boucles du cours. */
+    /** Le modèle de la base : un rayon au centre de chaque pixel. */
     public Modele() {
     }
 
@@ -22,17 +20,8 @@ public final class Modele {
         atmosphere = autre.atmosphere;
         specularite = autre.specularite;
         echantillonnage = autre.echantillonnage;
-        recherche = autre.recherche;
         seuil = autre.seuil;
-        ecoute = autre.ecoute;
         ombres = autre.ombres;
-    }
-
-    /** Le même modèle pour un fil, dont la recherche compte dans {@code compteurs}. */
-    public Modele pourUnFil(Compteurs compteurs) {
-        Modele sien = new Modele(this);
-        sien.recherche = recherche == null ? null : recherche.pourUnFil(compteurs);
-        return sien;
     }
 
     /** Modèle identique, sauf l'échantillonnage et le seuil ({@link #setSeuil}). */
@@ -40,13 +29,6 @@ public final class Modele {
         Modele autre = new Modele(this);
         autre.echantillonnage = echantillonnage;
         autre.seuil = seuil;
-        return autre;
-    }
-
-    /** Modèle identique, dont le calcul est noté dans {@code ecoute}. */
-    public Modele avec(Ecoute ecoute) {
-        Modele autre = new Modele(this);
-        autre.ecoute = ecoute;
         return autre;
     }
 
@@ -82,23 +64,13 @@ public final class Modele {
         ombres = false;
     }
 
-    /** Échantillonnage de l'image ; {@code null} : un rayon au centre de chaque pixel. */
     public Echantillonnage getEchantillonnage() {
         return echantillonnage;
     }
 
     /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
     public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, null, echantillonnage, "l'échantillonnage");
-    }
-
-    /** Recherche qui propose des objets aux boucles du cours ; {@code null} : elles les demandent tous. */
-    public Recherche getRecherche() {
-        return recherche;
-    }
-
-    public void setRecherche(Recherche recherche) {
-        this.recherche = recherche;
+        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRES, echantillonnage, "l'échantillonnage");
     }
 
     /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */
@@ -109,11 +81,6 @@ public final class Modele {
     /** @param seuil fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
     public void setSeuil(double seuil) {
         this.seuil = seuil;
-    }
-
-    /** Détail du calcul pour l'inspecteur ; {@code null} pendant un dessin. */
-    public Ecoute getEcoute() {
-        return ecoute;
     }
 
     private static <T> T libre(T present, T defaut, T nouveau, String quoi) {

@@ -1,50 +1,55 @@
 package lancer.contrat;
 
 import java.util.concurrent.CancellationException;
-import lancer.Lampe;
 import lancer.Objet3D;
-import lancer.Point;
-import lancer.Vecteur;
+import lancer.Rayon;
 
 /**
- * Un curseur sur les objets qu'un rayon peut rencontrer. Les deux boucles de {@link lancer.Scene} le suivent, et
- * demandent sa distance à chaque objet. Une recherche propose ; elle ne répond pas. Elle appartient à un seul fil, et
- * traite une question à la fois.
+ * Ce qui propose à un rayon les objets qu'il peut rencontrer. Les deux boucles de {@link lancer.Scene} demandent sa
+ * distance à chacun : une recherche propose, elle ne répond pas. Elle appartient à un seul fil.
  */
 public interface Recherche {
 
     /**
-     * Commence la question du premier contact.
+     * Les objets à qui demander leur distance, dans un ordre quelconque. Chaque réponse est vérifiée avant l'objet
+     * suivant : voir {@link #getDistance}.
      *
-     * @param P départ du rayon
-     * @param V sa direction, de longueur 1 en général
-     * @param depart l'objet d'où il part, {@code null} pour un rayon de l'écran
+     * @param rayon ce qu'il retenait est oublié
+     * @param depart l'objet d'où part le rayon ou, pour un rayon d'ombre, l'objet éclairé ; {@code null} pour un rayon
+     *     de l'écran
+     * @param portee distance à partir de laquelle un contact ne compte plus ; finie pour un rayon d'ombre, sinon +∞
+     * @throws CancellationException si ce fil est interrompu
      */
-    void commencer(Point P, Vecteur V, Objet3D depart);
+    Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee);
 
-    /**
-     * Commence la question d'une ombre. Celui qui la pose s'arrête au premier objet qui cache la lampe.
-     *
-     * @param P départ du rayon d'ombre : la lampe, ou le contact si elle est lointaine
-     * @param distance longueur, depuis P, du segment que l'objet doit couper
-     * @param eclaire l'objet du contact
-     */
-    default void commencerOmbre(Lampe lampe, Point P, Vecteur V, double distance, Objet3D eclaire) {
-        commencer(P, V, eclaire);
-    }
+    /** Dit qu'un objet plus lointain que cette distance est désormais inutile ; un objet à cette distance ne l'est pas. */
+    void limiter(double distance);
 
-    /**
-     * L'objet suivant, chacun une fois au plus, dans un ordre quelconque.
-     *
-     * @param auPlus un objet plus lointain est inutile ; un objet à cette distance ne l'est pas
-     * @return son rang dans la scène, −1 à la fin
-     */
-    int suivant(double auPlus);
+    /** De cet objet et de ceux qui ont été proposés à la même distance, le premier dans l'ordre de la scène. */
+    Objet3D aEgalite(Objet3D plusProche);
 
-    /** La même recherche pour un fil, qui compte les nœuds visités dans {@code compteurs}. */
+    /** La même recherche pour un autre fil, qui compte les rayons et les examens dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
-    /** À appeler une fois par milliseconde. @throws CancellationException si ce fil est interrompu ; il le reste */
+    /**
+     * La distance d'un objet qui vient d'être demandé : celle qu'il a notée dans le rayon ou, s'il n'a rien noté, celle
+     * qu'il rend.
+     *
+     * @param rayon qui retenait NaN avant la demande
+     * @throws ArithmeticException si cette distance est NaN
+     */
+    static double getDistance(Objet3D objet, Rayon rayon) {
+        double distance = rayon.getDistance();
+        if (Double.isNaN(distance)) {
+            distance = objet.getIntersectionDistance(rayon);
+        }
+        if (Double.isNaN(distance)) {
+            throw new ArithmeticException(objet.getClass().getName() + ".getIntersectionDistance a rendu NaN");
+        }
+        return distance;
+    }
+
+    /** @throws CancellationException si ce fil est interrompu ; il le reste */
     static void obeir() {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("travail interrompu");

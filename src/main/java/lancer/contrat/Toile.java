@@ -8,6 +8,11 @@ public interface Toile {
     /** @param coul non limitée @param xe colonne, de 0 à largeur − 1 @param ye ligne, de 0 (en haut) à hauteur − 1 */
     void drawPixel(Couleur coul, int xe, int ye);
 
+    /** Dit si l'image est d'abord montrée en brouillon. */
+    default boolean montreUnBrouillon() {
+        return true;
+    }
+
     /** Méthode appelée à la fin du brouillon, quand chaque pixel a une couleur. */
     default void finirBrouillon() {
     }

@@ -1,32 +1,43 @@
 package lancer.contrat;
 
+import java.util.List;
 import lancer.Objet3D;
-import lancer.Point;
-import lancer.Vecteur;
+import lancer.Rayon;
 
-/** La recherche du cours ({@code --simple}) : elle propose tous les objets, dans l'ordre de la scène. */
-public class TousLesObjets implements Recherche {
+/** La recherche du cours : elle propose tous les objets, dans l'ordre de la scène. */
+public final class TousLesObjets implements Recherche {
 
-    private final int nombre;
-    private int suivant;
+    private final Objet3D[] objets;
+    private final Compteurs compteurs;
 
-    /** @param nombre celui des objets de la scène */
-    public TousLesObjets(int nombre) {
-        this.nombre = nombre;
+    public TousLesObjets(List<Objet3D> objets) {
+        this(objets.toArray(new Objet3D[0]), new Compteurs());
+    }
+
+    private TousLesObjets(Objet3D[] objets, Compteurs compteurs) {
+        this.objets = objets;
+        this.compteurs = compteurs;
     }
 
     @Override
-    public void commencer(Point P, Vecteur V, Objet3D depart) {
-        suivant = 0;
+    public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
+        Recherche.obeir();
+        compteurs.compter(rayon, depart, portee);
+        return new Parcours(objets, rayon, depart, compteurs);
     }
 
     @Override
-    public int suivant(double auPlus) {
-        return suivant < nombre ? suivant++ : -1;
+    public void limiter(double distance) {
+        // la boucle les demande tous
+    }
+
+    @Override
+    public Objet3D aEgalite(Objet3D plusProche) {
+        return plusProche;
     }
 
     @Override
     public Recherche pourUnFil(Compteurs compteurs) {
-        return new TousLesObjets(nombre);
+        return new TousLesObjets(objets, compteurs);
     }
 }

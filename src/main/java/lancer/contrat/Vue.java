@@ -12,12 +12,4 @@ public interface Vue {
     default Compteurs compteurs() {
         return new Compteurs();
     }
-
-    /** Note pour l'inspecteur un terme du pixel : {@code poids} fois cette couleur, l'objet même que la vue a rendu. */
-    default void compter(Couleur couleur, double poids, Couleur terme) {
-    }
-
-    /** Note pour l'inspecteur que le pixel en cours est cette somme divisée par ce nombre. */
-    default void diviser(Couleur somme, double nombre) {
-    }
 }

@@ -24,12 +24,15 @@ public final class Dessin {
 
     private static final double NS_PAR_MS = 1e6;
 
+    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
+            + "questions : ce sont les boucles sur tous les objets qui dessinent";
+
     public final Demande demande;
     public final ImageMemoire image;
     public final Lancer lancer;
     /** Le temps de la préparation, en nanosecondes. */
     private final long preparationNs;
-    private final Regard regard;
+    private final boolean cachait;
     private volatile boolean brouillonFait;
 
     /**
@@ -46,10 +49,13 @@ public final class Dessin {
     public Dessin(Demande demande, ImageMemoire image) {
         this.demande = demande;
         this.image = image;
+        Scene scene = demande.getScene();
+        Camera camera = scene.getCamera(image.largeur, image.hauteur);
         long debut = System.nanoTime();
-        lancer = lancer(demande.getScene(), image.largeur, image.hauteur, demande.reglages.isSimple());
+        Scene preparee = demande.reglages.isSimple() ? scene : Preparation.preparer(scene, camera);
         preparationNs = System.nanoTime() - debut;
-        regard = new Regard(lancer.getScene(), lancer.getCamera());
+        cachait = Regard.trouveUneReponseCachee(preparee, camera);
+        lancer = new Lancer(cachait ? scene : preparee, camera);
     }
 
     private Dessin(Dessin prepare, Demande demande, ImageMemoire image) {
@@ -57,7 +63,7 @@ public final class Dessin {
         this.image = image;
         lancer = prepare.lancer.avec(demande.reglages.getModele());
         preparationNs = 0;
-        regard = prepare.regard;
+        cachait = prepare.cachait;
     }
 
     /** Le dessin de la même scène, déjà préparée, avec ces autres réglages, dans une nouvelle image. */
@@ -68,13 +74,12 @@ public final class Dessin {
     /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Reglages#isSimple} */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = scene.getCamera(largeur, hauteur);
-        Preparation.choisir(scene, camera, simple);
-        return new Lancer(scene, camera);
+        return new Lancer(simple ? scene : Preparation.preparer(scene, camera), camera);
     }
 
     /** Dessine le brouillon, puis la vue demandée. @param reference celle de la vue « difference », ou {@code null} */
     public void dessinerLaVue(ImageMemoire reference, int fils, Runnable siBrouillonFait) {
-        lancer.getFautes().tolerer();
+        lancer.getAtelier().getFautes().tolerer();
         try {
             lancer.TracerBrouillon(image, demande.reglages.getProfondeur(), fils);
             finirBrouillon();
@@ -94,14 +99,9 @@ public final class Dessin {
         return brouillonFait;
     }
 
-    /** Une phrase, si la recherche cachait une réponse, ou si une réponse change ; {@code null} sinon. */
+    /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */
     public String getEcart() {
-        return regard.getEcart();
-    }
-
-    /** Dit si l'image, que ce lancer a achevée, est à dessiner de nouveau. Voir {@link Regard#cachait}. */
-    public boolean estARefaire(Lancer acheve, int profondeur) {
-        return regard.cachait(acheve, image, profondeur);
+        return cachait ? CACHE : null;
     }
 
     /** Avertit de {@link #getEcart}. */
@@ -114,8 +114,8 @@ public final class Dessin {
     /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine insécable manque à beaucoup de polices
-        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", lancer.getCompteurs().rayons(),
-                lancer.getDureeNs() / 1e9).replace('\u202F', '\u00A0');
+        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", lancer.getAtelier().getCompteurs().rayons(),
+                lancer.getAtelier().getDureeNs() / 1e9).replace('\u202F', '\u00A0');
     }
 
     /**
@@ -126,7 +126,7 @@ public final class Dessin {
      * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
     public String statistiques(Lancer acheve, long... tracesNs) {
-        Compteurs c = acheve.getCompteurs();
+        Compteurs c = acheve.getAtelier().getCompteurs();
         double traceNs = new Durees(tracesNs).getMediane();
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"

@@ -123,14 +123,11 @@ public final class SansFenetre {
     private long[] tracer(Dessin dessin, Lancer lancer, Toile toile, int profondeur) {
         long[] traces = new long[options.repeter];
         BarreProgression barre = !BarreProgression.surUnTerminal() ? null
-                : new BarreProgression(lancer::getAvancement, erreur);
+                : new BarreProgression(lancer.getAtelier()::getAvancement, erreur);
         try {
             for (int k = 0; k < traces.length; k++) {
                 lancer.TracerPixels(toile, profondeur, options.fils);
-                traces[k] = lancer.getDureeNs();
-            }
-            if (dessin.estARefaire(lancer, profondeur)) {
-                lancer.TracerPixels(toile, profondeur, options.fils);
+                traces[k] = lancer.getAtelier().getDureeNs();
             }
         } finally {
             if (barre != null) {
@@ -143,7 +140,7 @@ public final class SansFenetre {
     private long[] tracerLaVue(Dessin dessin) {
         new FaussesCouleurs(dessin.lancer, demande.reglages.getProfondeur(), options.fils)
                 .dessiner(options.vue, dessin.image, null);
-        return new long[] {dessin.lancer.getDureeNs()};
+        return new long[] {dessin.lancer.getAtelier().getDureeNs()};
     }
 
     /** Dessine avec les réglages que {@code --auto} choisit, et dit en deux lignes lesquels, et l'erreur de l'image. */
@@ -168,7 +165,7 @@ public final class SansFenetre {
         }
         Messages.avertir(Arrays.asList("auto, choisi : " + Echelle.dire(auto.getChoisi()),
                 String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s", mesure.enMots(),
-                        auto.getLancer().getDureeNs() / NS_PAR_S, essais,
+                        auto.getLancer().getAtelier().getDureeNs() / NS_PAR_S, essais,
                         mesure.rienVu ? "" : " ; " + auto.getVerdict())), erreur);
     }
 

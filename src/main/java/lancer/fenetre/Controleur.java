@@ -233,7 +233,7 @@ final class Controleur implements Travail.Suite {
         }
         Dessin dessin = celui.dessin;
         Throwable echec = celui.getEchec();
-        String fautes = dessin == null ? null : dessin.lancer.getFautes().enMots();
+        String fautes = dessin == null ? null : dessin.lancer.getAtelier().getFautes().enMots();
         if (celui.estAcheve()) {
             entiere = true;
             if (dessin.getEcart() != null) {
@@ -246,7 +246,7 @@ final class Controleur implements Travail.Suite {
                     + new File(demande.lecture.fichier).getName() : ""));
         } else if (fautes != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
-                    + dessin.demande.nommer(dessin.lancer.getFautes().getPremiere()).getMessage());
+                    + dessin.demande.nommer(dessin.lancer.getAtelier().getFautes().getPremiere()).getMessage());
         } else if (echec != null || celui.estAcheve()) {
             panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
         }
@@ -259,12 +259,12 @@ final class Controleur implements Travail.Suite {
 
     /** Le coût d'un dessin achevé, ses réglages, ses fautes. */
     static String decrire(Dessin dessin) {
-        String fautes = dessin.lancer.getFautes().enMots();
+        String fautes = dessin.lancer.getAtelier().getFautes().enMots();
         return dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
     }
 
     /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
     String direFautes() {
-        return montre == null ? null : montre.lancer.getFautes().enMots();
+        return montre == null ? null : montre.lancer.getAtelier().getFautes().enMots();
     }
 }

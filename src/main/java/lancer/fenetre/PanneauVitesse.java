@@ -92,7 +92,7 @@ final class PanneauVitesse extends JPanel {
                 Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
                 lancer.TracerPixels(prepare.image, moins.reglages.getProfondeur(), controleur.getFils());
                 Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
-                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getDureeNs()),
+                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getAtelier().getDureeNs()),
                         mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));
                 moins = suivant();

@@ -126,7 +126,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
         if (!lue) {
             return partLue;
         }
-        return aSonBrouillon() ? dessin.lancer.getAvancement() : 0;
+        return aSonBrouillon() ? dessin.lancer.getAtelier().getAvancement() : 0;
     }
 
     /** Ce que ce travail fait ou a fait, en une ligne. */

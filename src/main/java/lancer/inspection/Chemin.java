@@ -7,10 +7,9 @@ import lancer.Couleur;
 import lancer.Lampe;
 import lancer.PointContact;
 import lancer.Vecteur;
-import lancer.contrat.Ecoute;
 
 /** Le chemin de la lumière jusqu'à un point de l'écran. Une valeur qui n'a pas été calculée reste {@code null}. */
-public final class Chemin implements Ecoute {
+public final class Chemin {
 
     /** Segments du chemin de la lumière, dans l'ordre du départ de leurs rayons. */
     public final List<Segment> segments = new ArrayList<>();
@@ -85,7 +84,6 @@ public final class Chemin implements Ecoute {
         return enCours.termes.get(enCours.termes.size() - 1);
     }
 
-    @Override
     public void rayon(Vecteur V, PointContact contact) {
         if (enCours == null) {
             segments.clear();
@@ -94,19 +92,16 @@ public final class Chemin implements Ecoute {
         segments.add(enCours);
     }
 
-    @Override
     public void normale(Vecteur N, Vecteur R) {
         enCours.N = N;
         enCours.R = R;
     }
 
-    @Override
     public void lampe(Lampe lampe, double devant) {
         enCours.lampes.add(new Terme(lampe, null, devant));
         enCours.termes.add(enCours.lampes.get(enCours.lampes.size() - 1));
     }
 
-    @Override
     public void apport(double cosinus, double eclat, Couleur diffus, Couleur reflet) {
         Terme lampe = terme();
         lampe.cosinus = cosinus;
@@ -116,23 +111,19 @@ public final class Chemin implements Ecoute {
         lampe.produit = diffus.add(reflet);
     }
 
-    @Override
     public void ombre(Vecteur L, double distance) {
         terme().L = L;
         terme().distance = distance;
     }
 
-    @Override
     public void poids(Couleur produitKs) {
         enCours.poids = produitKs;
     }
 
-    @Override
     public void ajouter(Couleur c) {
         terme().ajouts.add(c);
     }
 
-    @Override
     public void vue(Couleur somme, Couleur vue) {
         Segment segment = enCours;
         segment.somme = somme;

@@ -88,7 +88,7 @@ public final class FaussesCouleurs {
     }
 
     private void tracer(Echantillonnage echantillonnage, Toile toile) {
-        lancer.TracerPixels(echantillonnage, toile, profondeur, fils);
+        lancer.Tracer(echantillonnage, toile, profondeur, fils);
     }
 
     /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou {@link #CIEL}. */
@@ -98,7 +98,6 @@ public final class FaussesCouleurs {
             for (int j = voulus.j0; j < voulus.j1; j++) {
                 for (int i = voulus.i0; i < voulus.i1; i++) {
                     try {
-                        scene.getCompteurs().primaires++;
                         Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
                         PointContact contact = scene.getClosestIntersection(rayon);
                         toile.drawPixel(contact == null ? CIEL : nombres.apply(scene, contact), i, j);

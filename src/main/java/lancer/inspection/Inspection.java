@@ -62,7 +62,7 @@ public final class Inspection implements Vue, Toile {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        lancer = new Lancer(scene.avec(scene.getModele().avec(chemin)), camera);
+        lancer = new Lancer(scene.avec(scene.getModele()), camera);
     }
 
     /** Explique l'échantillon le plus proche du centre. @throws CancellationException si ce fil est interrompu */
@@ -83,12 +83,8 @@ public final class Inspection implements Vue, Toile {
 
     private void expliquer(int rang) {
         Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
-        if (echantillonnage == null) {
-            drawPixel(couleur(x + 0.5, y + 0.5), x, y);
-        } else {
-            Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-            echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
-        }
+        Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
+        echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
         echantillons = vus.values().stream()
                 .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
@@ -114,12 +110,12 @@ public final class Inspection implements Vue, Toile {
     private static PointContact obstacle(Terme cachee, PointContact contact, Scene scene) {
         boolean lointaine = Scene.estLointaine(cachee.lampe, contact);
         double portee = lointaine ? cachee.distance / 2 : cachee.distance;
-        Rayon ombre = Rayon.dOmbre(cachee.lampe.getPosition(), cachee.L.neg());
+        Rayon ombre = Rayon.norme(cachee.lampe.getPosition(), cachee.L.neg());
         PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);
         if (ombre.getDistance() < portee || !lointaine) {
             return ombre.getDistance() < portee ? depuisLaLampe : null;
         }
-        Rayon versLampe = Rayon.dOmbre(contact, cachee.L);
+        Rayon versLampe = Rayon.norme(contact, cachee.L);
         return scene.getObjets().stream()
                 .filter(objet -> objet != contact.objet && objet.getIntersectionDistance(versLampe) < portee)
                 .map(objet -> versLampe.calcContact()).max(Comparator.comparingDouble(dernier -> dernier.distance))
@@ -177,22 +173,6 @@ public final class Inspection implements Vue, Toile {
             vus.put(sienne, new Echantillon(xe, ye, 1, sienne));
         }
         return sienne;
-    }
-
-    @Override
-    public void compter(Couleur sienne, double poids, Couleur terme) {
-        Echantillon vu = vus.get(sienne);
-        if (couleur == null && vu != null) {
-            termes.add(new Echantillon(vu.xe, vu.ye, poids, terme));
-        }
-    }
-
-    @Override
-    public void diviser(Couleur laSomme, double nombre) {
-        if (couleur == null) {
-            somme = laSomme;
-            diviseur = nombre;
-        }
     }
 
     @Override

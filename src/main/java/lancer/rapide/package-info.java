@@ -1,5 +1,2 @@
-/**
- * Les objets qu'un rayon peut rencontrer, d'après leurs enveloppes. Une petite scène a des masques ; une foule, des
- * cartes de directions et un arbre. Les boucles de {@link lancer.Scene} demandent sa distance à chaque objet proposé.
- */
+/** Les objets qu'un rayon peut rencontrer, d'après leurs enveloppes, dans une scène de plus de quinze objets. */
 package lancer.rapide;

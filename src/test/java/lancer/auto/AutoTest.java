@@ -228,7 +228,7 @@ class AutoTest {
     void lesEssaisCoutentMoinsQueLImage(double voulue) {
         Auto auto = auto(quelquesBoules(), 200, 150, GRILLES, voulue);
         dessiner(auto);
-        assertTrue(auto.getRayonsDesEssais() < auto.getLancer().getCompteurs().rayons(), "" + auto.getRayonsDesEssais());
+        assertTrue(auto.getRayonsDesEssais() < auto.getLancer().getAtelier().getCompteurs().rayons(), "" + auto.getRayonsDesEssais());
     }
 
     /** Des boules d'un quart de pixel, un pixel sur deux. */

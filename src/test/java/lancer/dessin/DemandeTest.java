@@ -69,7 +69,7 @@ class DemandeTest {
         Dessin mat = un.avecReglages(demande.reglages.avecReflets(0));
         assertEquals(un.lancer.getScene().getObjets(), mat.lancer.getScene().getObjets());
         mat.lancer.TracerPixels(mat.image, mat.demande.reglages.getProfondeur(), 2);
-        Compteurs comptes = mat.lancer.getCompteurs();
+        Compteurs comptes = mat.lancer.getAtelier().getCompteurs();
         assertEquals(0, comptes.reflechis);
         assertEquals(40 * 30, comptes.primaires);
     }

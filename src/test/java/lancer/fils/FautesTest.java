@@ -78,9 +78,9 @@ class FautesTest {
             });
             Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele),
                     new Camera(4, 3));
-            lancer.getFautes().tolerer();
+            lancer.getAtelier().getFautes().tolerer();
             assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerPixels((couleur, i, j) -> { }, 0, 2)));
-            assertNull(lancer.getFautes().enMots());
+            assertNull(lancer.getAtelier().getFautes().enMots());
         }
     }
 }

@@ -192,7 +192,7 @@ class IdentiteTest {
             pixels = new Couleur[largeur * camera.getHauteur()];
             Lancer lancer = new Lancer(scene, camera);
             lancer.TracerPixels((couleur, i, j) -> pixels[j * largeur + i] = couleur, profondeur, fils);
-            compteurs = lancer.getCompteurs();
+            compteurs = lancer.getAtelier().getCompteurs();
         }
 
         static Dessin de(Scene scene, Camera camera, Recherche recherche, int profondeur) {

@@ -52,7 +52,7 @@ class OeilDeplaceTest {
                 Lancer traceur = new Lancer(scene, camera);
                 images[k] = new Ressources.Image(LARGEUR, HAUTEUR);
                 traceur.TracerPixels(images[k], 3, 1 + 2 * k);
-                examens[k] = ComptesTest.cout(traceur.getCompteurs());
+                examens[k] = ComptesTest.cout(traceur.getAtelier().getCompteurs());
             }
             for (int k = 0; k < images[0].composantes.length; k++) {
                 assertEquals(Math.min(1, images[0].composantes[k]), Math.min(1, images[1].composantes[k]), 1 / 255.0);
@@ -97,7 +97,7 @@ class OeilDeplaceTest {
                 scene.getModele().setRecherche(new Preparation(scene, camera));
                 Lancer traceur = new Lancer(scene, camera);
                 traceur.TracerPixels((couleur, i, j) -> { }, 0, 1);
-                noeuds[k] = traceur.getCompteurs().noeudsVisites;
+                noeuds[k] = traceur.getAtelier().getCompteurs().noeudsVisites;
             }
             assertTrue(noeuds[1] < 1.2 * noeuds[0], noeuds[1] + " nœuds au lieu de " + noeuds[0]);
         }

@@ -54,7 +54,6 @@ final class Cases {
             for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
                 commencer(x, y);
                 raffines += peindre(0, 0, finX, finY) ? 1 : 0;
-                vue.diviser(somme, n * n);
                 toile.drawPixel(somme.div(n * n), pave.i0 + x, pave.j0 + y);
             }
             sousPixels.oublier(y);
@@ -142,7 +141,6 @@ final class Cases {
         if (poids > 0) {
             Couleur couleur = voir(x, y);
             Couleur terme = couleur.mul(poids);
-            vue.compter(couleur, poids, terme);
             somme = somme.add(terme);
         }
     }

@@ -41,7 +41,6 @@ final class Coins implements Echantillonnage {
                         nombre++;
                     }
                 }
-                vue.diviser(somme, nombre);
                 toile.drawPixel(somme.div(nombre), voulus.i0 + i, voulus.j0 + j);
                 raffines += complet ? 1 : 0;
             }

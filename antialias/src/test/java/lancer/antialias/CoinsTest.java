@@ -73,7 +73,7 @@ class CoinsTest {
         Scene scene = new Scene(spheres, Collections.<Lampe>emptyList());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(n, seuil), Constantes.SEUIL)), new Camera(40, 30));
         lancer.TracerPixels((couleur, i, j) -> { }, 5, 2);
-        return lancer.getCompteurs();
+        return lancer.getAtelier().getCompteurs();
     }
 
     @ParameterizedTest
@@ -90,7 +90,7 @@ class CoinsTest {
         Scene scene = new Scene(Collections.<Sphere>emptyList(), Collections.<Lampe>emptyList());
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(new Coins(8, 0), Constantes.SEUIL)), new Camera(41, 31));
         lancer.TracerBrouillon((couleur, i, j) -> { }, 5, 2);
-        assertEquals(11 * 8, lancer.getCompteurs().primaires);
+        assertEquals(11 * 8, lancer.getAtelier().getCompteurs().primaires);
     }
 
     /** La part de disques de rayon rho (en pixels), jetés au hasard, qu'aucun point de l'image ne voit. */

@@ -155,7 +155,7 @@ class PartageTest {
         double[] image = new double[60 * 45];
         Lancer lancer = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, scene.getModele().getSeuil())), new Camera(60, 45));
         lancer.TracerPixels((couleur, i, j) -> image[60 * j + i] = Math.min(1, couleur.r), 5, 2);
-        compteurs.ajouter(lancer.getCompteurs());
+        compteurs.ajouter(lancer.getAtelier().getCompteurs());
         return image;
     }
 
@@ -197,7 +197,7 @@ class PartageTest {
         double[] rouges = new double[largeur * camera.getHauteur()];
         Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), camera);
         traceur.TracerPixels((couleur, i, j) -> rouges[largeur * j + i] = Math.min(1, couleur.r), 0, 2);
-        rayons[0] = traceur.getCompteurs().primaires;
+        rayons[0] = traceur.getAtelier().getCompteurs().primaires;
         return rouges;
     }
 

@@ -72,9 +72,9 @@ class AutoAntialiasTest {
             lancer.TracerPixels((couleur, i, j) -> image[j * 80 + i] = couleur, echelon.getProfondeur(), 2);
             assertEquals(tires.mesurer(rang -> image[rang]).erreur, essai.erreur, echelon.toString());
             assertTrue(essai.plus(-1) <= avant, echelon + " : " + essai.erreur + " après " + avant);
-            assertTrue(lancer.getCompteurs().rayons() > rayons, echelon.toString());
+            assertTrue(lancer.getAtelier().getCompteurs().rayons() > rayons, echelon.toString());
             avant = essai.plus(1);
-            rayons = lancer.getCompteurs().rayons();
+            rayons = lancer.getAtelier().getCompteurs().rayons();
         }
         assertTrue(avant < 1, "" + avant);
     }

@@ -136,7 +136,7 @@ public final class MesureAuto {
         for (int rang = 0; rang < echelle.size() && (prix.isEmpty() || prix.firstKey() > ASSEZ); rang++) {
             Lancer lancer = prepare.avec(echelle.get(rang).getModele());
             double vraie = erreur(ImageLineaire.de(lancer, echelle.get(rang).getProfondeur(), taille.fils), gabarit);
-            prix.put(vraie, (double) lancer.getCompteurs().rayons() / taille.pixels());
+            prix.put(vraie, (double) lancer.getAtelier().getCompteurs().rayons() / taille.pixels());
         }
         Circonstances c = new Circonstances();
         List<Reponse> reponses = new ArrayList<>();
@@ -155,7 +155,7 @@ public final class MesureAuto {
             r.mesuree = auto.getMesure().erreur;
             r.incertitude = auto.getMesure().rienVu ? Double.NaN : auto.getMesure().incertitude;
             r.verdict = auto.getMesure().rienVu ? "rien vu" : auto.getVerdict().replace("erreur voulue ", "");
-            r.rayons = (double) auto.getLancer().getCompteurs().rayons() / taille.pixels();
+            r.rayons = (double) auto.getLancer().getAtelier().getCompteurs().rayons() / taille.pixels();
             r.essais = (double) auto.getRayonsDesEssais() / taille.pixels();
             r.moinsCher = prix.headMap(voulue, true).values().stream().mapToDouble(p -> p).min().orElse(Double.NaN);
             r.commit = c.commit;
