@@ -1,0 +1,88 @@
+package lancer.rapide;
+
+import java.util.Arrays;
+import lancer.Point;
+
+/**
+ * Les enveloppes vues d'un point, l'œil ou une lampe, par direction, de la plus proche à la plus lointaine (« light
+ * buffer », Haines et Greenberg, 1986).
+ */
+final class PointDeVue {
+
+    /** Écart permis du point à la droite d'un rayon, en part de la portée ; une enveloppe en a le double. */
+    private static final double ECART = 5e-14;
+
+    /** Arrondi d'un produit vectoriel de ce vecteur et d'une direction, en part du vecteur. */
+    private static final double ARRONDI = 1e-15;
+
+    /** Élargissement d'un cône : une direction et l'erreur d'une distance sont de quelques arrondis. */
+    private static final double MARGE = 1e-14;
+
+    /** Plus petite distance dont le carré garde ses chiffres. */
+    private static final double LOIN_MIN = 1e-120;
+
+    final double x;
+    final double y;
+    final double z;
+    private final double ecart;
+    final Cellules cellules;
+
+    /** Une borne inférieure de la distance du point à chaque enveloppe. */
+    final float[] pres;
+
+    /**
+     * @param depart un point d'où part un rayon qui passe par p : une lampe elle-même, ou un point de l'écran
+     * @param cubes voir {@link Cellules}
+     */
+    PointDeVue(Point p, Point depart, Enveloppes enveloppes, int cubes) {
+        x = p.x;
+        y = p.y;
+        z = p.z;
+        ecart = p == depart ? 0 : ECART * Math.max(Enveloppes.plusGrande(x, y, z),
+                Enveloppes.plusGrande(depart.x, depart.y, depart.z));
+        pres = new float[enveloppes.objets.length];
+        double[] cones = new double[enveloppes.geometrie.length];
+        long[] cles = new long[enveloppes.petits.length];
+        for (int o = 0; o < cles.length; o++) {
+            int k = enveloppes.petits[o];
+            viser(enveloppes.geometrie, cones, k);
+            // la moitié haute, positive, donne l'ordre
+            cles[o] = (long) Float.floatToRawIntBits(pres[k]) << Integer.SIZE | k;
+        }
+        Arrays.sort(cles);
+        cellules = Cellules.de(cones, Arrays.stream(cles).mapToInt(cle -> (int) cle).toArray(), MARGE, true, cubes);
+    }
+
+    /** Note le cône de l'enveloppe k, et sa distance. Le demi-angle d'un cône de sinus s a pour corde 2 sin(a/2). */
+    private void viser(double[] g, double[] cones, int k) {
+        int s = Enveloppes.PAS * k;
+        double dx = g[s] - x;
+        double dy = g[s + 1] - y;
+        double dz = g[s + 2] - z;
+        double loin = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double r = g[s + 3] + 2 * ecart;
+        double sinus = r / loin;
+        if (loin > LOIN_MIN && loin < Enveloppes.LONGUEUR_MAX && sinus < 1) {
+            cones[s] = dx / loin;
+            cones[s + 1] = dy / loin;
+            cones[s + 2] = dz / loin;
+            cones[s + 3] = sinus * Math.sqrt(2 / (1 + Math.sqrt(1 - sinus * sinus)));
+            pres[k] = Math.max(0, Math.nextDown((float) (loin - r - Enveloppes.MARGE * loin)));
+        } else {
+            cones[s + 3] = 2;
+        }
+    }
+
+    /** Dit si ce rayon passe par ce point, puis s'en éloigne. */
+    boolean envoie(double px, double py, double pz, double vx, double vy, double vz) {
+        double ax = px - x;
+        double ay = py - y;
+        double az = pz - z;
+        double cx = ay * vz - az * vy;
+        double cy = az * vx - ax * vz;
+        double cz = ax * vy - ay * vx;
+        // plus loin, l'arrondi de ce produit vectoriel passerait l'écart
+        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ARRONDI * Enveloppes.plusGrande(ax, ay, az) <= ecart
+                && ax * vx + ay * vy + az * vz >= 0;
+    }
+}

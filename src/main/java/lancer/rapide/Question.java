@@ -1,0 +1,406 @@
+package lancer.rapide;
+
+import java.util.Iterator;
+import java.util.NoSuchElementException;
+import lancer.Constantes;
+import lancer.Objet3D;
+import lancer.Rayon;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
+
+/**
+ * Les objets que peut rencontrer un rayon. Viennent d'abord les géants et les objets libres. Puis, si le rayon vient de
+ * l'œil ou d'une lampe, ceux qui se voient dans sa direction ; sinon, ceux des cellules que le rayon traverse (Amanatides
+ * et Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Si elles donnent trop d'objets, l'arbre les
+ * remplace.
+ */
+final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
+
+    /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'une cellule trop pleine. */
+    private static final int EXAMENS_MAX = 100;
+    private static final int PLEINE = Integer.getInteger("pleine", 30);
+
+    /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
+    private static final double PRESQUE_UN = 1 - 0x1p-44;
+
+    /** Plus petite composante de la direction dans les cellules : une autre serait nulle. */
+    private static final double COMPOSANTE_MIN = 1e-300;
+
+    /** Écart permis à 1 du carré de la longueur d'une direction. */
+    private static final double UNITAIRE = 1e-14;
+
+    /** Ce qui donne la suite : rien encore, les cellules de l'espace, l'arbre, plus rien. */
+    private static final int DEBUT = 0;
+    private static final int ESPACE = 1;
+    private static final int ARBRE = 2;
+    private static final int FIN = 3;
+
+    private final Foule foule;
+    private final Structures structures;
+    private final Compteurs compteurs;
+    private final double[] g;
+    private final Rayon rayon;
+    private final Objet3D depart;
+    private final boolean ombre;
+    private final double px;
+    private final double py;
+    private final double pz;
+    private final double vx;
+    private final double vy;
+    private final double vz;
+    private double limite;
+
+    private int etape;
+    private int examens;
+
+    /** La liste en cours, la place suivante, la place de fin. */
+    private int[] liste;
+    private int place;
+    private int fin;
+    /** Distances à un point de vue de ceux de la liste, {@code null} ailleurs, et ce que le rayon a parcouru avant P. */
+    private float[] pres;
+    private double avance;
+
+    /** L'objet proposé, s'il est prêt ; −1 à la fin. */
+    private int propose = -1;
+    private boolean pret;
+    /** Le premier proposé des plus proches, le premier d'entre eux dans la scène, et leur distance. */
+    private int proche = -1;
+    private int premier = -1;
+    private double distance = Constantes.INFINI;
+
+    /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes qui restent. */
+    private int cube;
+    private double tx;
+    private double ty;
+    private double tz;
+    private double dx;
+    private double dy;
+    private double dz;
+    private int pasX;
+    private int pasY;
+    private int pasZ;
+    private int resteX;
+    private int resteY;
+    private int resteZ;
+
+    /** Nœuds à visiter, bornes inférieures de leurs distances, hauteur de la pile. */
+    private int[] pile;
+    private double[] entrees;
+    private int haut;
+
+    Question(Foule foule, Rayon rayon, Objet3D depart, double portee) {
+        this.foule = foule;
+        structures = foule.structures;
+        compteurs = foule.compteurs;
+        g = structures.enveloppes.geometrie;
+        this.rayon = rayon;
+        this.depart = depart;
+        ombre = portee < Constantes.INFINI;
+        limite = portee;
+        vx = rayon.getV().x;
+        vy = rayon.getV().y;
+        vz = rayon.getV().z;
+        py = rayon.getP().y;
+        pz = rayon.getP().z;
+        double x = rayon.getP().x;
+        boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
+                && Enveloppes.plusGrande(x, py, pz) < Enveloppes.LONGUEUR_MAX;
+        px = mesure ? x : Double.NaN;
+        liste = structures.enveloppes.dAbord;
+        fin = liste.length;
+    }
+
+    @Override
+    public Iterator<Objet3D> iterator() {
+        return this;
+    }
+
+    @Override
+    public boolean hasNext() {
+        if (!pret) {
+            foule.reprendre(this);
+            if (propose >= 0) {
+                noterLaReponse();
+            }
+            propose = chercher();
+            pret = true;
+        }
+        return propose >= 0;
+    }
+
+    @Override
+    public Objet3D next() {
+        if (!hasNext()) {
+            throw new NoSuchElementException();
+        }
+        pret = false;
+        Objet3D objet = structures.enveloppes.objets[propose];
+        if (objet != depart) {
+            compteurs.testsSpheres++;
+        }
+        rayon.setContact(null, Double.NaN);
+        return objet;
+    }
+
+    /** Vérifie la réponse de l'objet proposé. La boucle ne demande pas celui d'où part le rayon. */
+    private void noterLaReponse() {
+        Objet3D objet = structures.enveloppes.objets[propose];
+        double d = rayon.getDistance();
+        if (Double.isNaN(d) && objet != depart) {
+            d = Recherche.getDistance(objet, rayon);
+        }
+        if (d < distance) {
+            distance = d;
+            proche = propose;
+            premier = propose;
+        } else if (d == distance && propose < premier) {
+            premier = propose;
+        }
+    }
+
+    void limiter(double nouvelle) {
+        limite = Math.min(limite, nouvelle);
+    }
+
+    Objet3D aEgalite(Objet3D plusProche) {
+        Objet3D[] objets = structures.enveloppes.objets;
+        return proche >= 0 && objets[proche] == plusProche ? objets[premier] : plusProche;
+    }
+
+    /** Le rang de l'objet suivant, −1 à la fin. */
+    private int chercher() {
+        int avant = examens;
+        int trouve = -1;
+        do {
+            while (place < fin && trouve < 0) {
+                int k = liste[place++];
+                if (pres != null && pres[k] - avance > limite) {
+                    // les suivants sont plus loin
+                    place = fin;
+                } else {
+                    examens++;
+                    trouve = peutToucher(k) ? k : -1;
+                }
+            }
+        } while (trouve < 0 && ouvrir());
+        compteurs.noeudsVisites += examens - avant - (trouve < 0 ? 0 : 1);
+        return trouve;
+    }
+
+    /**
+     * Dit si le rayon peut toucher l'enveloppe k, que la boucle n'a pas déjà refusée. L'erreur sur f² − b² est au plus
+     * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
+     */
+    private boolean peutToucher(int k) {
+        int s = Enveloppes.PAS * k;
+        double fx = g[s] - px;
+        double fy = g[s + 1] - py;
+        double fz = g[s + 2] - pz;
+        double r = g[s + 3];
+        double b = fx * vx + fy * vy + fz * vz;
+        return !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r || b * PRESQUE_UN - r > limite)
+                && k != proche && k != propose;
+    }
+
+    /** Ouvre la liste suivante. @return faux s'il n'y en a plus */
+    private boolean ouvrir() {
+        pres = null;
+        examens++;
+        if (etape == DEBUT) {
+            choisir();
+            if (place < fin) {
+                return true;
+            }
+        }
+        if (etape == ESPACE) {
+            if (avancer()) {
+                return true;
+            }
+            etape = examens > EXAMENS_MAX ? ARBRE : FIN;
+        }
+        return etape == ARBRE && descendre();
+    }
+
+    private void lire(int[] celle, int debut, int apres) {
+        liste = celle;
+        place = debut;
+        fin = apres;
+    }
+
+    /** Choisit ce qui donne la suite, et en ouvre la première liste s'il y en a une. */
+    private void choisir() {
+        if (Double.isNaN(px)) {
+            etape = FIN;
+            lire(structures.enveloppes.petits, 0, structures.enveloppes.petits.length);
+            return;
+        }
+        PointDeVue vue = null;
+        if (ombre) {
+            vue = foule.trouverLaLampe(rayon.getP());
+        } else if (depart == null && structures.oeil != null && structures.oeil.envoie(px, py, pz, vx, vy, vz)) {
+            vue = structures.oeil;
+        }
+        if (vue != null) {
+            Cellules c = vue.cellules;
+            int direction = c.cubeDe(vx, vy, vz);
+            etape = FIN;
+            if (direction >= 0 && c.debut[direction + 1] - c.debut[direction] > PLEINE) {
+                etape = ARBRE;
+            } else if (direction >= 0) {
+                pres = vue.pres;
+                avance = ((px - vue.x) * vx + (py - vue.y) * vy + (pz - vue.z) * vz) * (1 + 1e-12);
+                lire(c.objets, c.debut[direction], c.debut[direction + 1]);
+            }
+        } else {
+            etape = structures.espace == null || Enveloppes.plusGrande(px, py, pz) > structures.portee ? ARBRE : entrer() ? ESPACE : FIN;
+        }
+    }
+
+    private static double inverse(double v) {
+        return 1 / (Math.abs(v) < COMPOSANTE_MIN ? COMPOSANTE_MIN : v);
+    }
+
+    /** Place le rayon dans le premier cube qu'il traverse, et ouvre sa liste. @return faux s'il n'en traverse pas */
+    private boolean entrer() {
+        Cellules c = structures.espace;
+        double wx = inverse(vx);
+        double wy = inverse(vy);
+        double wz = inverse(vz);
+        double ax = (c.x0 - px) * wx;
+        double ay = (c.y0 - py) * wy;
+        double az = (c.z0 - pz) * wz;
+        dx = c.cote * wx;
+        dy = c.cote * wy;
+        dz = c.cote * wz;
+        double bx = ax + c.nx * dx;
+        double by = ay + c.ny * dy;
+        double bz = az + c.nz * dz;
+        double entree = Math.max(0, Math.max(Math.min(ax, bx), Math.max(Math.min(ay, by), Math.min(az, bz))));
+        double sortie = Math.min(Math.max(ax, bx), Math.min(Math.max(ay, by), Math.max(az, bz)));
+        if (entree > Math.min(sortie, limite) + c.marge) {
+            return false;
+        }
+        int i = Math.max(0, Math.min((int) ((px + entree * vx - c.x0) * c.parCote), c.nx - 1));
+        int j = Math.max(0, Math.min((int) ((py + entree * vy - c.y0) * c.parCote), c.ny - 1));
+        int l = Math.max(0, Math.min((int) ((pz + entree * vz - c.z0) * c.parCote), c.nz - 1));
+        tx = ax + (wx > 0 ? i + 1 : i) * dx;
+        ty = ay + (wy > 0 ? j + 1 : j) * dy;
+        tz = az + (wz > 0 ? l + 1 : l) * dz;
+        resteX = wx > 0 ? c.nx - 1 - i : i;
+        resteY = wy > 0 ? c.ny - 1 - j : j;
+        resteZ = wz > 0 ? c.nz - 1 - l : l;
+        pasX = wx > 0 ? c.ny * c.nz : -c.ny * c.nz;
+        pasY = wy > 0 ? c.nz : -c.nz;
+        pasZ = wz > 0 ? 1 : -1;
+        dx = Math.abs(dx);
+        dy = Math.abs(dy);
+        dz = Math.abs(dz);
+        cube = (i * c.ny + j) * c.nz + l;
+        ouvrirLeCube(c);
+        return true;
+    }
+
+    /** Ouvre la liste de ce cube. Trop pleine, elle finit les cellules. */
+    private void ouvrirLeCube(Cellules c) {
+        lire(c.objets, c.debut[cube], c.debut[cube + 1]);
+        if (fin - place > PLEINE) {
+            place = fin;
+            examens += EXAMENS_MAX;
+        }
+    }
+
+    /** Va au cube suivant qui n'est pas vide. @return faux si le rayon sort, a sa réponse ou a trop cherché */
+    private boolean avancer() {
+        Cellules c = structures.espace;
+        double jusque = limite + c.marge;
+        while (examens <= EXAMENS_MAX) {
+            examens++;
+            if (tx <= ty && tx <= tz) {
+                if (tx > jusque || resteX-- == 0) {
+                    return false;
+                }
+                cube += pasX;
+                tx += dx;
+            } else if (ty <= tz) {
+                if (ty > jusque || resteY-- == 0) {
+                    return false;
+                }
+                cube += pasY;
+                ty += dy;
+            } else {
+                if (tz > jusque || resteZ-- == 0) {
+                    return false;
+                }
+                cube += pasZ;
+                tz += dz;
+            }
+            ouvrirLeCube(c);
+            if (place < fin) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Cherche la feuille suivante de l'arbre, de la boîte la plus proche à la plus lointaine. @return faux à la fin */
+    private boolean descendre() {
+        Arbre arbre = structures.arbre;
+        if (pile == null) {
+            pile = new int[Arbre.PROFONDEUR_MAX];
+            entrees = new double[Arbre.PROFONDEUR_MAX];
+            haut = arbre.feuilles.length == 0 ? 0 : 1;
+        }
+        double[] q = arbre.boites;
+        double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);
+        double ax = Math.abs(vx);
+        double ay = Math.abs(vy);
+        double az = Math.abs(vz);
+        while (haut > 0) {
+            if (entrees[--haut] > limite) {
+                continue;
+            }
+            int n = pile[haut];
+            // descend par l'enfant le plus proche jusqu'à une feuille ; l'autre enfant va dans la pile
+            while (n >= 0 && arbre.compte[n] == 0) {
+                examens += 2;
+                int s = arbre.suite[n];
+                double e0 = entree(q, Arbre.PAS * s, ax, ay, az, marge);
+                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, ax, ay, az, marge);
+                if (e0 <= limite && e1 <= limite) {
+                    boolean gauche = e0 <= e1;
+                    pile[haut] = gauche ? s + 1 : s;
+                    entrees[haut++] = gauche ? e1 : e0;
+                    n = gauche ? s : s + 1;
+                } else {
+                    n = e0 <= limite ? s : e1 <= limite ? s + 1 : -1;
+                }
+            }
+            if (n >= 0) {
+                lire(arbre.feuilles, arbre.suite[n], arbre.suite[n] + arbre.compte[n]);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation
+     * sont V et ses produits vectoriels avec les trois axes.
+     */
+    private double entree(double[] q, int b, double ax, double ay, double az, double marge) {
+        double x = q[b] - px;
+        double y = q[b + 1] - py;
+        double z = q[b + 2] - pz;
+        double hx = q[b + 3] + marge;
+        double hy = q[b + 4] + marge;
+        double hz = q[b + 5] + marge;
+        if (Math.abs(y * vz - z * vy) > hy * az + hz * ay || Math.abs(z * vx - x * vz) > hz * ax + hx * az
+                || Math.abs(x * vy - y * vx) > hx * ay + hy * ax) {
+            return Double.NaN;
+        }
+        double milieu = x * vx + y * vy + z * vz;
+        double demi = hx * ax + hy * ay + hz * az;
+        return milieu + demi < 0 ? Double.NaN : milieu - demi;
+    }
+}
