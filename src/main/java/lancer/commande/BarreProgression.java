@@ -6,14 +6,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
+import java.util.NoSuchElementException;
+import java.util.Scanner;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard, si le travail dure. */
+/** Une barre sur l'erreur standard, si le travail dure ; elle tient dans la largeur du terminal. */
 public final class BarreProgression extends TimerTask {
 
+    /** Colonnes de la barre, là où le terminal en a assez, et celles de ce qui l'entoure, « [] 100 % » et le curseur. */
     private static final int LARGEUR = 40;
+    private static final int AUTOUR = 9;
+
+    /** Colonnes d'un terminal qui n'en dit rien. */
+    private static final int COLONNES = 80;
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
@@ -24,6 +31,7 @@ public final class BarreProgression extends TimerTask {
     private final DoubleSupplier avancement;
     private final PrintStream terminal;
     private final Timer horloge = new Timer("lancer-barre", true);
+    private int largeur;
     private boolean visible;
     private boolean effacee;
 
@@ -44,14 +52,32 @@ public final class BarreProgression extends TimerTask {
         }
     }
 
+    /** Les colonnes du terminal qu'est l'erreur standard : Java ne les sait pas, {@code stty} le lit sur ce terminal. */
+    private static int colonnes() {
+        try {
+            Process stty = new ProcessBuilder("sh", "-c", "stty size <&2 2>/dev/null")
+                    .redirectError(ProcessBuilder.Redirect.INHERIT).start();
+            try (Scanner taille = new Scanner(stty.getInputStream(), "US-ASCII")) {
+                taille.nextInt();
+                int colonnes = taille.nextInt();
+                return colonnes == 0 ? COLONNES : colonnes;
+            }
+        } catch (IOException | NoSuchElementException e) {
+            return COLONNES;
+        }
+    }
+
     @Override
     public synchronized void run() {
         if (!effacee) {
-            visible = true;
+            if (!visible) {
+                visible = true;
+                largeur = Math.max(0, Math.min(LARGEUR, colonnes() - AUTOUR));
+            }
             double part = avancement.getAsDouble();
-            char[] barre = new char[LARGEUR];
+            char[] barre = new char[largeur];
             Arrays.fill(barre, '.');
-            Arrays.fill(barre, 0, Math.min(LARGEUR, (int) (LARGEUR * part)), '#');
+            Arrays.fill(barre, 0, Math.min(largeur, (int) (largeur * part)), '#');
             montrer("\r[" + new String(barre) + "] " + (int) (100 * part) + " %");
         }
     }
