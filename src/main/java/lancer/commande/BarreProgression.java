@@ -15,7 +15,7 @@ import java.util.function.DoubleSupplier;
 /** Une barre sur l'erreur standard, si le travail dure ; elle tient dans la largeur du terminal. */
 public final class BarreProgression extends TimerTask {
 
-    /** Colonnes de la barre, là où le terminal en a assez, et celles de ce qui l'entoure, « [] 100 % » et le curseur. */
+    /** Colonnes de la barre, si le terminal en a assez, et celles de ce qui l'entoure : « [] 100 % » et le curseur. */
     private static final int LARGEUR = 40;
     private static final int AUTOUR = 9;
 
@@ -52,7 +52,7 @@ public final class BarreProgression extends TimerTask {
         }
     }
 
-    /** Les colonnes du terminal qu'est l'erreur standard : Java ne les sait pas, {@code stty} le lit sur ce terminal. */
+    /** Les colonnes du terminal qu'est l'erreur standard : Java ne les sait pas, {@code stty} les lui demande. */
     private static int colonnes() {
         try {
             Process stty = new ProcessBuilder("sh", "-c", "stty size <&2 2>/dev/null")

@@ -164,7 +164,8 @@ public final class Ecriture<T> {
     }
 
     private Echec impossible(Exception e) {
-        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e) + lieu(e);
+        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas"
+                : ErreurSysteme.raison(e) + lieu(e);
         return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison + ErreurSysteme.horsLangue(nom));
     }
 
