@@ -19,9 +19,6 @@ public final class BarreProgression extends TimerTask {
     private static final int LARGEUR = 40;
     private static final int AUTOUR = 9;
 
-    /** Colonnes d'un terminal qui n'en dit rien. */
-    private static final int COLONNES = 80;
-
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
 
@@ -52,18 +49,16 @@ public final class BarreProgression extends TimerTask {
         }
     }
 
-    /** Les colonnes du terminal qu'est l'erreur standard : Java ne les sait pas, {@code stty} les lui demande. */
-    private static int colonnes() {
-        try {
-            Process stty = new ProcessBuilder("sh", "-c", "stty size <&2 2>/dev/null")
-                    .redirectError(ProcessBuilder.Redirect.INHERIT).start();
-            try (Scanner taille = new Scanner(stty.getInputStream(), "US-ASCII")) {
-                taille.nextInt();
-                int colonnes = taille.nextInt();
-                return colonnes == 0 ? COLONNES : colonnes;
-            }
+    /** Colonnes de cette barre, d'après celles du terminal : Java ne les sait pas, {@code stty} les lui demande. */
+    private static int demanderLargeur() {
+        ProcessBuilder stty = new ProcessBuilder("sh", "-c", "stty size <&2 2>/dev/null");
+        stty.redirectError(ProcessBuilder.Redirect.INHERIT);
+        try (Scanner taille = new Scanner(stty.start().getInputStream(), "US-ASCII")) {
+            taille.nextInt();
+            int colonnes = taille.nextInt();
+            return colonnes == 0 ? LARGEUR : Math.max(0, Math.min(LARGEUR, colonnes - AUTOUR));
         } catch (IOException | NoSuchElementException e) {
-            return COLONNES;
+            return LARGEUR;
         }
     }
 
@@ -72,7 +67,7 @@ public final class BarreProgression extends TimerTask {
         if (!effacee) {
             if (!visible) {
                 visible = true;
-                largeur = Math.max(0, Math.min(LARGEUR, colonnes() - AUTOUR));
+                largeur = demanderLargeur();
             }
             double part = avancement.getAsDouble();
             char[] barre = new char[largeur];

@@ -137,16 +137,9 @@ public final class Ecriture<T> {
         surPlace = (int) Files.getAttribute(cible, "unix:nlink") > 1;
         PosixFileAttributeView vue = Files.getFileAttributeView(provisoire, PosixFileAttributeView.class);
         try {
-            // un disque sans permissions refuse que l'on en donne, même les mêmes
-            if (!vue.getOwner().equals(ancien.owner())) {
-                vue.setOwner(ancien.owner());
-            }
-            if (!vue.readAttributes().group().equals(ancien.group())) {
-                vue.setGroup(ancien.group());
-            }
-            if (!vue.readAttributes().permissions().equals(ancien.permissions())) {
-                vue.setPermissions(ancien.permissions());
-            }
+            vue.setOwner(ancien.owner());
+            vue.setGroup(ancien.group());
+            vue.setPermissions(ancien.permissions());
         } catch (FileSystemException e) {
             surPlace = true;
         }
