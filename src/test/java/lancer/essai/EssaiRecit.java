@@ -125,7 +125,8 @@ public final class EssaiRecit {
         double[] moyenne = Arrays.stream(somme).map(c -> c / aire).toArray();
         String bilan = lignes[lignes.length - 2];
         if (!bilan.startsWith("leur moyenne = ")) {
-            assertEquals("leur somme = " + somme[0] + " " + somme[1] + " " + somme[2] + ", divisée par " + nombre + " pour le pixel", bilan);
+            assertEquals("leur somme = " + somme[0] + " " + somme[1] + " " + somme[2] + ", divisée par " + nombre + " pour le pixel",
+                    bilan);
             return moyenne;
         }
         assertArrayEquals(moyenne, nombres(bilan), bilan);

@@ -221,8 +221,10 @@ class InspectionTest {
                 throw new IllegalStateException("pas encore écrite");
             }
         }, Echantillonnage.CENTRES);
-        assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"), lignes.subList(1, 3));
-        assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("), lignes.toString());
+        assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
+                lignes.subList(1, 3));
+        assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("),
+                lignes.toString());
         assertEquals("somme 0.5 0.5 0.5 = #808080", lignes.get(lignes.size() - 1));
     }
 
