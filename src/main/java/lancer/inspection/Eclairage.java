@@ -27,7 +27,7 @@ public final class Eclairage {
     /** Dit si un objet cache la lampe, cherchée seulement si elle apporte quelque chose. */
     final boolean cachee;
 
-    /** Contact de l'objet qui la cache, le plus proche d'elle ; {@code null} si elle n'est pas cachée, ou si rien n'est trouvé. */
+    /** Contact le plus proche d'elle de l'objet qui la cache ; {@code null} s'il n'y en a pas. */
     public final PointContact obstacle;
 
     Eclairage(Lampe lampe, Segment segment, Scene scene) {

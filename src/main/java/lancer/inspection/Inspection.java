@@ -94,7 +94,8 @@ public final class Inspection {
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
         echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
                 (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
-        echantillons.sort(Comparator.<PointVu>comparingDouble(point -> point.ye).thenComparingDouble(point -> point.xe));
+        echantillons.sort(Comparator.<PointVu>comparingDouble(point -> point.ye)
+                .thenComparingDouble(point -> point.xe));
     }
 
     /** La couleur d'un point de l'écran, noté si ce pixel peut l'utiliser. */

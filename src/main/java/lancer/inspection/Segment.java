@@ -34,7 +34,7 @@ public final class Segment {
     /** Un terme pour chaque lampe de la scène, dans leur ordre. */
     public final List<Eclairage> lampes = new ArrayList<>();
 
-    /** Normale, direction réfléchie, couleur de diffusion ; {@code null} pour le ciel, ou si l'objet ne les donne pas. */
+    /** Normale, direction réfléchie, couleur de diffusion ; {@code null} si elles ne sont pas connues. */
     Vecteur N;
     Vecteur R;
     Couleur Kd;

@@ -57,8 +57,8 @@ public final class Figure {
         Point depart = null;
         for (Segment segment : pixel.getSegments()) {
             if (depart != null) {
-                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.rayon.getV()) : segment.contact, REFLET,
-                        segment.contact == null);
+                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.rayon.getV()) : segment.contact,
+                        REFLET, segment.contact == null);
             }
             depart = segment.contact;
             if (depart != null) {

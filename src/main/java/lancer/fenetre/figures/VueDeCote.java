@@ -96,7 +96,8 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(depart) - 3, v(depart) - 3, 6, 6));
         g.drawString("œil", (float) h(depart), (float) v(depart) - 6);
         for (Segment segment : pixel.getSegments()) {
-            Point bout = segment.contact == null ? depart.add(2 * getWidth() / echelle, segment.rayon.getV()) : segment.contact;
+            Point bout = segment.contact != null ? segment.contact
+                    : depart.add(2 * getWidth() / echelle, segment.rayon.getV());
             entourer(g, segment.contact);
             segment.lampes.forEach(lampe -> eclairer(g, bout, lampe));
             g.setColor(RAYON);

@@ -1,0 +1,263 @@
+package lancer.inspection;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import lancer.Camera;
+import lancer.Couleur;
+import lancer.Lampe;
+import lancer.Point;
+import lancer.PointContact;
+import lancer.Rayon;
+import lancer.Scene;
+import lancer.Sphere;
+import lancer.Vecteur;
+import lancer.contrat.Echantillonnage;
+import lancer.contrat.Modele;
+import lancer.contrat.PixelFautif;
+import lancer.essai.Essai;
+import lancer.essai.EssaiRecit;
+import lancer.essai.Ressources;
+import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Ce que {@code --pixel} dit d'un pixel : chaque terme est celui de l'énoncé, et chaque somme se ferme au bit près. */
+class InspectionTest {
+
+    @TempDir
+    Path dossier;
+
+    /** Le pixel de cette scène, inspecté. */
+    private static Inspection inspecter(Scene scene, Function<Object, String> origines, Camera camera, int reflets, int x, int y) {
+        Inspection pixel = new Inspection(scene, origines, camera, reflets, x, y);
+        pixel.faire();
+        return pixel;
+    }
+
+    /** Le pixel du milieu d'une image de 9 pixels de côté. */
+    private static Inspection auMilieu(Scene scene) {
+        return inspecter(scene, chose -> null, new Camera(9, 9), 5, 4, 4);
+    }
+
+    private static Recit recitDe(Inspection pixel) {
+        return new Recit(pixel, Double::toString, Double::toString);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"p1-quatre, 5, 0.0009765625, Ks nul", "p2-sol, 5, 0, ciel", "p3-miroirs, 9, 0, ciel", "p3-miroirs, 40, 0.3, 'poids '",
+        "p4-foule, 1, 0.0009765625, ' réflexion'", "p4-foule, 0, 0, ' réflexion'"})
+    void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
+        String fichier = Ressources.chemin("reference/" + nom + ".ini");
+        SceneLue lue = LecteurScene.lire(fichier, part -> { });
+        Scene scene = new Scene(lue.objets, lue.lampes);
+        scene.getModele().setSeuil(seuil);
+        Function<Object, String> origines = lue::getOrigine;
+        EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
+        Random hasard = new Random(5);
+        for (int k = 0; k < 200; k++) {
+            int x = hasard.nextInt(80);
+            int y = hasard.nextInt(60);
+            recit.verifier(x, y, String.join("\n",
+                    recitDe(inspecter(scene, origines, new Camera(80, 60), reflets, x, y)).raconter().lignes()));
+        }
+        assertTrue(recit.contacts > 60 && recit.eclairees > 20, recit.contacts + " contacts, " + recit.eclairees);
+        assertTrue(recit.arrets.containsKey(arret), recit.arrets.toString());
+        if (nom.equals("p2-sol") || nom.equals("p4-foule")) {
+            assertTrue(recit.cachees > 5, recit.cachees + " lampes cachées");
+        }
+    }
+
+    /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */
+    @ParameterizedTest
+    @CsvSource({"1, 0.2, 0.6", "1e4, 1e-3, 2e-3", "1e4, 1e-3, 0.9", "1e9, 1e-8, 2e-8", "1e9, 1e-8, 0.9"})
+    void celleQuiCacheEstLaPlusProcheDeLaLampeMemeLointaine(double loin, double basse, double haute) throws Exception {
+        Path scene = Essai.scene(dossier.resolve("s.ini"), "[Sphere cible]", "centre=0 0 10", "rayon=1", "Kd=1 1 1", "[Sphere basse]",
+                "centre=" + surLeChemin(loin * basse), "rayon=1", "[Sphere haute]", "centre=" + surLeChemin(loin * haute),
+                "rayon=" + Math.max(1, loin * haute / 100), "[Lampe]", "position=" + surLeChemin(loin), "couleur=1 1 1");
+        Essai e = Essai.executer("--taille=9x9", "--pixel=4,4", scene.toString());
+        assertTrue(e.sortie.contains("  cachée par [Sphere haute] ligne 8"), e.toString());
+    }
+
+    private static String surLeChemin(double part) {
+        return "0 " + 30 * part + " " + (9 - 49 * part);
+    }
+
+    @Test
+    void leDepartNeDependPasDuNombreDeReflexionsPermises() {
+        Scene scene = new Scene(Ressources.chemin("reference/p3-miroirs.ini"));
+        List<Integer> segments = new ArrayList<>();
+        for (int reflets : new int[] {0, 1, 3}) {
+            Inspection pixel = inspecter(scene, chose -> null, new Camera(80, 60), reflets, 40, 30);
+            segments.add(pixel.getSegments().size());
+            List<String> lignes = recitDe(pixel).raconter().lignes();
+            String arret = lignes.stream().filter(ligne -> ligne.startsWith("  arrêt : ")).findFirst().get();
+            assertTrue(lignes.indexOf(arret) < lignes.size() - 2 || reflets == 0, "la chaîne va du dernier contact au premier");
+            assertTrue(arret.matches("  arrêt : (ciel|" + reflets + " réflexions?)"), arret);
+        }
+        assertEquals(1, segments.get(0));
+        assertTrue(segments.get(1) == 2 && segments.get(2) >= 2, segments.toString());
+    }
+
+    /** Ce que la classe demande d'abord d'un pixel noir ou d'un ciel. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 | 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "
+            + "| aucune lampe dans la scène : rien ne l'éclaire",
+        "[Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | aucun objet dans la scène",
+        "[Sphere] centre=0,0,-9 rayon=1 [Lampe] position=0,5,0 couleur=1,1,1 | 1  ciel  | arrêt : ciel",
+        "[Sphere] centre=9,0,9 rayon=1 | 1  ciel  | arrêt : ciel",
+        "[Sphere] centre=0,0,9 rayon=1 Kd=1,1,1 [Lampe] position=0,0,99 couleur=1,1,1 "
+            + "| 1  [Sphere] ligne 1  0.0 0.0 0.0 : rien ne l'éclaire "
+            + "| [Lampe] ligne 5  N·(lampe − contact) = -91.0  dans le dos : pas de rayon d'ombre"})
+    void ceQuiManqueAUnPixelNoirSeDit(String ini, String titre, String premiere) throws Exception {
+        Path fichier = Essai.scene(dossier.resolve("s.ini"), ini.replace(" ", "\n").replace(',', ' ').split("\n"));
+        List<String> lignes = Arrays.asList(Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie.split("\\R"));
+        assertTrue((lignes.get(1) + "  ").startsWith(titre), lignes.toString());
+        assertEquals("  " + premiere, lignes.get(2));
+    }
+
+    @Test
+    void unNombreDuFichierSeDitCommeIlYEstEcrit() throws Exception {
+        Path fichier = Essai.scene(dossier.resolve("s.ini"), "[Sphere]", "centre=0 0 9", "rayon=1", "Kd=0.93 0.06 1", "Ks=0.68 0.68 0.68",
+                "ns=80", "[Lampe]", "position=0 0 0", "couleur=1.12 1 0.0005");
+        String dit = Essai.executer("--taille=9x9", "--pixel=4,4", fichier.toString()).sortie;
+        assertTrue(dit.contains("    diffus = Kd (0.93 0.06 1) ⊗ lampe (1.12 1 0.0005) × N·L 1.0 = "), dit);
+        assertTrue(dit.contains("    reflet = Ks (0.68 0.68 0.68) ⊗ lampe (1.12 1 0.0005) × (R·L 1.0)^80 = "), dit);
+        assertTrue(dit.contains(" = diffus + reflet + 0.68 ⊗ somme 2\n".replace("\n", System.lineSeparator())), dit);
+        assertTrue(dit.indexOf("2  ciel") < dit.indexOf("⊗ somme 2"), dit);
+    }
+
+    @Test
+    void unPixelDontLeRayonMemeEchoueSeRaconteJusquALaFaute() {
+        Camera camera = new Camera(9, 9) {
+            @Override
+            public Rayon getRayon(double xe, double ye) {
+                throw new IllegalStateException("pas encore écrit");
+            }
+        };
+        Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
+                camera, 5, 4, 4);
+        pixel.faireOuEchouer();
+        List<String> lignes = recitDe(pixel).raconter().lignes();
+        assertEquals("pixel 4, 4", lignes.get(0));
+        assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
+        assertEquals(2, lignes.size());
+    }
+
+    @Test
+    void uneSceneSansFichierNommeSesObjetsParLeurRang() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2);
+        sphere.setKd(new Couleur(1));
+        Scene scene = new Scene(Collections.singletonList(sphere),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1))));
+        List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
+        assertTrue(lignes.get(1).startsWith("1  objet 1  "), lignes.toString());
+        assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
+    }
+
+    /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
+    private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
+        Modele modele = new Modele();
+        modele.setEchantillonnage(echantillonnage);
+        Scene scene = new Scene(Collections.singletonList(sphere),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
+        return recitDe(auMilieu(scene)).raconter().lignes();
+    }
+
+    /** Neuf échantillons, et le pixel vaut leur somme divisée par ce nombre. */
+    private static Echantillonnage neuf(double diviseur) {
+        return (pave, voulus, vue, toile) -> {
+            Couleur somme = new Couleur();
+            for (int k = 0; k < 9; k++) {
+                somme = somme.add(vue.couleur(4 + (k % 3 + 0.5) / 3, 4 + (k / 3 + 0.5) / 3));
+            }
+            toile.drawPixel(somme.div(diviseur), 4, 4);
+            return 0;
+        };
+    }
+
+    @Test
+    void laCouleurDUneFormeQuiSeColoreASaFaconEstAutre() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return new Couleur(0.25, 0.5, 0.75);
+            }
+        };
+        List<String> lignes = recitDUneForme(sphere, neuf(9));
+        assertEquals("9 échantillons", lignes.get(1));
+        assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
+        assertEquals(Arrays.asList("chaîne de l'échantillon 4.5 4.5", "1  objet 1  0.25 0.5 0.75 = autre",
+                "  lampe 1  N·L = 1.0  sans effet sur cette matière : pas de rayon d'ombre",
+                "  autre = 0.25 0.5 0.75 (que le récit ne connaît pas)"), lignes.subList(12, 16));
+        assertEquals(Arrays.asList("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(lignes.size() - 2, lignes.size()));
+        lignes = recitDUneForme(sphere, neuf(18));
+        assertEquals("leur moyenne = 0.25 0.5 0.75 ; l'échantillonnage les pèse autrement pour le pixel", lignes.get(11));
+    }
+
+    @Test
+    void uneFormeSansNormaleDitSaCouleurEtPourquoiLeRecitSArrete() {
+        List<String> lignes = recitDUneForme(new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return new Couleur(0.5);
+            }
+
+            @Override
+            public Vecteur getNormale(Point contact) {
+                throw new IllegalStateException("pas encore écrite");
+            }
+        }, Echantillonnage.CENTRES);
+        assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
+                lignes.subList(1, 3));
+        assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("),
+                lignes.toString());
+        assertEquals("somme 0.5 0.5 0.5 = #808080", lignes.get(lignes.size() - 1));
+    }
+
+    @Test
+    void lesSegmentsQuiPrecedentUnEchecSeDisent() {
+        Sphere miroir = new Sphere(new Point(0, 0, 8), 2);
+        miroir.setKs(new Couleur(0.5));
+        Sphere derriere = new Sphere(new Point(0, 0, -50), 9) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                throw new IllegalStateException("boum");
+            }
+        };
+        Inspection pixel = new Inspection(new Scene(Arrays.asList(miroir, derriere), Collections.emptyList()), chose -> null,
+                new Camera(9, 9), 5, 4, 4);
+        assertThrows(PixelFautif.class, pixel::faire);
+        List<String> lignes = recitDe(pixel).raconter().lignes();
+        assertEquals(Arrays.asList("2  objet 2", "1  objet 1"),
+                lignes.stream().filter(ligne -> ligne.matches("\\d+  .*")).collect(Collectors.toList()));
+        assertTrue(lignes.get(lignes.size() - 1).startsWith("échec : java.lang.IllegalStateException: boum ("), lignes.toString());
+    }
+
+    /** Une forme peut rendre sa distance sans la noter dans le rayon. */
+    @Test
+    void unRivalQuiNeNoteRienSeDit() {
+        Sphere muette = new Sphere(new Point(0, 0, 12), 2) {
+            @Override
+            public double getIntersectionDistance(Rayon incident) {
+                return 10;
+            }
+        };
+        List<String> lignes = recitDe(auMilieu(new Scene(Arrays.asList(new Sphere(new Point(0, 0, 8), 2), muette),
+                Collections.emptyList()))).raconter().lignes();
+        assertTrue(lignes.contains("    rival objet 2  d = 10.0"), lignes.toString());
+    }
+}
