@@ -12,8 +12,8 @@ final class PointDeVue {
     /** Écart permis du point à la droite d'un rayon, en part de la portée ; une enveloppe en a le double. */
     private static final double ECART = 5e-14;
 
-    /** Arrondi d'un produit vectoriel de ce vecteur et d'une direction, en part du vecteur. */
-    private static final double ARRONDI = 1e-15;
+    /** Distance au-delà de laquelle l'arrondi d'un produit vectoriel passerait l'écart, en écarts. */
+    private static final double PRES = 1e15;
 
     /** Élargissement d'un cône : une direction et l'erreur d'une distance sont de quelques arrondis. */
     private static final double MARGE = 1e-14;
@@ -81,8 +81,7 @@ final class PointDeVue {
         double cx = ay * vz - az * vy;
         double cy = az * vx - ax * vz;
         double cz = ax * vy - ay * vx;
-        // plus loin, l'arrondi de ce produit vectoriel passerait l'écart
-        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ARRONDI * Enveloppes.plusGrande(ax, ay, az) <= ecart
-                && ax * vx + ay * vy + az * vz >= 0;
+        return cx * cx + cy * cy + cz * cz <= ecart * ecart && ax * vx + ay * vy + az * vz >= 0
+                && Math.abs(ax) + Math.abs(ay) + Math.abs(az) <= PRES * ecart;
     }
 }

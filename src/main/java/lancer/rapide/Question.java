@@ -105,7 +105,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         pz = rayon.getP().z;
         double x = rayon.getP().x;
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
-                && Enveloppes.plusGrande(x, py, pz) < Enveloppes.LONGUEUR_MAX;
+                && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
         px = mesure ? x : Double.NaN;
         liste = structures.enveloppes.dAbord;
         fin = liste.length;
@@ -171,36 +171,49 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Le rang de l'objet suivant, −1 à la fin. */
     private int chercher() {
         int avant = examens;
-        int trouve = -1;
-        do {
-            while (place < fin && trouve < 0) {
-                int k = liste[place++];
-                if (pres != null && pres[k] - avance > limite) {
-                    // les suivants sont plus loin
-                    place = fin;
-                } else {
-                    examens++;
-                    trouve = peutToucher(k) ? k : -1;
-                }
-            }
-        } while (trouve < 0 && ouvrir());
+        int trouve = lireLaListe();
+        while (trouve < 0 && ouvrir()) {
+            trouve = lireLaListe();
+        }
         compteurs.noeudsVisites += examens - avant - (trouve < 0 ? 0 : 1);
         return trouve;
     }
 
     /**
-     * Dit si le rayon peut toucher l'enveloppe k, que la boucle n'a pas déjà refusée. L'erreur sur f² − b² est au plus
-     * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
+     * Le premier objet de la liste dont le rayon peut toucher l'enveloppe ; −1 s'il n'y en a plus. L'erreur sur f² − b²
+     * est au plus 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
      */
-    private boolean peutToucher(int k) {
-        int s = Enveloppes.PAS * k;
-        double fx = g[s] - px;
-        double fy = g[s + 1] - py;
-        double fz = g[s + 2] - pz;
-        double r = g[s + 3];
-        double b = fx * vx + fy * vy + fz * vz;
-        return !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r || b * PRESQUE_UN - r > limite)
-                && k != proche && k != propose;
+    private int lireLaListe() {
+        int[] rangs = liste;
+        int jusque = pres == null ? fin : finProche();
+        for (int p = place; p < jusque; p++) {
+            int k = rangs[p];
+            int s = Enveloppes.PAS * k;
+            double fx = g[s] - px;
+            double fy = g[s + 1] - py;
+            double fz = g[s + 2] - pz;
+            double r = g[s + 3];
+            double b = fx * vx + fy * vy + fz * vz;
+            if (!((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r || b * PRESQUE_UN - r > limite)
+                    && k != proche && k != propose) {
+                examens += p + 1 - place;
+                place = p + 1;
+                return k;
+            }
+        }
+        examens += jusque - place;
+        place = fin;
+        return -1;
+    }
+
+    /** La fin de ceux de la liste que la limite laisse utiles : ils vont du plus proche au plus lointain. */
+    private int finProche() {
+        double loin = limite + avance;
+        int jusque = place;
+        while (jusque < fin && pres[liste[jusque]] <= loin) {
+            jusque++;
+        }
+        return jusque;
     }
 
     /** Ouvre la liste suivante. @return faux s'il n'y en a plus */
@@ -253,7 +266,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 lire(c.objets, c.debut[direction], c.debut[direction + 1]);
             }
         } else {
-            etape = structures.espace == null || Enveloppes.plusGrande(px, py, pz) > structures.portee ? ARBRE : entrer() ? ESPACE : FIN;
+            etape = structures.espace == null || Math.abs(px) + Math.abs(py) + Math.abs(pz) > structures.portee ? ARBRE : entrer() ? ESPACE : FIN;
         }
     }
 
