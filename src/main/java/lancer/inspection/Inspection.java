@@ -32,7 +32,7 @@ public final class Inspection {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Equipe equipe = new Equipe("lancer");
+    private final Equipe equipe = new Equipe();
     private final Lancer lancer;
     private Couleur couleur;
     private PixelFautif faute;
