@@ -3,7 +3,6 @@ package lancer.commande;
 import java.io.File;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Collections;
 import java.util.List;
 import lancer.Constantes;
 import lancer.SceneFautive;
@@ -18,7 +17,7 @@ public final class Messages {
 
     /** Écrit cet échec en une ligne. @return le statut de sortie */
     public static int dire(Throwable echec, PrintStream erreur) {
-        avertir(Collections.singletonList(message(echec)), erreur);
+        avertir(message(echec), erreur);
         if (echec instanceof Echec) {
             return ((Echec) echec).code;
         }
@@ -38,10 +37,15 @@ public final class Messages {
         return "échec du programme : " + Pile.cause(echec, Pile.HORS_DE_JAVA);
     }
 
-    public static void avertir(List<String> messages, PrintStream erreur) {
-        for (String message : messages) {
-            erreur.println("lancer : " + Texte.echappe(message));
+    /** Écrit ces lignes sur l'erreur standard. */
+    public static void avertir(List<String> lignes, PrintStream erreur) {
+        for (String ligne : lignes) {
+            avertir(ligne, erreur);
         }
+    }
+
+    public static void avertir(String ligne, PrintStream erreur) {
+        erreur.println("lancer : " + Texte.echappe(ligne));
     }
 
     /** Écrit une réponse sur la sortie standard. @throws Echec si elle n'a pu être écrite */

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.texte.Nombre;
 
-/** Une clé de variante que la fenêtre règle dans un intervalle utile. Un fichier accepte d'autres valeurs. Immuable. */
-public final class Parametre {
+/** Un réglage, tel que la fenêtre le nomme et le change. Un fichier accepte d'autres valeurs. Immuable. */
+public class Parametre {
 
     /** La clé, sa valeur par défaut comme dans un fichier, et la clé incompatible avec elle, ou {@code null}. */
     public final String cle;
@@ -20,7 +20,8 @@ public final class Parametre {
     /** Les valeurs à choisir, comme dans un fichier : des mots, ou des nombres croissants ; vide pour une couleur. */
     public final List<String> valeurs;
 
-    private Parametre(String cle, String defaut, List<String> valeurs, String autre) {
+    /** Voir {@link #nombre}, {@link #mot} et {@link #couleur}. */
+    protected Parametre(String cle, String defaut, List<String> valeurs, String autre) {
         this.cle = cle;
         this.defaut = defaut;
         this.valeurs = valeurs;
@@ -48,6 +49,26 @@ public final class Parametre {
     /** Paramètre identique, incompatible avec cette autre clé. */
     public Parametre sans(String autreCle) {
         return new Parametre(cle, defaut, valeurs, autreCle);
+    }
+
+    /** Le nom du réglage dans la fenêtre. */
+    public String getTitre() {
+        return cle;
+    }
+
+    /** Ce qui est attendu de {@link #accepte}, en mots. */
+    public String getAttendu() {
+        return estUneCouleur() ? "rouge, vert et bleu, de 0 à 1, par exemple " + defaut : String.join(", ", valeurs);
+    }
+
+    /** Dit si ce texte, tapé dans la fenêtre, est une valeur de ce réglage. */
+    public boolean accepte(String texte) {
+        if (!estUneCouleur()) {
+            return valeurs.contains(texte);
+        }
+        String[] composantes = texte.split("[ \t]+");
+        return composantes.length == 3 && Arrays.stream(composantes).mapToDouble(Nombre::lire)
+                .allMatch(composante -> composante >= 0 && composante <= 1);
     }
 
     public boolean estUneCouleur() {
