@@ -44,12 +44,12 @@ public abstract class Option<T> extends Parametre {
             return x >= 1 && y >= 1 && x <= COTE_MAX && y <= COTE_MAX && x * y <= PIXELS_MAX;
         }
     };
-    public static final Option<Integer> REFLETS = new Entier("reflets", "5", 0, 1000, Constantes.MAX_REFLETS,
-            "nombre de réflexions d'un rayon, 0 à 1000").enFenetre("réflexions", ", ou les touches + et −");
     public static final Option<Etape> ETAPE = new Choix<>("etape", "ombres",
             "une étape du cours : lambert, phong, ombres ou reflets",
             "le cours étape par étape : lambert, phong, ombres, puis reflets", Etape.REFLETS, Etape.values())
             .enFenetre("étape du cours", ", ou les touches F6 à F9");
+    public static final Option<Integer> REFLETS = new Entier("reflets", "5", 0, 1000, Constantes.MAX_REFLETS,
+            "nombre de réflexions d'un rayon, 0 à 1000").enFenetre("réflexions", ", ou les touches + et −");
     public static final Option<String> VUE = new Choix<>("vue", "normales",
             "une vue : normales, distance, lampes ou rayons",
             "avec --image, en fausses couleurs : normales, distance, lampes\nou rayons", null,

@@ -21,6 +21,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
@@ -103,7 +104,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            Reglages reglages = banc.controleur.demande.reglages.avecReflets(3).avecSeuil(0.01);
+            Reglages reglages = banc.controleur.demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
             banc.controleur.regler(reglages.avecVariante(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
