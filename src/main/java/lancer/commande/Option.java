@@ -253,13 +253,17 @@ public abstract class Option<T> extends Parametre {
         return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
     }
 
-    /** @throws Echec si une des options données ne va pas avec celle-ci, ou s'il en manque une */
-    void accorder(Options donnees) {
+    /** @throws Echec si une des options données ne va pas avec celle-ci */
+    void exclure(Options donnees) {
         for (String cle : separees) {
             if (donnees.estDonnee(trouver("--" + cle))) {
                 throw Echec.demande(nom + " ne va pas avec --" + cle + " ; attendu : l'une ou l'autre");
             }
         }
+    }
+
+    /** @throws Echec si aucune des options données ne se sert de celle-ci */
+    void servir(Options donnees) {
         StringJoiner voulues = new StringJoiner(" ou ", nom + " ne sert pas seule ; attendu : avec elle, ", "");
         boolean sert = servies.isEmpty();
         for (String cle : servies) {

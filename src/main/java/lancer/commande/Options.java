@@ -1,6 +1,7 @@
 package lancer.commande;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import lancer.texte.Texte;
@@ -22,7 +23,8 @@ public final class Options {
     public static Options lire(String... arguments) {
         Map<Option<?>, String> textes = new HashMap<>();
         String scene = separer(textes, arguments);
-        Map<Option<?>, Object> valeurs = new HashMap<>();
+        // dans l'ordre de la table : de deux fautes, c'est toujours la même qui est dite
+        Map<Option<?>, Object> valeurs = new LinkedHashMap<>();
         boolean unTexte = textes.containsKey(Option.AIDE) || textes.containsKey(Option.VERSION);
         for (Option<?> option : Option.TABLE) {
             if (textes.containsKey(option) && (!unTexte || !option.prendUneValeur())) {
@@ -83,7 +85,10 @@ public final class Options {
 
     private void accorder(Map<Option<?>, String> textes) {
         for (Option<?> option : valeurs.keySet()) {
-            option.accorder(this);
+            option.exclure(this);
+        }
+        for (Option<?> option : valeurs.keySet()) {
+            option.servir(this);
         }
         if (sansFenetre() && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");

@@ -38,7 +38,7 @@ class ReglagesTest {
     @Test
     void deuxReglagesSontEgauxSiChacunDeLeursReglagesLEst() {
         Section autre = new SectionLue("Gris", "part", "0.25");
-        Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0), lus.avec(Option.SIMPLE, true),
+        Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0.0), lus.avec(Option.SIMPLE, true),
             lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
         for (Reglages change : changes) {
             assertNotEquals(lus, change);
