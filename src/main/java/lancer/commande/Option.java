@@ -254,21 +254,21 @@ public abstract class Option<T> extends Parametre {
     }
 
     /** @throws Echec si une des options données ne va pas avec celle-ci */
-    void exclure(Options donnees) {
+    void exclure(Set<Option<?>> donnees) {
         for (String cle : separees) {
-            if (donnees.estDonnee(trouver("--" + cle))) {
+            if (donnees.contains(trouver("--" + cle))) {
                 throw Echec.demande(nom + " ne va pas avec --" + cle + " ; attendu : l'une ou l'autre");
             }
         }
     }
 
     /** @throws Echec si aucune des options données ne se sert de celle-ci */
-    void servir(Options donnees) {
+    void servir(Set<Option<?>> donnees) {
         StringJoiner voulues = new StringJoiner(" ou ", nom + " ne sert pas seule ; attendu : avec elle, ", "");
         boolean sert = servies.isEmpty();
         for (String cle : servies) {
             Option<?> autre = trouver("--" + cle);
-            sert |= donnees.estDonnee(autre);
+            sert |= donnees.contains(autre);
             voulues.add(autre.nom + " " + autre.exemple);
         }
         if (!sert) {

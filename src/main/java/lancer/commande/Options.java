@@ -85,10 +85,10 @@ public final class Options {
 
     private void accorder(Map<Option<?>, String> textes) {
         for (Option<?> option : valeurs.keySet()) {
-            option.exclure(this);
+            option.exclure(valeurs.keySet());
         }
         for (Option<?> option : valeurs.keySet()) {
-            option.servir(this);
+            option.servir(valeurs.keySet());
         }
         if (sansFenetre() && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
