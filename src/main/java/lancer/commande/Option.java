@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
-import java.util.StringJoiner;
 import java.util.TreeSet;
 import lancer.Constantes;
 import lancer.contrat.Parametre;
@@ -14,266 +14,144 @@ import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
 /**
- * Une ligne de la table des options : ce qu'elle lit, et ce qu'en disent l'aide, les refus et la fenêtre. Immuable.
+ * Une ligne de la table des options : ce qu'elle lit, et ce qu'en disent l'aide, les refus et la fenêtre.
  *
  * @param <T> ce que lit cette option
  */
-public abstract class Option<T> extends Parametre {
+public final class Option<T> extends Parametre {
+
+    /** Ce qu'est une valeur. */
+    private enum Forme { DRAPEAU, FICHIER, VUE, ETAPE, TYPES, ENTIER, NOMBRE, ERREUR, PART, COUPLE }
 
     /** Place d'un nom et de son exemple dans l'aide, en caractères. */
     private static final int LARGEUR_DES_NOMS = 25;
-
-    private static final int COTE_MAX = 16384;
-    private static final int PIXELS_MAX = 100_000_000;
+    static final int COTE_MAX = 16384;
+    static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
+    /** Longueur de la fin d'un nom de fichier, par exemple « .png ». */
+    private static final int FIN = 4;
 
     /** Toutes les options, dans l'ordre de l'aide. */
     static final List<Option<?>> TABLE = new ArrayList<>();
 
-    public static final Option<String> IMAGE = new Fichier("image", "FICHIER.png",
-            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", ".png");
-    public static final Option<String> LINEAIRE = new Fichier("lineaire", "FICHIER.pfm",
+    public static final Option<String> IMAGE = new Option<String>(Forme.FICHIER, "image", "FICHIER.png",
+            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", null).parmi(".png");
+    public static final Option<String> LINEAIRE = new Option<String>(Forme.FICHIER, "lineaire", "FICHIER.pfm",
             "un fichier dont le nom finit par .pfm",
-            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", ".pfm");
-    public static final Option<Couple> TAILLE = new DeuxEntiers("taille", "800x600", "x",
+            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", null).parmi(".pfm");
+    public static final Option<Couple> TAILLE = new Option<>(Forme.COUPLE, "taille", "800x600",
             "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
             + " pixels", "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
-            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)) {
-        @Override
-        boolean admet(double x, double y) {
-            return x >= 1 && y >= 1 && x <= COTE_MAX && y <= COTE_MAX && x * y <= PIXELS_MAX;
-        }
-    };
-    public static final Option<Etape> ETAPE = new Choix<>("etape", "ombres",
+            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x");
+    public static final Option<Etape> ETAPE = new Option<>(Forme.ETAPE, "etape", "ombres",
             "une étape du cours : lambert, phong, ombres ou reflets",
-            "le cours étape par étape : lambert, phong, ombres, puis reflets", Etape.REFLETS, Etape.values())
-            .enFenetre("étape du cours", ", ou les touches F6 à F9");
-    public static final Option<Integer> REFLETS = new Entier("reflets", "5", 0, 1000, Constantes.MAX_REFLETS,
-            "nombre de réflexions d'un rayon, 0 à 1000").enFenetre("réflexions", ", ou les touches + et −");
-    public static final Option<String> VUE = new Choix<>("vue", "normales",
+            "le cours étape par étape : lambert, phong, ombres, puis reflets", Etape.REFLETS)
+            .parmi("lambert", "phong", "ombres", "reflets").regle("étape du cours");
+    public static final Option<Integer> REFLETS = new Option<>(Forme.ENTIER, "reflets", "5", "un entier de 0 à 1000",
+            "nombre de réflexions d'un rayon, 0 à 1000", Constantes.MAX_REFLETS).entre(0, 1000).regle("réflexions");
+    public static final Option<String> VUE = new Option<String>(Forme.VUE, "vue", "normales",
             "une vue : normales, distance, lampes ou rayons",
-            "avec --image, en fausses couleurs : normales, distance, lampes\nou rayons", null,
-            "normales", "distance", "lampes", "rayons").avec("image")
-            .separee("lineaire", "auto", "pixel", "repeter", "comparer");
-    public static final Option<Double> SEUIL = new Reel("seuil", "0.0009765625",
+            "avec --image, en fausses couleurs : normales, distance, lampes\nou rayons", null)
+            .parmi("normales", "distance", "lampes", "rayons").avec(IMAGE).sans(LINEAIRE);
+    public static final Option<Double> SEUIL = new Option<>(Forme.NOMBRE, "seuil", "0.0009765625",
             "un nombre positif ou nul, par exemple 0.001", "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-            Constantes.SEUIL).enFenetre("seuil des reflets", "");
-    public static final Option<Set<String>> SANS = new Types("sans", "Brume,Blinn",
+            Constantes.SEUIL).regle("seuil des reflets");
+    public static final Option<Set<String>> SANS = new Option<>(Forme.TYPES, "sans", "Brume,Blinn",
             "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-            "sans ces variantes, même si elles sont dans le chemin des classes").reglage();
-    public static final Option<Integer> FILS = new Entier("fils", "N", 1, FILS_MAX,
-            Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors()),
-            "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur");
-    public static final Option<Integer> REPETER = new Entier("repeter", "N", 1, 100_000, 1,
-            "dessine N fois avant d'écrire, pour mesurer");
-    public static final Option<Boolean> STATISTIQUES = new Drapeau("statistiques",
-            "après l'image, rayons et temps, une ligne « nom: valeur » chacun");
-    public static final Option<Boolean> SIMPLE = new Drapeau("simple",
-            "les boucles du cours au lieu de la recherche rapide : la même image").reglage();
-    public static final Option<Couple> PIXEL = new DeuxEntiers("pixel", "421,426", ",",
+            "sans ces variantes, même si elles sont dans le chemin des classes", Collections.<String>emptySet())
+            .regle(null);
+    public static final Option<Integer> FILS = new Option<>(Forme.ENTIER, "fils", "N",
+            "un entier de 1 à " + FILS_MAX,
+            "nombre de fils d'exécution, 1 à " + FILS_MAX + " ; sans elle, un par processeur",
+            Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors())).entre(1, FILS_MAX);
+    public static final Option<Integer> REPETER = new Option<>(Forme.ENTIER, "repeter", "N",
+            "un entier de 1 à 100000", "dessine N fois avant d'écrire, pour mesurer", 1).entre(1, 100_000).sans(VUE);
+    public static final Option<Boolean> STATISTIQUES = new Option<>(Forme.DRAPEAU, "statistiques", null, null,
+            "après l'image, rayons et temps, une ligne « nom: valeur » chacun", false);
+    public static final Option<Boolean> SIMPLE = new Option<>(Forme.DRAPEAU, "simple", null, null,
+            "les boucles du cours au lieu de la recherche rapide : la même image", false).regle(null);
+    public static final Option<Couple> PIXEL = new Option<Couple>(Forme.COUPLE, "pixel", "421,426",
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
             "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null)
-            .separee("image", "lineaire", "auto", "repeter", "comparer");
+            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null).parmi(",")
+            .sans(IMAGE, LINEAIRE, VUE, REPETER);
     /** En niveaux ; 0 si les réglages ne sont pas à choisir. */
-    public static final Option<Double> AUTO = new Reel("auto", "erreur=1",
+    public static final Option<Double> AUTO = new Option<>(Forme.ERREUR, "auto", "erreur=1",
             "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
             "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
             + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-            + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", 0.0) {
-        @Override
-        public Double lire(String texte) {
-            double erreur = texte.startsWith("erreur=") ? Nombre.lire(texte.substring("erreur=".length())) : 0;
-            return erreur >= 0.01 && erreur <= 255 ? erreur : null;
-        }
-    }.avec("image", "lineaire");
-    public static final Option<String> COMPARER = new Fichier("comparer", "REF.png", "une image PNG ou PFM",
-            "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-            + "pareilles, 1 différentes ; --image : l'image des différences", ".png", ".pfm")
-            .separee("taille", "lineaire", "repeter", "statistiques", "auto");
+            + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", 0.0).entre(0.01, 255)
+            .avec(IMAGE, LINEAIRE).sans(PIXEL, VUE);
+    public static final Option<String> COMPARER = new Option<String>(Forme.FICHIER, "comparer", "REF.png",
+            "une image PNG ou PFM", "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
+            + "pareilles, 1 différentes ; --image : l'image des différences", null).parmi(".png", ".pfm")
+            .sans(TAILLE, LINEAIRE, VUE, REPETER, STATISTIQUES, PIXEL, AUTO);
     /** En niveaux. */
-    public static final Option<Double> TOLERANCE = new Reel("tolerance", "1",
+    public static final Option<Double> TOLERANCE = new Option<>(Forme.NOMBRE, "tolerance", "1",
             "un nombre de niveaux positif ou nul, par exemple 1",
-            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0).avec("comparer");
+            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0).avec(COMPARER);
     /** De 0 à 1. */
-    public static final Option<Double> PART = new Reel("part", "0.5%",
+    public static final Option<Double> PART = new Option<>(Forme.PART, "part", "0.5%",
             "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0) {
-        @Override
-        public Double lire(String texte) {
-            boolean pourCent = texte.endsWith("%");
-            String nombre = pourCent ? texte.substring(0, texte.length() - 1) : texte;
-            double part = Nombre.lire(nombre);
-            if (!(part >= 0 && part <= (pourCent ? 100 : 1))) {
-                return null;
-            }
-            // pour que 0.7 % donne exactement 0.007 : une division l'arrondirait autrement
-            return pourCent ? new BigDecimal(nombre).movePointLeft(2).doubleValue() : part;
-        }
-    }.avec("comparer");
-    public static final Option<Boolean> AIDE = new Drapeau("aide", "ce texte, comme --help et -h")
-            .aussi("--help", "-h");
-    public static final Option<Boolean> VERSION = new Drapeau("version", "la version");
+            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0).entre(0, 1).avec(COMPARER);
+    public static final Option<Boolean> AIDE = new Option<>(Forme.DRAPEAU, "aide", null, null,
+            "ce texte, comme --help et -h", false);
+    public static final Option<Boolean> VERSION = new Option<>(Forme.DRAPEAU, "version", null, null, "la version",
+            false);
 
-    /** Le nom, avec ses tirets, et ses synonymes. */
+    /** Le nom, avec ses tirets. */
     public final String nom;
-    private List<String> synonymes = Collections.emptyList();
-    /** Un exemple de valeur ; {@code null} si l'option n'en prend pas ; de même ce qui est attendu. */
-    final String exemple;
-    final String attendu;
-    private final String aide;
     /** Ce que vaut l'option qui n'est pas donnée. */
     public final T absente;
-    /** Ce que l'option change dans la façon de dessiner, tel que la fenêtre le nomme ; {@code null} si elle ne l'offre pas. */
-    private String titre;
-    private String touches = "";
+    final String exemple;
+    private final Forme forme;
+    private final String aide;
+    private double min;
+    private double max = Double.MAX_VALUE;
     private boolean reglage;
-    /** Les options qui ne vont pas avec elle ; celles dont une doit aller avec elle. */
-    private List<String> separees = Collections.emptyList();
-    private List<String> servies = Collections.emptyList();
+    /** Le nom du réglage dans la fenêtre ; {@code null} si elle ne l'offre pas. */
+    private String titre;
+    /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
+    private List<Option<?>> servies = Collections.emptyList();
+    private List<Option<?>> separees = Collections.emptyList();
 
-    private Option(String cle, String exemple, String attendu, String aide, T absente, Object... possibles) {
-        super(cle, null, mots(possibles), null);
+    private Option(Forme forme, String cle, String exemple, String attendu, String aide, T absente) {
+        super(cle, null, new ArrayList<>(), null, attendu);
         nom = "--" + cle;
+        this.forme = forme;
         this.exemple = exemple;
-        this.attendu = attendu;
         this.aide = aide;
         this.absente = absente;
         TABLE.add(this);
     }
 
-    private static List<String> mots(Object... possibles) {
-        List<String> mots = new ArrayList<>();
-        for (Object possible : possibles) {
-            mots.add(possible.toString());
-        }
-        return mots;
+    private Option<T> entre(double plusPetit, double plusGrand) {
+        min = plusPetit;
+        max = plusGrand;
+        return this;
     }
 
-    /** L'option règle la façon de dessiner, sous ce titre dans la fenêtre. @param touches ce qui l'y change aussi */
-    Option<T> enFenetre(String titre, String touches) {
-        this.titre = titre;
-        this.touches = touches;
-        return reglage();
+    /** Les mots possibles, les fins d'un nom de fichier, ou ce qui sépare deux entiers. */
+    private Option<T> parmi(String... mots) {
+        Collections.addAll(valeurs, mots);
+        return this;
     }
 
-    /** L'option règle la façon de dessiner. */
-    Option<T> reglage() {
+    /** L'option change la façon de dessiner. @param nomme son nom dans la fenêtre, ou {@code null} */
+    private Option<T> regle(String nomme) {
         reglage = true;
+        titre = nomme;
         return this;
     }
 
-    Option<T> aussi(String... autres) {
-        synonymes = Arrays.asList(autres);
+    private Option<T> avec(Option<?>... une) {
+        servies = Arrays.asList(une);
         return this;
     }
 
-    /** L'option ne sert qu'avec une de celles-ci. */
-    Option<T> avec(String... cles) {
-        servies = Arrays.asList(cles);
+    private Option<T> sans(Option<?>... aucune) {
+        separees = Arrays.asList(aucune);
         return this;
-    }
-
-    Option<T> separee(String... cles) {
-        separees = Arrays.asList(cles);
-        return this;
-    }
-
-    /** Les options que la fenêtre laisse régler. */
-    public static List<Option<?>> enFenetre() {
-        List<Option<?>> offertes = new ArrayList<>(TABLE);
-        offertes.removeIf(option -> option.titre == null);
-        return offertes;
-    }
-
-    /** La valeur écrite ; {@code null} si elle est impossible. */
-    public abstract T lire(String texte);
-
-    /** L'écriture d'une valeur, que {@link #lire} relit. */
-    public String ecrire(T valeur) {
-        return valeur.toString();
-    }
-
-    @Override
-    public boolean accepte(String texte) {
-        return lire(texte) != null;
-    }
-
-    @Override
-    public String getTitre() {
-        return titre;
-    }
-
-    @Override
-    public String getAttendu() {
-        return attendu + touches;
-    }
-
-    /** Dit si l'option change la façon de dessiner. */
-    boolean estUnReglage() {
-        return reglage;
-    }
-
-    boolean prendUneValeur() {
-        return exemple != null;
-    }
-
-    boolean seNomme(String mot) {
-        return nom.equals(mot) || synonymes.contains(mot);
-    }
-
-    /** L'option de ce nom. @throws Echec si elle est inconnue */
-    static Option<?> trouver(String mot) {
-        for (Option<?> option : TABLE) {
-            if (option.seNomme(mot)) {
-                return option;
-            }
-        }
-        throw Echec.demande("option inconnue : " + Texte.cite(mot) + " ; attendu : une de celles que montre --aide");
-    }
-
-    /** Sa ligne de l'aide. */
-    String getAide() {
-        String marge = "\n" + String.format("%" + (2 + LARGEUR_DES_NOMS) + "s", "");
-        return String.format("  %-" + LARGEUR_DES_NOMS + "s", prendUneValeur() ? nom + " " + exemple : nom)
-                + aide.replace("\n", marge) + "\n";
-    }
-
-    /** La valeur écrite. @throws Echec si elle est impossible */
-    T exiger(String texte) {
-        T lue = lire(texte);
-        if (lue == null) {
-            throw impossible(texte, attendu);
-        }
-        return lue;
-    }
-
-    /** Le refus d'une valeur. */
-    public Echec impossible(String texte, String voulu) {
-        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
-    }
-
-    /** @throws Echec si une des options données ne va pas avec celle-ci */
-    void exclure(Set<Option<?>> donnees) {
-        for (String cle : separees) {
-            if (donnees.contains(trouver("--" + cle))) {
-                throw Echec.demande(nom + " ne va pas avec --" + cle + " ; attendu : l'une ou l'autre");
-            }
-        }
-    }
-
-    /** @throws Echec si aucune des options données ne se sert de celle-ci */
-    void servir(Set<Option<?>> donnees) {
-        StringJoiner voulues = new StringJoiner(" ou ", nom + " ne sert pas seule ; attendu : avec elle, ", "");
-        boolean sert = servies.isEmpty();
-        for (String cle : servies) {
-            Option<?> autre = trouver("--" + cle);
-            sert |= donnees.contains(autre);
-            voulues.add(autre.nom + " " + autre.exemple);
-        }
-        if (!sert) {
-            throw Echec.demande(voulues.toString());
-        }
     }
 
     /** Deux entiers : la largeur et la hauteur d'une image, ou la colonne et la ligne d'un pixel. Immuable. */
@@ -288,141 +166,127 @@ public abstract class Option<T> extends Parametre {
         }
     }
 
-    private static final class Drapeau extends Option<Boolean> {
-
-        Drapeau(String cle, String aide) {
-            super(cle, null, null, aide, false);
-        }
-
-        @Override
-        public Boolean lire(String texte) {
-            return true;
-        }
-    }
-
-    /** Un fichier : c'est le nom donné qui est examiné, et non le fichier où mène un lien. */
-    private static final class Fichier extends Option<String> {
-
-        private final String[] fins;
-
-        Fichier(String cle, String exemple, String attendu, String aide, String... fins) {
-            super(cle, exemple, attendu, aide, null);
-            this.fins = fins;
-        }
-
-        @Override
-        public String lire(String texte) {
-            for (String fin : fins) {
-                if (Texte.minuscules(texte).endsWith(fin)) {
-                    return texte;
-                }
+    /** L'option de ce nom. @throws Echec si elle est inconnue */
+    static Option<?> trouver(String mot) {
+        String cherche = mot.equals("--help") || mot.equals("-h") ? AIDE.nom : mot;
+        for (Option<?> option : TABLE) {
+            if (option.nom.equals(cherche)) {
+                return option;
             }
-            return null;
         }
+        throw Echec.demande("option inconnue : " + Texte.cite(mot) + " ; attendu : une de celles que montre --aide");
     }
 
-    private static final class Entier extends Option<Integer> {
-
-        private final int min;
-        private final int max;
-
-        Entier(String cle, String exemple, int min, int max, int absente, String aide) {
-            super(cle, exemple, "un entier de " + min + " à " + max, aide.replace("{}", min + " à " + max), absente);
-            this.min = min;
-            this.max = max;
-        }
-
-        @Override
-        public Integer lire(String texte) {
-            double n = Nombre.lireEntier(texte);
-            return n >= min && n <= max ? Integer.valueOf((int) n) : null;
-        }
+    /** Les options que la fenêtre laisse régler. */
+    public static List<Option<?>> enFenetre() {
+        List<Option<?>> offertes = new ArrayList<>(TABLE);
+        offertes.removeIf(option -> option.titre == null);
+        return offertes;
     }
 
-    /** Un nombre positif ou nul. */
-    private static class Reel extends Option<Double> {
-
-        Reel(String cle, String exemple, String attendu, String aide, double absente) {
-            super(cle, exemple, attendu, aide, absente);
-        }
-
-        @Override
-        public Double lire(String texte) {
-            double n = Nombre.lire(texte);
-            return n >= 0 && n < Constantes.INFINI ? Double.valueOf(n) : null;
-        }
-
-        @Override
-        public String ecrire(Double valeur) {
-            return Nombre.ecrire(valeur);
-        }
+    @Override
+    public String getTitre() {
+        return titre;
     }
 
-    private static class DeuxEntiers extends Option<Couple> {
+    boolean estUnReglage() {
+        return reglage;
+    }
 
-        private final String separateur;
+    boolean prendUneValeur() {
+        return forme != Forme.DRAPEAU;
+    }
 
-        DeuxEntiers(String cle, String exemple, String separateur, String attendu, String aide, Couple absente) {
-            super(cle, exemple, attendu, aide, absente);
-            this.separateur = separateur;
-        }
+    /** Sa ligne de l'aide. */
+    String getAide() {
+        String marge = "\n" + String.format("%" + (2 + LARGEUR_DES_NOMS) + "s", "");
+        return String.format("  %-" + LARGEUR_DES_NOMS + "s", prendUneValeur() ? nom + " " + exemple : nom)
+                + aide.replace("\n", marge) + "\n";
+    }
 
-        @Override
-        public Couple lire(String texte) {
-            String[] deux = texte.split(separateur, -1);
-            if (deux.length != 2) {
-                return null;
+    /** @throws Echec si cette option ne va pas avec une autre */
+    void exclure(Set<Option<?>> donnees) {
+        for (Option<?> autre : separees) {
+            if (donnees.contains(autre)) {
+                throw Echec.demande(nom + " ne va pas avec " + autre.nom + " ; attendu : l'une ou l'autre");
             }
-            double x = Nombre.lireEntier(deux[0]);
-            double y = Nombre.lireEntier(deux[1]);
-            return admet(x, y) ? new Couple((int) x, (int) y) : null;
-        }
-
-        boolean admet(double x, double y) {
-            return x >= 0 && y >= 0;
-        }
-
-        @Override
-        public String ecrire(Couple valeur) {
-            return valeur.x + separateur + valeur.y;
         }
     }
 
-    /** Un mot parmi ceux qui écrivent ces valeurs. */
-    private static final class Choix<T> extends Option<T> {
-
-        private final List<T> possibles;
-
-        @SafeVarargs
-        Choix(String cle, String exemple, String attendu, String aide, T absente, T... possibles) {
-            super(cle, exemple, attendu, aide, absente, possibles);
-            this.possibles = Arrays.asList(possibles);
-        }
-
-        @Override
-        public T lire(String texte) {
-            int rang = valeurs.indexOf(texte);
-            return rang < 0 ? null : possibles.get(rang);
+    /** @throws Echec si cette option ne sert pas sans une autre */
+    void servir(Set<Option<?>> donnees) {
+        if (!servies.isEmpty() && Collections.disjoint(servies, donnees)) {
+            List<String> voulues = new ArrayList<>();
+            servies.forEach(autre -> voulues.add(autre.nom + " " + autre.exemple));
+            throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, " + String.join(" ou ", voulues));
         }
     }
 
-    /** Des types de variantes, quelle que soit leur casse. */
-    private static final class Types extends Option<Set<String>> {
+    @Override
+    public boolean accepte(String texte) {
+        return valeur(texte) != null;
+    }
 
-        Types(String cle, String exemple, String attendu, String aide) {
-            super(cle, exemple, attendu, aide, Collections.emptySet());
+    /** La valeur écrite. @throws Echec si elle est impossible */
+    @SuppressWarnings("unchecked")
+    public T lire(String texte) {
+        if (!accepte(texte)) {
+            throw impossible(texte, attendu);
         }
+        return (T) valeur(texte);
+    }
 
-        @Override
-        public Set<String> lire(String texte) {
-            Set<String> types = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-            Collections.addAll(types, texte.split(",", -1));
-            return types.contains("") ? null : Collections.unmodifiableSet(types);
-        }
+    public Echec impossible(String texte, String voulu) {
+        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
+    }
 
-        @Override
-        public String ecrire(Set<String> types) {
-            return String.join(",", types);
+    /** La valeur écrite, {@code null} si elle est impossible. */
+    private Object valeur(String texte) {
+        switch (forme) {
+            case DRAPEAU:
+                return true;
+            case FICHIER:
+                // le nom donné, et non celui du fichier où mène un lien
+                return texte.length() >= FIN && valeurs.contains(Texte.minuscules(texte.substring(texte.length() - FIN)))
+                        ? texte : null;
+            case VUE:
+                return valeurs.contains(texte) ? texte : null;
+            case ETAPE:
+                return valeurs.contains(texte) ? Etape.valueOf(texte.toUpperCase(Locale.ROOT)) : null;
+            case TYPES:
+                Set<String> types = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+                Collections.addAll(types, texte.split(",", -1));
+                return types.contains("") ? null : Collections.unmodifiableSet(types);
+            case COUPLE:
+                String[] deux = texte.split(valeurs.get(0), -1);
+                double x = deux.length == 2 ? Nombre.lireEntier(deux[0]) : -1;
+                double y = deux.length == 2 ? Nombre.lireEntier(deux[1]) : -1;
+                return borner(x) != null && borner(y) != null ? new Couple((int) x, (int) y) : null;
+            case ENTIER:
+                Double entier = borner(Nombre.lireEntier(texte));
+                return entier == null ? null : Integer.valueOf(entier.intValue());
+            case ERREUR:
+                return texte.startsWith("erreur=") ? borner(Nombre.lire(texte.substring("erreur=".length()))) : null;
+            case PART:
+                // une division arrondirait : 0.7 % doit donner exactement 0.007
+                boolean pourCent = texte.endsWith("%");
+                double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
+                return borner(pourCent && Double.isFinite(n) ? BigDecimal.valueOf(n).movePointLeft(2).doubleValue() : n);
+            default:
+                return borner(Nombre.lire(texte));
         }
+    }
+
+    private Double borner(double n) {
+        return n >= min && n <= max ? Double.valueOf(n) : null;
+    }
+
+    /** L'écriture d'une valeur, que {@link #lire} relit. */
+    @SuppressWarnings("unchecked")
+    public String ecrire(T valeur) {
+        if (forme == Forme.TYPES) {
+            return Texte.minuscules(String.join(",", (Set<String>) valeur));
+        }
+        return valeur instanceof Double ? Nombre.ecrire((Double) valeur) : valeur.toString();
     }
 }

@@ -28,7 +28,7 @@ public final class Options {
         boolean unTexte = textes.containsKey(Option.AIDE) || textes.containsKey(Option.VERSION);
         for (Option<?> option : Option.TABLE) {
             if (textes.containsKey(option) && (!unTexte || !option.prendUneValeur())) {
-                valeurs.put(option, option.exiger(textes.get(option)));
+                valeurs.put(option, option.lire(textes.get(option)));
             }
         }
         Options options = new Options(scene, valeurs);
@@ -95,6 +95,9 @@ public final class Options {
         }
         Option.Couple pixel = get(Option.PIXEL);
         Option.Couple taille = get(Option.TAILLE);
+        if ((long) taille.x * taille.y > Option.PIXELS_MAX) {
+            throw Option.TAILLE.impossible(textes.get(Option.TAILLE), Option.TAILLE.attendu);
+        }
         if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
             throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
                     "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));
@@ -123,32 +126,19 @@ public final class Options {
         return !Objects.equals(get(option), option.absente);
     }
 
-    /** Dit si ces options donnent la même façon de dessiner. */
-    boolean reglentComme(Options autres) {
-        for (Option<?> option : Option.TABLE) {
-            if (option.estUnReglage() && !get(option).equals(autres.get(option))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     /** Les options qui donnent la même façon de dessiner, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getReglages() {
         StringBuilder ecrites = new StringBuilder();
         for (Option<?> option : Option.TABLE) {
             if (option.estUnReglage() && estChangee(option)) {
-                ecrire(option, ecrites);
+                ecrites.append(ecrire(option));
             }
         }
         return ecrites.toString();
     }
 
-    private <T> void ecrire(Option<T> option, StringBuilder ecrites) {
-        ecrites.append(' ').append(option.nom);
-        if (option.prendUneValeur()) {
-            ecrites.append(' ').append(option.ecrire(get(option)));
-        }
+    private <T> String ecrire(Option<T> option) {
+        return " " + option.nom + (option.prendUneValeur() ? " " + option.ecrire(get(option)) : "");
     }
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */

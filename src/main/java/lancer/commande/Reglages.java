@@ -172,7 +172,7 @@ public final class Reglages {
     /** Deux réglages égaux donnent la même image d'une même scène. */
     @Override
     public boolean equals(Object autre) {
-        return autre instanceof Reglages && options.reglentComme(((Reglages) autre).options)
+        return autre instanceof Reglages && options.getReglages().equals(((Reglages) autre).options.getReglages())
                 && getSections().equals(((Reglages) autre).getSections());
     }
 

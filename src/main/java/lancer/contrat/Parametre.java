@@ -20,12 +20,16 @@ public class Parametre {
     /** Les valeurs à choisir, comme dans un fichier : des mots, ou des nombres croissants ; vide pour une couleur. */
     public final List<String> valeurs;
 
+    /** Ce que la fenêtre accepte, en mots. */
+    public final String attendu;
+
     /** Voir {@link #nombre}, {@link #mot} et {@link #couleur}. */
-    protected Parametre(String cle, String defaut, List<String> valeurs, String autre) {
+    protected Parametre(String cle, String defaut, List<String> valeurs, String autre, String attendu) {
         this.cle = cle;
         this.defaut = defaut;
         this.valeurs = valeurs;
         this.autre = autre;
+        this.attendu = attendu;
     }
 
     /** Un nombre de {@code min} à {@code max} par {@code pas} ; {@code defaut} peut être {@code null}. */
@@ -33,22 +37,22 @@ public class Parametre {
         return new Parametre(cle, defaut == null ? null : Nombre.ecrire(defaut),
                 IntStream.rangeClosed(0, (int) Math.round((max - min) / pas)).mapToObj(cran -> Nombre.ecrire(
                         BigDecimal.valueOf(pas).multiply(BigDecimal.valueOf(cran)).add(BigDecimal.valueOf(min))
-                                .doubleValue())).collect(Collectors.toList()), null);
+                                .doubleValue())).collect(Collectors.toList()), null, null);
     }
 
     /** Un mot parmi ceux-ci ; le premier est la valeur par défaut. */
     public static Parametre mot(String cle, String... mots) {
-        return new Parametre(cle, mots[0], Arrays.asList(mots), null);
+        return new Parametre(cle, mots[0], Arrays.asList(mots), null, null);
     }
 
     /** Une couleur, trois composantes de 0 à 1. @param defaut comme dans un fichier de scène */
     public static Parametre couleur(String cle, String defaut) {
-        return new Parametre(cle, defaut, Collections.emptyList(), null);
+        return new Parametre(cle, defaut, Collections.emptyList(), null, "trois nombres de 0 à 1");
     }
 
     /** Paramètre identique, incompatible avec cette autre clé. */
     public Parametre sans(String autreCle) {
-        return new Parametre(cle, defaut, valeurs, autreCle);
+        return new Parametre(cle, defaut, valeurs, autreCle, attendu);
     }
 
     /** Le nom du réglage dans la fenêtre. */
@@ -56,16 +60,8 @@ public class Parametre {
         return cle;
     }
 
-    /** Ce qui est attendu de {@link #accepte}, en mots. */
-    public String getAttendu() {
-        return estUneCouleur() ? "rouge, vert et bleu, de 0 à 1, par exemple " + defaut : String.join(", ", valeurs);
-    }
-
-    /** Dit si ce texte, tapé dans la fenêtre, est une valeur de ce réglage. */
+    /** Dit si ce texte, tapé dans la fenêtre, est une couleur. */
     public boolean accepte(String texte) {
-        if (!estUneCouleur()) {
-            return valeurs.contains(texte);
-        }
         String[] composantes = texte.split("[ \t]+");
         return composantes.length == 3 && Arrays.stream(composantes).mapToDouble(Nombre::lire)
                 .allMatch(composante -> composante >= 0 && composante <= 1);

@@ -9,6 +9,8 @@ import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Options;
@@ -20,6 +22,9 @@ import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
+
+    /** La profondeur d'écran que Java ne connaît pas, en bits. */
+    private static final int BITS_DE_TROP = 30;
 
     private Ouverture() {
     }
@@ -44,12 +49,14 @@ public final class Ouverture {
             throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         // pendant que la scène se lit ici
-        EventQueue.invokeLater(Apparence::preparer);
+        FutureTask<Void> apparence = new FutureTask<>(Apparence::preparer, null);
+        EventQueue.invokeLater(apparence);
         String version = options.scene == null ? null : Surveillance.version(options.scene);
         Demande demande = options.scene == null ? null
                 : new Demande(programme.lire(options.scene, part -> { }), options);
         Fenetre[] ouverte = new Fenetre[1];
         try {
+            apparence.get();
             EventQueue.invokeAndWait(() -> {
                 Travail premier = demande == null ? null : new Travail(programme, demande);
                 if (premier != null) {
@@ -61,6 +68,9 @@ public final class Ouverture {
                 new Commandes(ouverte[0]);
                 ouverte[0].montrer(premier);
             });
+        } catch (ExecutionException e) {
+            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + Texte.abrege(e.getCause().toString())
+                    + " ; attendu : les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png");
         } catch (InvocationTargetException e) {
             throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
@@ -82,9 +92,11 @@ public final class Ouverture {
         boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
                 && System.getProperty("java.awt.headless") == null;
         try {
-            if (!GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
-                return getManqueDeJava();
+            if (!GraphicsEnvironment.isHeadless()) {
+                int bits = GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice()
+                        .getDefaultConfiguration().getColorModel().getPixelSize();
+                return bits == BITS_DE_TROP ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de "
+                        + "24 bits" : getManqueDeJava();
             }
         } catch (HeadlessException | AWTError e) {
             // DISPLAY sans serveur

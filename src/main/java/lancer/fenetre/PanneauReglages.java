@@ -118,7 +118,7 @@ final class PanneauReglages extends JScrollPane {
             composant = mots;
             ajustement = () -> mots.setSelectedItem(present.get());
         }
-        composant.setToolTipText(reglage.getAttendu());
+        composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
         poser(reglage.getTitre(), composant, valeur);
         ajustements.add(() -> {
@@ -134,7 +134,7 @@ final class PanneauReglages extends JScrollPane {
             public Object stringToValue(String texte) throws ParseException {
                 if (!reglage.accepte(texte.trim())) {
                     controleur.panneau.bandeau.dire(Sujet.AVIS, reglage.getTitre() + " : valeur impossible, "
-                            + Texte.cite(texte) + " ; attendu : " + reglage.getAttendu());
+                            + Texte.cite(texte) + " ; attendu : " + reglage.attendu);
                     throw new ParseException(texte, 0);
                 }
                 return texte.trim();

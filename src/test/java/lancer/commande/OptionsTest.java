@@ -168,7 +168,7 @@ class OptionsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "--vue rayons s.ini | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
-        "--vue rayons --image a.png s.ini --comparer b.png | --vue ne va pas avec --comparer ; attendu : l'une ou l'autre",
+        "--vue rayons --image a.png s.ini --comparer b.png | --comparer ne va pas avec --vue ; attendu : l'une ou l'autre",
         "--auto erreur=1 " + FENETRE, "--auto erreur=1 s.ini " + FENETRE,
         "--pixel 7,7 --taille=9x7 s.ini | valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 à 8,6",
         "--pixel 1,1 " + SANS_SCENE, "--image a.png " + SANS_SCENE, "--lineaire=a.pfm " + SANS_SCENE,
@@ -183,9 +183,9 @@ class OptionsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--pixel 1;1, --image a.png", "--pixel 1;1, --image=a.png", "--pixel 1;1, --lineaire a.pfm", "--pixel 1;1, --auto erreur=1",
-        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--vue rayons, --pixel 1;1",
-        "--vue rayons --image a.png, --lineaire a.pfm", "--vue rayons --image a.png, --auto erreur=1"})
+    @CsvSource({"--pixel 1;1, --image a.png", "--pixel 1;1, --image=a.png", "--pixel 1;1, --lineaire a.pfm", "--auto erreur=1, --pixel 1;1",
+        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--pixel 1;1, --vue rayons",
+        "--vue rayons --image a.png, --lineaire a.pfm", "--auto erreur=1 --image a.png, --vue rayons"})
     void deuxOptionsQuiNeVontPasEnsembleSontRefusees(String une, String autre) {
         String message = une.replaceAll("[ =].*", "") + " ne va pas avec " + autre.replaceAll("[ =].*", "")
                 + " ; attendu : l'une ou l'autre";
