@@ -3,7 +3,6 @@ package lancer.commande;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Objects;
 import lancer.texte.Texte;
 
 /** La ligne de commande lue : la valeur de chaque option de la table, et la scène. Immuable. */
@@ -121,24 +120,18 @@ public final class Options {
         return new Options(scene, autres);
     }
 
-    /** Dit si cette option n'a pas la valeur d'une option absente. */
-    <T> boolean estChangee(Option<T> option) {
-        return !Objects.equals(get(option), option.absente);
-    }
-
     /** Les options qui donnent la même façon de dessiner, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getReglages() {
         StringBuilder ecrites = new StringBuilder();
         for (Option<?> option : Option.TABLE) {
-            if (option.estUnReglage() && estChangee(option)) {
-                ecrites.append(ecrire(option));
-            }
+            ecrites.append(option.estUnReglage() ? ecrire(option) : "");
         }
         return ecrites.toString();
     }
 
     private <T> String ecrire(Option<T> option) {
-        return " " + option.nom + (option.prendUneValeur() ? " " + option.ecrire(get(option)) : "");
+        String valeur = option.prendUneValeur() ? " " + option.ecrire(get(option)) : "";
+        return get(option).equals(option.absente) ? "" : " " + option.nom + valeur;
     }
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */

@@ -191,7 +191,7 @@ public final class Reglages {
         int reflets = get(Option.REFLETS);
         String permises = reflets + (reflets > 1 ? " réflexions" : " réflexion");
         String choisi = get(Option.ETAPE) == Etape.REFLETS ? permises : "étape " + get(Option.ETAPE);
-        String abandon = options.estChangee(Option.SEUIL) ? ", seuil " + get(Option.SEUIL) : "";
+        String abandon = get(Option.SEUIL).equals(Option.SEUIL.absente) ? "" : ", seuil " + get(Option.SEUIL);
         return choisi + abandon + sections.keySet().stream().filter(this::estBranchee)
                 .map(v -> ", " + getSectionEntiere(v)).collect(Collectors.joining());
     }

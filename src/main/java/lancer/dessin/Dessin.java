@@ -109,7 +109,8 @@ public final class Dessin {
 
     private void tracer(Reglages reglages, Lancer celui, Toile toile) {
         dernier = celui;
-        long[] mesurees = new long[reglages.get(Option.REPETER)];
+        // une fenêtre montre un seul dessin
+        long[] mesurees = new long[demande.sansFenetre() ? reglages.get(Option.REPETER) : 1];
         for (int k = 0; k < mesurees.length; k++) {
             celui.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
             mesurees[k] = celui.getAtelier().getDureeNs();
