@@ -4,7 +4,6 @@ import java.io.File;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -69,14 +68,12 @@ public final class Messages {
         }
     }
 
-    /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */
-    public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
-        boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
+    /** La commande qui dessine cette scène. @param options chacune après un blanc */
+    public static String commande(String options, String scene) {
         String chemin = System.getProperty("java.class.path");
         String programme = chemin.endsWith(".jar") && !chemin.contains(File.pathSeparator)
                 ? "java -jar " + motDeCommande(chemin) : "java -cp " + motDeCommande(chemin) + " lancer.Main";
-        return programme + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
-                + motDeCommande(scene);
+        return programme + options + ' ' + motDeCommande(scene);
     }
 
     private static String motDeCommande(String mot) {

@@ -42,7 +42,8 @@ public final class Option<T> extends Parametre {
     public static final Option<Couple> TAILLE = new Option<>(Forme.COUPLE, "taille", "800x600",
             "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
             + " pixels", "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
-            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x");
+            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x")
+            .regle(null);
     public static final Option<Etape> ETAPE = new Option<>(Forme.ETAPE, "etape", "ombres",
             "une étape du cours : lambert, phong, ombres ou reflets",
             "le cours étape par étape : lambert, phong, ombres, puis reflets", Etape.REFLETS)
@@ -137,7 +138,7 @@ public final class Option<T> extends Parametre {
         return this;
     }
 
-    /** L'option change la façon de dessiner. @param nomme son nom dans la fenêtre, ou {@code null} */
+    /** L'option change l'image. @param nomme son nom dans la fenêtre, ou {@code null} */
     private Option<T> regle(String nomme) {
         reglage = true;
         titre = nomme;

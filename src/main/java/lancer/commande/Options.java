@@ -120,7 +120,7 @@ public final class Options {
         return new Options(scene, autres);
     }
 
-    /** Les options qui donnent la même façon de dessiner, précédées d'un blanc ; vide s'il n'en faut pas. */
+    /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getReglages() {
         StringBuilder ecrites = new StringBuilder();
         for (Option<?> option : Option.TABLE) {
@@ -130,8 +130,9 @@ public final class Options {
     }
 
     private <T> String ecrire(Option<T> option) {
-        String valeur = option.prendUneValeur() ? " " + option.ecrire(get(option)) : "";
-        return get(option).equals(option.absente) ? "" : " " + option.nom + valeur;
+        String valeur = option.ecrire(get(option));
+        String ecrite = " " + option.nom + (option.prendUneValeur() ? " " + valeur : "");
+        return valeur.equals(option.ecrire(option.absente)) ? "" : ecrite;
     }
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */

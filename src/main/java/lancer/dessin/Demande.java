@@ -1,7 +1,6 @@
 package lancer.dessin;
 
-import java.util.Arrays;
-import java.util.List;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -94,7 +93,7 @@ public final class Demande {
 
     /** La commande qui demande la même chose. @param avant les options à écrire d'abord, chacune après un blanc */
     public String getCommande(String avant) {
-        return Messages.commande(avant, reglages.getOptions().getReglages(), lue.nom, largeur, hauteur);
+        return Messages.commande(avant + reglages.getOptions().getReglages(), lue.nom);
     }
 
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */
@@ -115,15 +114,12 @@ public final class Demande {
     /** Deux demandes égales donnent la même image de la même lecture. */
     @Override
     public boolean equals(Object autre) {
-        return autre instanceof Demande && cle().equals(((Demande) autre).cle());
+        return autre instanceof Demande && lue == ((Demande) autre).lue && reglages.equals(((Demande) autre).reglages)
+                && Objects.equals(vue, ((Demande) autre).vue);
     }
 
     @Override
     public int hashCode() {
-        return cle().hashCode();
-    }
-
-    private List<Object> cle() {
-        return Arrays.asList(lue, reglages, largeur, hauteur, vue);
+        return reglages.hashCode();
     }
 }

@@ -93,11 +93,9 @@ public final class Ouverture {
         boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
                 && System.getProperty("java.awt.headless") == null;
         try {
-            if (!GraphicsEnvironment.isHeadless()) {
-                int bits = GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice()
-                        .getDefaultConfiguration().getColorModel().getPixelSize();
-                return bits == BITS_DE_TROP ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de "
-                        + "24 bits" : getManqueDeJava();
+            if (!GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
+                return getManqueDeJava();
             }
         } catch (HeadlessException | AWTError e) {
             // DISPLAY sans serveur
@@ -114,8 +112,9 @@ public final class Ouverture {
     private static String getManqueDeJava() {
         try {
             // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-            Toolkit.getDefaultToolkit();
-            return null;
+            int bits = Toolkit.getDefaultToolkit().getColorModel().getPixelSize();
+            return bits == BITS_DE_TROP ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits"
+                    : null;
         } catch (AWTError e) {
             // une classe d'accessibilité que nomme accessibility.properties, et qui manque
             return "ce Java ne sait pas ouvrir de fenêtre : " + Texte.echappe(e.getMessage())
