@@ -43,7 +43,7 @@ public final class Dessin {
     private Auto auto;
     /** Le temps de la préparation, puis celui de chaque dessin, en nanosecondes. */
     private final long preparationNs;
-    private Durees durees;
+    private long[] tracesNs;
     private long essaisNs;
     private final boolean cachait;
     private volatile boolean brouillonFait;
@@ -110,12 +110,11 @@ public final class Dessin {
     private void tracer(Reglages reglages, Lancer celui, Toile toile) {
         dernier = celui;
         // une fenêtre montre un seul dessin
-        long[] mesurees = new long[demande.sansFenetre() ? reglages.get(Option.REPETER) : 1];
-        for (int k = 0; k < mesurees.length; k++) {
+        tracesNs = new long[demande.sansFenetre() ? reglages.get(Option.REPETER) : 1];
+        for (int k = 0; k < tracesNs.length; k++) {
             celui.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
-            mesurees[k] = celui.getAtelier().getDureeNs();
+            tracesNs[k] = celui.getAtelier().getDureeNs();
         }
-        durees = new Durees(mesurees);
     }
 
     private void tracerLaVue(Toile toile) {
@@ -126,7 +125,7 @@ public final class Dessin {
             toile.finirBrouillon();
         }
         new FaussesCouleurs(lancer, profondeur, fils).dessiner(demande.vue, image);
-        durees = new Durees(lancer.getAtelier().getDureeNs());
+        tracesNs = new long[] {lancer.getAtelier().getDureeNs()};
     }
 
     /** Dessine avec les réglages que {@code --auto} choisit, puis mesure l'erreur de l'image. */
@@ -138,7 +137,7 @@ public final class Dessin {
         do {
             tracer(auto.getChoisi(), auto.getLancer(), toile);
         } while (!auto.controler(image::getCouleur));
-        essaisNs = System.nanoTime() - debut - durees.getSomme();
+        essaisNs = System.nanoTime() - debut - new Durees(tracesNs).getSomme();
     }
 
     /** La part dessinée de l'image en cours, de 0 à 1. */
@@ -191,7 +190,7 @@ public final class Dessin {
      */
     private String getStatistiques() {
         Compteurs c = dernier.getAtelier().getCompteurs();
-        double traceNs = durees.getMediane();
+        double traceNs = new Durees(tracesNs).getMediane();
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
