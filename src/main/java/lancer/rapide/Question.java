@@ -181,48 +181,42 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         return objets[premier];
     }
 
-    /** Le rang de l'objet suivant, −1 à la fin. */
-    private int chercher() {
-        int avant = examens;
-        int trouve = lireLaListe();
-        while (trouve < 0 && ouvrir()) {
-            trouve = lireLaListe();
-        }
-        compteurs.noeudsVisites += examens - avant - (trouve < 0 ? 0 : 1);
-        return trouve;
-    }
-
     /**
-     * Le premier objet de la liste dont le rayon peut toucher l'enveloppe ; −1 s'il n'y en a plus. L'erreur sur f² − b²
-     * est au plus 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
+     * Le rang de l'objet suivant dont le rayon peut toucher l'enveloppe, −1 à la fin. L'erreur sur f² − b² est au plus
+     * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
      */
-    private int lireLaListe() {
-        int[] rangs = liste;
-        double auPlus = limite + lache;
-        for (int p = place; p < fin; p++) {
-            int k = rangs[p];
-            int s = Enveloppes.PAS * k;
-            double fx = g[s] - px;
-            double fy = g[s + 1] - py;
-            double fz = g[s + 2] - pz;
-            double r = g[s + 3];
-            double b = fx * vx + fy * vy + fz * vz;
-            if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
-                if (triee) {
-                    // les suivants sont encore plus loin
-                    examens += p + 1 - place;
-                    place = fin;
-                    return -1;
+    private int chercher() {
+        // d'un seul tenant : plus de 325 octets (FreqInlineSize de HotSpot) ne sont pas recopiés dans chaque boucle
+        int avant = examens;
+        do {
+            int[] rangs = liste;
+            double auPlus = limite + lache;
+            examens += fin - place;
+            for (int p = place; p < fin; p++) {
+                int k = rangs[p];
+                int s = Enveloppes.PAS * k;
+                double fx = g[s] - px;
+                double fy = g[s + 1] - py;
+                double fz = g[s + 2] - pz;
+                double r = g[s + 3];
+                double b = fx * vx + fy * vy + fz * vz;
+                if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
+                    if (triee) {
+                        // les suivants sont encore plus loin
+                        examens -= fin - p - 1;
+                        break;
+                    }
+                } else if (k != rangDepart && k != proche && k != propose
+                        && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
+                    examens -= fin - p - 1;
+                    place = p + 1;
+                    compteurs.noeudsVisites += examens - avant - 1;
+                    return k;
                 }
-            } else if (k != rangDepart && k != proche && k != propose
-                    && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
-                examens += p + 1 - place;
-                place = p + 1;
-                return k;
             }
-        }
-        examens += fin - place;
-        place = fin;
+            place = fin;
+        } while (ouvrir());
+        compteurs.noeudsVisites += examens - avant;
         return -1;
     }
 
