@@ -11,10 +11,11 @@ FENETRES ?= $(if $(XVFB),exigees)
 
 .PHONY: test application javadoc scene-geante mesures juge mesure-auto comparer squelette corrige corriger profil-bwrap noter aide propre
 
-# Les tests de tous les modules, par groupes qui ne s'attendent pas. Maven dit où il en est, module par module et classe par classe.
+# Les tests de tous les modules, par groupes qui ne s'attendent pas. Maven dit où il en est, module par module et classe par classe, et va
+# au bout même si des tests échouent : après un changement voulu, il les nomme tous.
 test: outils
 	@echo "Tous les tests : quatre à six minutes sur deux cœurs"
-	$(XVFB) $(MVN) -T 4 -Pgroupes $(if $(FENETRES),-Dfenetre.exigee=true) package
+	$(XVFB) $(MVN) -T 4 -fae -Pgroupes $(if $(FENETRES),-Dfenetre.exigee=true) package
 	@$(if $(FENETRES),,echo "Les tests qui ouvrent une fenêtre sont laissés de côté. Pour les avoir : sudo apt-get install xvfb xauth")
 
 # Un programme qui se lance sans JDK : sa machine virtuelle, ses options et, avec VARIANTES="brume blinn", les variantes. Celle d'une image

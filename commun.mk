@@ -27,6 +27,8 @@ JAVA_FENETRE := $(JAVA) $(JAVA_OPTIONS)
 
 .DEFAULT_GOAL := run
 .PHONY: run outils toujours
+# deux Maven ne peuvent écrire à la fois dans target, quoi que demande MAKEFLAGS
+.NOTPARALLEL:
 
 # Une fenêtre, ou à défaut d'écran une image : là où DISPLAY manque, ou nomme un écran qui ne répond pas (statut 1).
 # L'image porte le nom de la variante dans le dossier de celle-ci, à la racine celui de la scène et des variantes mises ensemble.

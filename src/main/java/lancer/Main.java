@@ -13,6 +13,7 @@ import lancer.dessin.Lecture;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.image.ImageMemoire;
+import lancer.texte.Flux;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
 public class Main implements Toile {
@@ -40,7 +41,8 @@ public class Main implements Toile {
 
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
-        int statut = executer(args, System.out, System.err);
+        int statut = executer(args, Flux.avecAccents(System.out, "stdout.encoding"),
+                Flux.avecAccents(System.err, "stderr.encoding"));
         if (statut != 0) {
             System.exit(statut);
         }

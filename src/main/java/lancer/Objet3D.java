@@ -65,7 +65,9 @@ public abstract class Objet3D {
                 Couleur KL = lampe.getCouleur();
                 double cosinus = Math.min(1, N.dot(L));
                 double eclat = Ks.estNoire() ? 0 : scene.getModele().getSpecularite().eclat(V, N, L, R, ns);
-                Couleur apport = diffusion.mul(KL).mul(cosinus).add(Ks.mul(KL).mul(eclat));
+                Couleur diffus = diffusion.mul(KL).mul(cosinus);
+                Couleur reflet = Ks.mul(KL).mul(eclat);
+                Couleur apport = diffus.add(reflet);
                 if (!apport.estNoire() && !scene.estCachee(lampe, contact, L, versLampe.norme(), this)) {
                     couleur = couleur.add(apport);
                 }
@@ -75,7 +77,8 @@ public abstract class Objet3D {
             Couleur produitKs = incident.getProduitKs().mul(Ks);
             if (produitKs.max() >= scene.getModele().getSeuil()) {
                 Rayon reflechi = Rayon.reflechi(contact, R, produitKs);
-                couleur = couleur.add(Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)));
+                Couleur vue = scene.getCouleurVue(reflechi, this, profondeur - 1);
+                couleur = couleur.add(Ks.mul(vue));
             }
         }
         return couleur;

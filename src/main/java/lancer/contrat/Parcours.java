@@ -39,7 +39,7 @@ final class Parcours implements Iterable<Objet3D>, Iterator<Objet3D> {
         Objet3D objet = objets[suivant++];
         if (objet != depart) {
             compteurs.testsSpheres++;
-            rayon.setContact(null, Double.NaN);
+            rayon.oublier();
         }
         return objet;
     }

@@ -3,7 +3,6 @@ package lancer.dessin;
 import java.util.function.DoubleConsumer;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.contrat.Modele;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
@@ -23,7 +22,7 @@ public final class Lecture {
         this.fichier = fichier;
         this.lue = lue;
         this.dureeNs = dureeNs;
-        scene = new Scene(lue.objets, lue.lampes, lue.getCadrage(), new Modele());
+        scene = new Scene(lue.objets, lue.lampes, lue.getCadrage());
     }
 
     /**

@@ -10,6 +10,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Collection;
 import java.util.Collections;
 import lancer.commande.Echec;
@@ -18,7 +21,11 @@ import lancer.texte.Texte;
 
 /**
  * Un fichier écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis renommé.
- * Un lien symbolique est suivi. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
+ * Il garde les permissions, le propriétaire et le groupe de celui qu'il remplace. Un lien symbolique est suivi.
+ *
+ * <p>Le fichier provisoire, une fois entier, est recopié dans la cible si elle a un autre nom (un lien dur) ou un
+ * propriétaire que l'on ne peut donner : seule une panne pendant cette copie la laisserait incomplète. Une cible qui
+ * n'est pas un fichier ordinaire (un tube) est écrite directement.
  *
  * @param <T> ce que contient le fichier
  */
@@ -34,6 +41,7 @@ public final class Ecriture<T> {
     public final Path cible;
     private final boolean directe;
     private final Path provisoire;
+    private boolean surPlace;
 
     /** @throws Echec si l'on sait déjà que le fichier ne pourra être écrit */
     public Ecriture(String nom, Format<T> format) {
@@ -93,19 +101,13 @@ public final class Ecriture<T> {
         try {
             for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
-                // le fichier provisoire disparaît même si Ctrl+C interrompt l'écriture
-                fichier.provisoire.toFile().deleteOnExit();
-                try (OutputStream sortie = Files.newOutputStream(
-                        fichier.directe ? fichier.cible : fichier.provisoire)) {
+                try (OutputStream sortie = fichier.ouvrir()) {
                     fichier.format.ecrire(contenu, sortie);
                 }
             }
             for (Ecriture<T> fichier : fichiers) {
                 enCours = fichier;
-                if (!fichier.directe) {
-                    // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme le verrait absent
-                    Files.move(fichier.provisoire, fichier.cible, StandardCopyOption.ATOMIC_MOVE);
-                }
+                fichier.remplacer();
             }
         } catch (IOException e) {
             throw enCours.impossible(e);
@@ -116,8 +118,54 @@ public final class Ecriture<T> {
         }
     }
 
+    private OutputStream ouvrir() throws IOException {
+        if (directe) {
+            return Files.newOutputStream(cible);
+        }
+        // il disparaît même si Ctrl+C interrompt l'écriture
+        provisoire.toFile().deleteOnExit();
+        PosixFileAttributeView ancien = Files.getFileAttributeView(cible, PosixFileAttributeView.class);
+        if (Files.exists(cible) && ancien != null) {
+            ressembler(ancien.readAttributes());
+        }
+        return Files.newOutputStream(provisoire);
+    }
+
+    /** Crée le fichier provisoire, que ne lira jamais qui ne peut lire l'ancien. */
+    private void ressembler(PosixFileAttributes ancien) throws IOException {
+        Files.createFile(provisoire, PosixFilePermissions.asFileAttribute(ancien.permissions()));
+        surPlace = (int) Files.getAttribute(cible, "unix:nlink") > 1;
+        PosixFileAttributeView vue = Files.getFileAttributeView(provisoire, PosixFileAttributeView.class);
+        try {
+            vue.setOwner(ancien.owner());
+            vue.setGroup(ancien.group());
+            vue.setPermissions(ancien.permissions());
+        } catch (FileSystemException e) {
+            surPlace = true;
+        }
+    }
+
+    private void remplacer() throws IOException {
+        if (surPlace) {
+            try (OutputStream sortie = Files.newOutputStream(cible)) {
+                Files.copy(provisoire, sortie);
+            }
+        } else if (!directe) {
+            // REPLACE_EXISTING effacerait d'abord l'ancien fichier : un autre programme le verrait absent
+            Files.move(provisoire, cible, StandardCopyOption.ATOMIC_MOVE);
+        }
+    }
+
     private Echec impossible(Exception e) {
-        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
+        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas"
+                : ErreurSysteme.raison(e) + lieu(e);
         return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison + ErreurSysteme.horsLangue(nom));
+    }
+
+    /** Le dossier, si c'est lui qui refuse : un lien peut y mener d'ailleurs. */
+    private String lieu(Exception e) {
+        String refuse = e instanceof FileSystemException ? ((FileSystemException) e).getFile() : null;
+        return refuse == null || !refuse.equals(String.valueOf(provisoire)) ? ""
+                : " (dossier " + Texte.echappe(cible.getParent().toString()) + ")";
     }
 }

@@ -38,8 +38,12 @@ public final class Preparation {
     public static Scene preparer(Scene scene, Camera camera) {
         long nombre = scene.getObjets().size();
         long questions = (long) camera.getLargeur() * camera.getHauteur() * (1 + scene.getLampes().size());
-        return nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT ? scene
-                : scene.avec(new Foule(new Preparation(scene, camera), new Compteurs()));
+        return nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT ? scene : structurer(scene, camera);
+    }
+
+    /** La même scène, dont la recherche a des structures. */
+    static Scene structurer(Scene scene, Camera camera) {
+        return scene.avec(new Foule(new Preparation(scene, camera), new Compteurs()));
     }
 
     synchronized Structures getStructures() {

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,6 +24,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
+import lancer.texte.Flux;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -158,12 +161,44 @@ class ProcessusTest extends EssaiProcessus {
         environnement.put("LANG", "C");
         assertEquals(2, statut(p));
         assertEquals(1, erreur().split("\n").length, erreur());
-        assertTrue(erreur().contains("s.ini, ligne 1, [Sph"), erreur());
+        assertTrue(erreur().contains("s.ini, ligne 1, [Sphère] : "), erreur());
 
         Files.write(scene, "[Sphere née à Œx]\ncentre=0 0 6\nrayon=1\n".getBytes(StandardCharsets.UTF_8));
         assertEquals(0, statut(p), erreur());
         assertEquals("", erreur());
+    }
 
+    /** Windows ou un vieux terminal ont un codage à eux, qui a des accents : c'est lui qu'ils savent montrer. */
+    @Test
+    void unFluxNePasseEnUtf8QueLaOuSonCodageNAPasDAccents() throws Exception {
+        ByteArrayOutputStream ecrit = new ByteArrayOutputStream();
+        for (String codage : new String[] {"ISO-8859-1", "IBM850", "UTF-8", "US-ASCII"}) {
+            System.setProperty("essai.encoding", codage);
+            PrintStream flux = new PrintStream(ecrit, true, codage);
+            assertEquals(codage.equals("US-ASCII"), Flux.avecAccents(flux, "essai.encoding") != flux, codage);
+        }
+        Flux.avecAccents(new PrintStream(ecrit, true, "US-ASCII"), "essai.encoding").print("« déjà »");
+        assertEquals("« déjà »", ecrit.toString("UTF-8"));
+        System.clearProperty("essai.encoding");
+    }
+
+    @Test
+    void laBarreTientDansLeTerminal() throws Exception {
+        supposerUnix();
+        assumeTrue(new File("/usr/bin/script").canExecute(), "il faut script pour avoir un terminal");
+        StringBuilder dessin = new StringBuilder("exec");
+        for (String mot : java("", "--image=a.png", "--repeter=100000", SCENE)) {
+            dessin.append(" '").append(mot.replace("'", "'\\''")).append('\'');
+        }
+        Files.write(dossier.resolve("dessin.sh"), dessin.toString().getBytes(StandardCharsets.UTF_8));
+        for (int[] cas : new int[][] {{30, 21}, {48, 39}, {100, 40}}) {
+            String commande = "stty cols " + cas[0] + "; sh dessin.sh";
+            processus = preparer(Arrays.asList("script", "-qefc", commande, "/dev/null")).start();
+            attendre(() -> sortie().contains(" %\r"));
+            processus.destroy();
+            processus.waitFor();
+            assertTrue(sortie().matches("(\\r\\[[#.]{" + cas[1] + "}] \\d+ %)+(?s).*"), sortie());
+        }
     }
 
     /** Le nom demandé, ou celui du dossier d'où il l'est : les octets viennent de printf, que ce test ne saurait peut-être pas passer. */

@@ -17,7 +17,7 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Toile;
-import lancer.rapide.Preparation;
+import lancer.rapide.Structuree;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
 public final class Ressources {
@@ -111,9 +111,8 @@ public final class Ressources {
 
     /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
     public static Image imageRapide(Scene scene, Camera camera, int reflets) {
-        scene.getModele().setRecherche(new Preparation(scene, camera));
         Image image = new Image(camera.getLargeur(), camera.getHauteur());
-        new Lancer(scene, camera).TracerPixels(image, reflets, 2);
+        new Lancer(Structuree.scene(scene, camera), camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

@@ -71,7 +71,7 @@ public final class TraceurNaif implements Vue {
         }
         Vecteur R = V.add(-2 * V.dot(N), N).normalized();
         Couleur Ks = contact.objet.getKs();
-        return profondeur == 0 ? couleur : couleur.add(Ks.mul(vue(new Rayon(contact, R, Ks), profondeur - 1)));
+        return profondeur == 0 ? couleur : couleur.add(Ks.mul(vue(Rayon.reflechi(contact, R, Ks), profondeur - 1)));
     }
 
     /** N'exclut rien : ce qui est à plus d'epsilon compte. */

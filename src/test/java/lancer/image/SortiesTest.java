@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.ByteBuffer;
@@ -17,6 +18,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.nio.file.attribute.UserPrincipal;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -130,6 +133,40 @@ class SortiesTest extends EssaiCommande {
             assertEquals(40, ImageIO.read(vraie.toFile()).getWidth());
         }
         assertArrayEquals(new String[] {"vraie.png"}, ailleurs.toFile().list());
+    }
+
+    @Test
+    void uneImageOuUneSceneGardeSesPermissionsSonProprietaireEtSesAutresNoms() throws IOException {
+        assumeTrue(Files.getFileStore(dossier).supportsFileAttributeView("posix"), "pas de permissions ici");
+        for (String permissions : new String[] {"rw-------", "rw-rw-rw-", "rwxr-x---"}) {
+            ecrireTexte(png, "avant");
+            Files.setPosixFilePermissions(png, PosixFilePermissions.fromString(permissions));
+            UserPrincipal qui = donner(png);
+            new Ecriture<ImageMemoire>(png.toString(), (image, sortie) -> {
+                for (File provisoire : dossier.toFile().listFiles()) {
+                    assertEquals(permissions, PosixFilePermissions.toString(Files.getPosixFilePermissions(provisoire.toPath())));
+                }
+                new FichierPng().ecrire(image, sortie);
+            }).ecrire(new ImageMemoire(40, 30, false));
+            assertEquals(40, ImageIO.read(png.toFile()).getWidth());
+            assertEquals(permissions, PosixFilePermissions.toString(Files.getPosixFilePermissions(png)));
+            assertEquals(qui, Files.getOwner(png));
+        }
+        Path autreNom = Files.createLink(dossier.resolve("autre.png"), png);
+        new Ecriture<>(png.toString(), new FichierPng()).ecrire(new ImageMemoire(7, 7, false));
+        assertTrue(Files.isSameFile(png, autreNom));
+        assertEquals(7, ImageIO.read(autreNom.toFile()).getWidth());
+        verifierFichiers("image.png", "autre.png");
+    }
+
+    /** Donne ce fichier à un autre, si ce test en a le droit. @return son propriétaire */
+    private static UserPrincipal donner(Path fichier) throws IOException {
+        try {
+            Files.setOwner(fichier, fichier.getFileSystem().getUserPrincipalLookupService().lookupPrincipalByName("nobody"));
+        } catch (IOException e) {
+            // il reste à qui lance ce test
+        }
+        return Files.getOwner(fichier);
     }
 
     @Test

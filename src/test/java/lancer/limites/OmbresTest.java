@@ -27,7 +27,7 @@ import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.essai.Exact;
 import lancer.essai.Ombre;
-import lancer.rapide.Preparation;
+import lancer.rapide.Structuree;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,9 +65,8 @@ class OmbresTest {
     private void comparer(String nom, Lampe lampe, Sphere... autour) {
         List<Sphere> spheres = new ArrayList<>(Arrays.asList(boule, petite, sol));
         spheres.addAll(Arrays.asList(autour));
-        Scene scene = new Scene(spheres, Collections.singletonList(lampe));
         Scene boucles = new Scene(spheres, Collections.singletonList(lampe));
-        scene.getModele().setRecherche(new Preparation(scene, new Camera(80, 60)).pourUnFil(new Compteurs()));
+        Scene scene = Structuree.scene(boucles, new Camera(80, 60));
         int cachees = 0;
         for (int k = 0; k < CONTACTS; k++) {
             Sphere eclairee = spheres.get(k % 3);
@@ -120,8 +119,7 @@ class OmbresTest {
         Sphere dedans = new Sphere(centre, rayon - ecart);
         Lampe seule = new Lampe(lampe, new Couleur(1));
         Scene scene = new Scene(Arrays.asList(dedans, dehors), Collections.singletonList(seule));
-        Scene rapide = scene.avec(scene.getModele());
-        rapide.getModele().setRecherche(new Preparation(rapide, new Camera(80, 60)).pourUnFil(new Compteurs()));
+        Scene rapide = Structuree.scene(scene, new Camera(80, 60));
         int faux = 0;
         for (int k = 0; k < 2 * CONTACTS; k++) {
             Sphere eclairee = k % 2 == 0 ? dehors : dedans;

@@ -67,12 +67,12 @@ class DependancesTest {
 
     @Test
     void laRechercheRapideNeSaitRienDesSortiesNiDeLaCommande() {
-        verifier("lancer\\.rapide\\..*", COURS + "lancer\\.(contrat|precision|fils)\\..*|lancer\\.image\\.ImageMemoire");
+        verifier("lancer\\.rapide\\..*", COURS + "lancer\\.(contrat|precision|fils)\\..*");
     }
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.commande\\.(Reglages|Etape)");
+        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.fils\\.Atelier|lancer\\.commande\\.(Reglages|Etape)");
         String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.PanneauVitesse).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
@@ -108,7 +108,7 @@ class DependancesTest {
 
     /**
      * Ceux du cours : une scène a des objets, qui se colorent dans une scène, par des contrats qui parlent d'objets ; un rayon retient
-     * l'objet qu'il touche. Un travail de la fenêtre dit à son contrôleur ce qui est fait.
+     * l'objet qu'il touche, et la double boucle de Lancer est l'échantillonnage de la base. Un travail de la fenêtre dit à son contrôleur ce qui est fait.
      */
     @Test
     void aucunCercleNeRelieLesClassesQueCeuxDuCours() {
@@ -124,7 +124,7 @@ class DependancesTest {
             }
         };
         DescribedPredicate<JavaClass> duCours = describe("d'un cercle du cours", classe -> nom(classe)
-                .matches("lancer\\.(Camera|Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
+                .matches("lancer\\.(Camera|Lancer|Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
         DescribedPredicate<JavaClass> travail = describe("le travail", classe -> nom(classe).equals("lancer.fenetre.Travail"));
         DescribedPredicate<JavaClass> controleur = describe("le contrôleur", classe -> nom(classe).equals("lancer.fenetre.Controleur"));
         slices().assignedFrom(chacune).should().beFreeOfCycles()

@@ -156,6 +156,13 @@ class MakefileTest extends EssaiProcessus {
         return dire(make(copie(), "MVN=sh maven", "target/lancer.jar")).startsWith("Construction de target/lancer.jar");
     }
 
+    @Test
+    void deuxJarsDemandesALaFoisSeConstruisentLUnApresLAutre() throws Exception {
+        Files.write(dossier.resolve("maven"), "mkdir verrou && sleep 0.3 && rmdir verrou && mkdir -p b/target c/target".getBytes());
+        assertEquals("", dire(make(copie(), "-j8", "MVN=sh maven", "VARIANTES=b c", "JAVA=true", "DISPLAY=:0")).replaceAll(
+                "Construction de .*\n?", ""));
+    }
+
     private static void dater(Path fichier, int secondes) throws IOException {
         Files.setLastModifiedTime(fichier, FileTime.from(Instant.parse("2026-01-01T00:00:00Z").plusSeconds(secondes)));
     }

@@ -20,7 +20,7 @@ import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
-import lancer.rapide.Preparation;
+import lancer.rapide.Structuree;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est vrai de tous les vecteurs, rayons, sphères et scènes : tirages à graine fixe. */
@@ -127,17 +127,16 @@ class ProprietesTest {
         Tirages tirages = new Tirages(44);
         int auCiel = 0;
         for (int n = 0; n < RAYONS; n += PAR_SCENE) {
-            Scene scene = scene(tirages.boules(2 + tirages.hasard.nextInt(20)));
-            scene.getModele().setRecherche(new Preparation(scene, CAMERA).pourUnFil(new Compteurs()));
+            Scene scene = Structuree.scene(scene(tirages.boules(2 + tirages.hasard.nextInt(20))), CAMERA);
             for (int k = 0; k < PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
-                Couleur vue = scene.getCouleurVue(new Rayon(premier.getP(), premier.getV(), new Couleur(1)), null, 12);
+                Couleur vue = scene.getCouleurVue(Rayon.norme(premier.getP(), premier.getV()), null, 12);
                 Couleur part = new Couleur(1);
                 Rayon rayon = premier;
                 PointContact contact = scene.getClosestIntersection(rayon);
                 for (int reflets = 0; contact != null && reflets < 12; reflets++) {
                     part = part.mul(contact.objet.getKs());
-                    rayon = new Rayon(contact, reflechi(rayon.getV(), contact.objet.getNormale(contact)), part);
+                    rayon = Rayon.reflechi(contact, reflechi(rayon.getV(), contact.objet.getNormale(contact)), part);
                     contact = scene.getClosestIntersection(rayon, contact.objet);
                 }
                 Couleur ciel = contact == null ? rayon.getSkyColor() : new Couleur();

@@ -25,7 +25,6 @@ import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.essai.CameraDeplacee;
-import lancer.rapide.Preparation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -223,7 +222,6 @@ class PartageTest {
     void dansUneImageToutEnLongueurLesPetitesBoulesSontVuesCommeParLaGrilleComplete(int largeur, int hauteur) {
         Camera camera = new Camera(largeur, hauteur);
         Scene scene = poussiere(camera, largeur * hauteur / 150, 0.2, 0.4, 0.6);
-        scene.getModele().setRecherche(new Preparation(scene, camera));
         long[] rayons = new long[1];
         double[] juste = rouges(scene, camera, new Coins(16, 0), rayons);
         for (int n : new int[] {3, 4, 8}) {

@@ -13,10 +13,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Graphics;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JSlider;
@@ -110,10 +114,11 @@ class FenetreVariantesTest extends EssaiFenetre {
         int[] vue = banc.imageAchevee().codes.clone();
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         attendre("la copie", () -> BancFenetre.copie().startsWith(debut));
-        String[] copie = ("\n" + BancFenetre.copie()).split("\n; java -\\w+ \\S+ (lancer\\.Main )?");
+        String[] copie = ("\n" + BancFenetre.copie()).split("\n; java ");
         banc.fermer();
         ecrire(ROUGE + copie[0]);
-        String[] commande = copie[1].trim().split(" ");
+        List<String> mots = mots(copie[1].trim());
+        String[] commande = mots.subList(mots.get(0).equals("-cp") ? 3 : 2, mots.size()).toArray(new String[0]);
         Path png = dossier.resolve("copie.png");
         String[] versFichier = Arrays.copyOf(commande, commande.length + 1);
         versFichier[commande.length] = "--image=" + png;
@@ -121,6 +126,14 @@ class FenetreVariantesTest extends EssaiFenetre {
         assertArrayEquals(vue, BancFenetre.codes(ImageIO.read(png.toFile())));
         banc = new BancFenetre(commande);
         assertArrayEquals(vue, banc.imageAchevee().codes);
+    }
+
+    /** Les mots de cette commande, comme les lit le terminal où on la colle. */
+    private static List<String> mots(String commande) throws Exception {
+        Process shell = new ProcessBuilder("sh", "-c", "printf '%s\\n' " + commande).start();
+        try (BufferedReader lignes = new BufferedReader(new InputStreamReader(shell.getInputStream(), StandardCharsets.UTF_8))) {
+            return lignes.lines().collect(Collectors.toList());
+        }
     }
 
     @Test
