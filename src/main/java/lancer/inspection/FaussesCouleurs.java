@@ -189,7 +189,7 @@ public final class FaussesCouleurs {
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
         int raffines = choisi == null ? enGrille(1, voulus, comptee, (c, i, j) -> { })
-                : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
+                : choisi.tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }

@@ -84,7 +84,7 @@ public final class Inspection implements Vue, Toile {
     private void expliquer(int rang) {
         Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
+        echantillonnage.tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
         echantillons = vus.values().stream()
                 .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
                 .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
