@@ -21,7 +21,7 @@ public final class Auto {
     private static final double SUR = 1.64;
 
     /** Nombre de pavés d'un essai. */
-    private static final int PAVES = 24;
+    private static final int PAVES = 12;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
