@@ -85,7 +85,7 @@ final class PanneauVitesse extends JPanel {
             IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
                     : rang -> Constantes.CIEL;
             Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), dessinee, VOULUE,
-                    Long.MAX_VALUE, new SplittableRandom(1));
+                    Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 long dureeNs = prepare.tracer(moins.reglages, prepare.image);

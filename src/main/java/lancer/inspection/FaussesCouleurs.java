@@ -162,8 +162,7 @@ public final class FaussesCouleurs {
             return couleur;
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
-        int raffines = choisi.pour(lancer.getScene().getObjets(), camera)
-                .tracer(pave, voulus, comptee, (c, i, j) -> { });
+        int raffines = choisi.tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }

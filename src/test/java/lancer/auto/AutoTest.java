@@ -173,7 +173,7 @@ class AutoTest {
         assertEquals("erreur voulue dépassée", auto.getVerdict());
     }
 
-    /** Juste sur les pixels essayés un à un, faux sur un pavé entier : seule l'image dessinée le montre. */
+    /** Juste sur les pixels essayés, faux sur un pavé entier : seule l'image dessinée le montre. */
     @Test
     void uneImagePlusFausseQueLesEssaisEstRepriseUneFois() {
         Lancer prepare = Dessin.lancer(CIEL, 100, 80, false);
@@ -181,7 +181,7 @@ class AutoTest {
             @Override
             public void installer(Section valeurs, Modele modele) {
                 modele.setEchantillonnage((pave, voulus, vue, toile) -> {
-                    Couleur ecart = new Couleur(voulus.i1 - voulus.i0 > 1 ? 0.1 : 0);
+                    Couleur ecart = new Couleur(voulus == pave ? 0.1 : 0);
                     return grille(1).tracer(pave, voulus, (xe, ye) -> vue.couleur(xe, ye).add(ecart), toile);
                 });
             }
@@ -192,8 +192,8 @@ class AutoTest {
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
         assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
-        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun
-        assertEquals(8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
+        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et leurs pavés, deux fois
+        assertEquals(3 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
         Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, juste), 1, 2);
         dessiner(depasse);
         assertEquals(faux, depasse.getChoisi());
@@ -201,7 +201,7 @@ class AutoTest {
     }
 
     private static Echantillon echantillon(Lancer prepare, IntFunction<Couleur> dessinee, long graine) {
-        return new Echantillon(prepare, 2, dessinee, 1, 1_000_000, new SplittableRandom(graine));
+        return new Echantillon(prepare, 2, dessinee, 1, 1_000_000, Integer.MAX_VALUE, new SplittableRandom(graine));
     }
 
     /** À un demi d'une composante, dans [0, 1], quel que soit le ciel. */
