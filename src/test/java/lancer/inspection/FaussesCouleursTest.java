@@ -42,7 +42,7 @@ class FaussesCouleursTest {
 
     private ImageMemoire dessiner(Scene vue, String nom) {
         ImageMemoire image = new ImageMemoire(L, H, true);
-        new FaussesCouleurs(new Lancer(vue, camera), 5, 2).dessiner(nom, image, null);
+        new FaussesCouleurs(new Lancer(vue, camera), 5, 2).dessiner(nom, image);
         return image;
     }
 
@@ -83,7 +83,7 @@ class FaussesCouleursTest {
     void uneSeuleDistanceEstBlanche() {
         Scene boule = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 6), 5e-3)), Collections.<Lampe>emptyList());
         ImageMemoire image = new ImageMemoire(1, 1, true);
-        new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), 5, 1).dessiner("distance", image, null);
+        new FaussesCouleurs(new Lancer(boule, new Camera(1, 1)), 5, 1).dessiner("distance", image);
         assertEquals(0xFFFFFFFF, image.codes[0]);
         assertEquals("d = 5.99500", image.dire(0));
     }
@@ -107,13 +107,7 @@ class FaussesCouleursTest {
         assertEquals("vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir", dessiner(scene, "normales").echelle);
         assertEquals("vue lampes : lampes qui éclairent, noir : aucune, blanc : 2 sur 2 ; ciel noir", dessiner(scene, "lampes").echelle);
         assertTrue(dessiner(scene, "rayons").echelle.matches("vue rayons : noir : 1 rayon, rose : \\d+, blanc : \\d+"));
-        ImageMemoire meme = new ImageMemoire(L, H, true);
-        new Lancer(scene, camera).TracerPixels(meme, 5, 2);
-        ImageMemoire image = new ImageMemoire(L, H, false);
-        new FaussesCouleurs(new Lancer(scene, camera), 5, 2).dessiner("difference", image, meme);
-        assertEquals("vue difference : écart, au plus 0 (blanc : 32 niveaux sur 255), avec l'image d'avant", image.echelle);
-        String seule = dessiner(scene, "difference").echelle;
-        assertTrue(seule.matches("vue difference : écart, au plus [1-9][\\d.]+ \\(.*, avec une image de 64 rayons par pixel"), seule);
+
     }
 
     @Test
@@ -152,25 +146,6 @@ class FaussesCouleursTest {
             }
             assertTrue((codes[k] >> 16 & 255) >= (bas >> 16 & 255), "pixel " + k);
         }
-    }
-
-    @Test
-    void laDifferenceEstHuitFoisLeplusGrandEcartAUneGrilleDeSoixanteQuatreRayons() {
-        Lancer lancer = new Lancer(scene, camera);
-        verifier(k -> {
-            Couleur somme = new Couleur();
-            for (int r = 0; r < 64; r++) {
-                somme = somme.add(lancer.getCouleurPixel(k % L + (r % 8 + 0.5) / 8, k / L + (r / 8 + 0.5) / 8, 5));
-            }
-            Couleur juste = somme.div(64);
-            Couleur vue = lancer.getCouleurPixel(k % L + 0.5, k / L + 0.5, 5);
-            double pire = Math.max(ecart(vue.r, juste.r), Math.max(ecart(vue.v, juste.v), ecart(vue.b, juste.b)));
-            return new Couleur(8 * pire);
-        }, vue("difference"));
-    }
-
-    private static double ecart(double a, double b) {
-        return Math.abs(Math.min(1, (float) a) - Math.min(1, (float) b));
     }
 
     @Test
