@@ -6,10 +6,14 @@ import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseEvent;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -92,8 +96,8 @@ final class PanneauReglages extends JScrollPane {
     private void ajouter(String prefixe, Parametre reglage, Supplier<String> present, Consumer<String> siChange,
             BooleanSupplier possible) {
         JLabel valeur = reglage.estUnNombre() ? new JLabel() : null;
-        JComponent composant;
-        Runnable ajustement;
+        final JComponent composant;
+        final Runnable ajustement;
         if (reglage.estUnNombre()) {
             JSlider glissiere = glissiere(reglage, siChange);
             composant = glissiere;
@@ -108,7 +112,7 @@ final class PanneauReglages extends JScrollPane {
             composant = champ;
             ajustement = () -> {
                 // un texte que l'on écrit reste, tant que la valeur est la même
-                if (!present.get().equals(champ.getValue())) {
+                if (!Objects.equals(present.get(), champ.getValue())) {
                     champ.setValue(present.get());
                 }
             };
@@ -120,6 +124,13 @@ final class PanneauReglages extends JScrollPane {
         }
         composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
+        composant.getAccessibleContext().setAccessibleName(composant.getName());
+        composant.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent e) {
+                composant.scrollRectToVisible(new Rectangle(composant.getSize()));
+            }
+        });
         poser(reglage.getTitre(), composant, valeur);
         ajustements.add(() -> {
             ajustement.run();
