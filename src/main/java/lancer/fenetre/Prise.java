@@ -135,7 +135,7 @@ final class Prise extends MouseAdapter {
             }
         }
         Scene montree = controleur.montre.lancer.getScene();
-        PointContact contact = montree.avec(montree.getModele())
+        PointContact contact = montree.pourUnFil()
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
         if (contact != null && contact.objet.getClass() == Sphere.class && !estTropGrande((Sphere) contact.objet)
                 && deplacee.getOrigine(contact.objet) != null) {

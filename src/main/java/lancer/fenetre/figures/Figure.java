@@ -53,7 +53,7 @@ public final class Figure {
     /** À appeler hors du fil des événements. */
     public Figure(Inspection pixel) {
         camera = pixel.camera;
-        scene = pixel.scene.avec(pixel.scene.getModele());
+        scene = pixel.scene.pourUnFil();
         Point depart = null;
         for (Segment segment : pixel.getSegments()) {
             if (depart != null) {
