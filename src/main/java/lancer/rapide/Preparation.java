@@ -6,12 +6,13 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 
 /** La recherche d'une scène et d'une image. Elle est construite de nouveau si un objet a bougé quand un fil la demande. */
 public final class Preparation {
 
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
-    static final int PEU = Integer.getInteger("peu", 15);
+    static final int PEU = 15;
 
     /** Nombre d'objets, puis produit des pixels, des objets et des rayons par contact, d'une petite image. */
     private static final int QUARANTE = 40;
@@ -43,7 +44,11 @@ public final class Preparation {
 
     /** La même scène, dont la recherche a des structures. */
     static Scene structurer(Scene scene, Camera camera) {
-        return scene.avec(new Foule(new Preparation(scene, camera), new Compteurs()));
+        return scene.avec(recherche(scene, camera));
+    }
+
+    static Recherche recherche(Scene scene, Camera camera) {
+        return new Foule(new Preparation(scene, camera), new Compteurs());
     }
 
     synchronized Structures getStructures() {

@@ -18,7 +18,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'une cellule trop pleine. */
     private static final int EXAMENS_MAX = 100;
-    private static final int PLEINE = Integer.getInteger("pleine", 30);
+    private static final int PLEINE = 30;
 
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
@@ -26,8 +26,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Ce qui couvre de plus l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
     private static final double ARRONDI_DU_TRI = 0x1p-26;
 
-    /** Plus petite composante de la direction dans les cellules : une autre serait nulle. */
-    private static final double COMPOSANTE_MIN = 1e-300;
+    /** Plus petite composante de la direction dans les cellules, à la place d'une plus petite : rien n'y déborde. */
+    private static final double COMPOSANTE_MIN = 1e-180;
 
     /** Écart permis à 1 du carré de la longueur d'une direction. */
     private static final double UNITAIRE = 1e-14;

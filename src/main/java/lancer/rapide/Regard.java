@@ -62,7 +62,7 @@ public final class Regard {
         for (int k = 0; k < rayons && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
-            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), dans(tirer(classe), hasard.nextDouble()));
+            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), dans(tirer(classe), 2 * hasard.nextDouble()));
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))
