@@ -122,7 +122,7 @@ class CurseurTest {
         for (int k = 0; k < 2000; k++) {
             Point ailleurs = new Point(hasard.nextGaussian(), hasard.nextGaussian(), k % 3 == 0 ? 0 : 4 * hasard.nextGaussian());
             Vecteur v = new Vecteur(hasard.nextGaussian() / 3, hasard.nextGaussian() / 3, 1).normalized();
-            Rayon rayon = Rayon.norme(ailleurs, k % 7 == 0 ? v.mul(1.5) : v);
+            Rayon rayon = Rayon.unitaire(ailleurs, k % 7 == 0 ? v.mul(1.5) : v);
             Objet3D depart = k % 2 == 0 || scene.getObjets().isEmpty() ? null : scene.getObjets().get(k % scene.getObjets().size());
             scene.getClosestIntersection(rayon, depart);
             double distance = rayon.getDistance();
@@ -187,7 +187,7 @@ class CurseurTest {
         Random hasard = new Random(3);
         for (int k = 0; k < 500; k++) {
             Rayon rayon = CAMERA.getRayon(97 * hasard.nextDouble(), 61 * hasard.nextDouble());
-            Rayon attendu = Rayon.norme(rayon.getP(), rayon.getV());
+            Rayon attendu = Rayon.unitaire(rayon.getP(), rayon.getV());
             boucles.getClosestIntersection(attendu);
             Objet3D plusProche = null;
             double distance = Double.POSITIVE_INFINITY;
