@@ -68,10 +68,18 @@ public class Tests extends Valeurs {
         return vue(scene, rayon, sansReflet);
     }
 
-    /** Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. */
+    /**
+     * Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. Qui divise
+     * par leur nombre n'en a pas sans elles.
+     */
     private Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
-        Rayon encore = new Rayon(rayon.getP(), rayon.getV());
-        return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(vue(scene(null, boules), encore));
+        Couleur sans = vue(scene(null, boules), encore(rayon));
+        return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(Double.isNaN(sans.r) ? NOIR : sans);
+    }
+
+    /** Le même rayon, à qui rien n'a été demandé. */
+    private static Rayon encore(Rayon rayon) {
+        return new Rayon(rayon.getP(), rayon.getV());
     }
 
     /** Un rayon que rien ne distingue de celui-ci, aux arrondis près : il part un peu plus loin, et d'un rien à côté. */
@@ -123,6 +131,11 @@ public class Tests extends Valeurs {
                 }
             }
         }
+        Sphere obstacle = boule(0.5, 1, -1.5, 1);
+        if (noirs.size() == points
+                && !pres(vue(scene(null, boule, obstacle), devant()), vue(scene(lampe, boule, obstacle), devant()))) {
+            return "une boule est noire quand rien ne la cache, et éclairée quand une autre la cache : la condition de l'ombre est à l'envers";
+        }
         // le rayon d'ombre en est la cause si, sans la boule, le même point est éclairé ; ou, pour qui veut toujours la
         // retrouver, si un point dont rien n'est arrondi est éclairé
         boolean ombre = !noirs.isEmpty() && (eclaireSansElle(seule, lampe, noirs.get(0)) || noirs.size() < points && sansArrondi());
@@ -152,6 +165,40 @@ public class Tests extends Valeurs {
         Lampe lampe = lampe(0, 0, 3);
         Scene seule = scene(lampe, ailleurs(), boule(gris, NOIR, 1));
         return !pres(NOIR, vue(seule, devant())) && !eclaireSansElle(seule, lampe, devant());
+    }
+
+    /** Une boule loin de tout, qui retient les rayons à qui l'on demande s'ils la rencontrent. */
+    private static final class Temoin extends Sphere {
+
+        private final List<Rayon> rayons = new ArrayList<>();
+
+        Temoin(Point centre) {
+            super(centre, 1);
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            rayons.add(incident);
+            return super.getIntersectionDistance(incident);
+        }
+    }
+
+    /** Les rayons que lance getColor, là où celui-ci rencontre cette boule. */
+    private List<Rayon> lances(List<Lampe> lampes, Rayon rayon, int profondeur, Sphere boule) {
+        double[] loin = lieu(0, 0, -60);
+        Temoin temoin = new Temoin(new Point(loin[0], loin[1], loin[2]));
+        Scene scene = new Scene(Arrays.asList(boule, temoin), lampes);
+        PointContact contact = scene.getClosestIntersection(rayon, null);
+        temoin.rayons.clear();
+        if (contact != null) {
+            contact.objet.getColor(scene, rayon, contact, profondeur);
+        }
+        return temoin.rayons;
+    }
+
+    private static String vers(Rayon rayon) {
+        return "un rayon de " + texte(rayon.getP().x, rayon.getP().y, rayon.getP().z) + " dans la direction "
+                + texte(rayon.getV().x, rayon.getV().y, rayon.getV().z);
     }
 
     /** Abandonne le test tant que getClosestIntersection ne trouve rien, même parmi deux boules. */
@@ -484,6 +531,11 @@ public class Tests extends Valeurs {
             plusProche("une seule boule", pres, scene(null, pres).getClosestIntersection(devant, null));
             plusProche(boules + "lointaine en premier", pres, scene(null, loin, pres).getClosestIntersection(devant, null));
             plusProche(boules + "proche en premier", pres, scene(null, pres, loin).getClosestIntersection(devant, null));
+            Sphere aCote = boule(0, 9, d + r, r);
+            plusProche("une boule que le rayon manque, puis une à " + nb(d), pres,
+                    scene(null, aCote, pres).getClosestIntersection(devant, null));
+            plusProche("une boule à " + nb(d) + ", puis une que le rayon manque", pres,
+                    scene(null, pres, aCote).getClosestIntersection(devant, null));
         }
 
         @Test @Order(4) @Tag("Scene")
@@ -738,9 +790,12 @@ public class Tests extends Valeurs {
         /** Dit si Ks ou ns changent quoi que ce soit d'une boule éclairée. */
         private boolean matiereBrillante() {
             Lampe lampe = lampe(s, 0, 4 - c);
-            Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), devant());
-            return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
-                    .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), devant())));
+            // de face et de biais : R.V, au lieu de R.-V, n'est positif que vu de très près de la surface
+            return Stream.of(devant(), rayon(-4 * sr, 0, 4 - 4 * cr, sr, 0, cr)).anyMatch(r -> {
+                Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), encore(r));
+                return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
+                        .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), encore(r))));
+            });
         }
 
         private boolean refletRasant(int cote) {
@@ -836,6 +891,18 @@ public class Tests extends Valeurs {
 
         private Couleur eclairee;
         private Couleur eteinte;
+        /** Le rayon que lance getColor, s'il ne joint pas la lampe et le contact ; vide s'il les joint, ou s'il n'y en a pas. */
+        private String autreRayon;
+
+        /** Dit si ce rayon va de la lampe au contact, ou du contact à la lampe ; ou si c'est le miroir de celui de l'œil. */
+        private boolean joint(Rayon r) {
+            double[] p = {r.getP().x, r.getP().y, r.getP().z};
+            double[] v = {r.getV().x, r.getV().y, r.getV().z};
+            double cosinus = produit(direction(s, 0, -c), v);
+            boolean versLeContact = cosinus < -0.999;
+            double[] ecart = somme(p, -1, versLeContact ? lieu(s * D, 0, 4 - c * D) : lieu(0, 0, 4));
+            return produit(ecart, ecart) < 0.01 && (Math.abs(cosinus) > 0.999 || produit(direction(0, 0, -1), v) > 0.999);
+        }
 
         @BeforeEach
         void commencee() {
@@ -846,15 +913,19 @@ public class Tests extends Valeurs {
             }
             assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
                     "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            List<Rayon> lances = lances(Collections.singletonList(lampe), aCote(devant(), ou), sansReflet, boule);
+            autreRayon = lances.isEmpty() || lances.stream().anyMatch(this::joint) ? ""
+                    : " ; getColor lance " + vers(lances.get(0)) + ", qui ne joint pas la lampe " + point(s * D, 0, 4 - c * D)
+                    + " et le contact " + point(0, 0, 4);
             assumeTrue(Stream.of(aMiChemin(), surLeChemin(0.8, 0), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
                     .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
-                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null,
+                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null || !autreRayon.isEmpty(),
                     "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
         void unObstacleMetALOmbre() {
-            verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte", eteinte,
+            verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte" + autreRayon, eteinte,
                     couleur(lampe, boule, aMiChemin()));
         }
 
@@ -911,12 +982,17 @@ public class Tests extends Valeurs {
         void commencee() {
             couleurCommencee();
             try {
-                assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue(),
+                lances = lances(Collections.<Lampe>emptyList(), devant(), 1, miroir(Ks));
+                assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
+                        || !lances.isEmpty(),
                         "étape non commencée : pour l'instant, la profondeur ne change encore aucune couleur");
             } catch (StackOverflowError e) {
                 // commencée, et sans fin : la vérification le dira mieux
             }
         }
+
+        /** Ceux de la profondeur 1, devant un miroir et sans lampe. */
+        private List<Rayon> lances = Collections.emptyList();
 
         /** De normale (0, 0.6, -0.8), un miroir renvoie (0, 0, 1) dans la direction (0, 0.96, -0.28). */
         private Sphere miroir(Couleur Ks) {
@@ -934,8 +1010,9 @@ public class Tests extends Valeurs {
             List<Sphere> sans = new ArrayList<>(Arrays.asList(autres));
             avec.add(miroir(Ks));
             sans.add(miroir(NOIR));
-            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), new Rayon(rayon.getP(), rayon.getV()), profondeur)
-                    .sub(vue(new Scene(sans, lampes), rayon, profondeur)));
+            // sans Ks, à la profondeur qui ne montre rien : qui oublie Ks voit son reflet en entier
+            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), encore(rayon), profondeur)
+                    .sub(vue(new Scene(sans, lampes), rayon)));
         }
 
         private void verifierReflet(String demande, Couleur attendue, List<Lampe> lampes, int profondeur, Sphere... autres) {
@@ -952,16 +1029,20 @@ public class Tests extends Valeurs {
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
-            verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz), Ks.mul(ciel),
+            verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz)
+                    + (lances.isEmpty() ? "" : " ; getColor lance " + vers(lances.get(0))), Ks.mul(ciel),
                     Collections.singletonList(lampe), 1);
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété s'ajoute à l'éclairement, une fois quel que soit le nombre de lampes")
         void unRefletNeSAjouteQuUneFois() {
             verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
             int combien = entier(2, 2, 4);
             verifierReflet("avec " + (combien == 2 ? "deux" : "trois") + " lampes", Ks.mul(ciel), lampes.subList(0, combien), 1);
+            Scene eclairee = scene(lampe, boule(0, -sn, z + cn, 1, gris, Ks, 1e5));
+            verifier("une boule mate et miroir, Kd = " + texte(gris) + ", éclairée : la profondeur 1 moins la profondeur 0", Ks.mul(ciel),
+                    aCote(devant(), c -> pres(Ks.mul(ciel), c), r -> vue(eclairee, encore(r), 1).sub(vue(eclairee, r))));
         }
 
         @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
