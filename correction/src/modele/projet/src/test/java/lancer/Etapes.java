@@ -136,12 +136,13 @@ public class Etapes implements TestExecutionListener {
                 boolean demandee = sansFin && premiere(cause, p -> intitule.matches(".*\\b" + p.getMethodName() + "\\b.*")).isPresent();
                 lieu = premiere(cause, Causes::deLEtudiant).filter(p -> !demandee).map(Lieu::new).orElse(Lieu.nomme(classe, intitule));
             }
-            nonEvaluable = abandonnee && message.startsWith("étape non évaluable");
+            boolean expliquee = abandonnee && message.startsWith("étape non évaluable");
+            nonEvaluable = expliquee && !lieu.aEcrire;
             Lieu perdu = nonEvaluable ? null : lieu.perdu();
             aCommencer = perdu == null && !nonEvaluable && (lieu.aEcrire || abandonnee && cause.getMessage().contains("étape non commencée")
                     && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
             rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
-            titre = abandonnee && aCommencer ? message : intitule;
+            titre = aCommencer && abandonnee && !expliquee ? message : intitule;
             dit = perdu == null ? message : "rien ne garde le résultat de « " + perdu.texte.trim() + " » ; " + message;
             aFaire = (aCommencer ? "compléter : " : "reprendre : ") + (perdu == null ? lieu : perdu);
         }
