@@ -738,6 +738,8 @@ public class Tests extends Valeurs {
             verifierApport("une lampe blanche à N.L = 1, une " + texte(couleurOrange) + " à N.L = " + nb(c) + ", Kd = "
                     + texte(gris), gris.add(gris.mul(couleurOrange).mul(c)),
                     Arrays.asList(lampe(0, 0, 3), deBiais(1, couleurOrange)), devant(), boule(gris, NOIR, 1));
+            verifierApport("une lampe derrière la boule, puis une droit devant : Kd = " + texte(gris), gris,
+                    Arrays.asList(lampe(0, 0, 9), lampe(0, 0, 3)), devant(), boule(gris, NOIR, 1));
         }
 
         @Test @Order(9) @Tag("Objet3D") @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
@@ -894,14 +896,15 @@ public class Tests extends Valeurs {
         /** Le rayon que lance getColor, s'il ne joint pas la lampe et le contact ; vide s'il les joint, ou s'il n'y en a pas. */
         private String autreRayon;
 
-        /** Dit si ce rayon va de la lampe au contact, ou du contact à la lampe ; ou si c'est le miroir de celui de l'œil. */
+        /** Dit si ce rayon part de là, dans cette direction. */
+        private boolean va(Rayon r, double[] depart, double[] direction) {
+            double[] ecart = somme(depart, -1, new double[] {r.getP().x, r.getP().y, r.getP().z});
+            return produit(ecart, ecart) < 0.01 && produit(direction, new double[] {r.getV().x, r.getV().y, r.getV().z}) > 0.999;
+        }
+
+        /** Dit si ce rayon va de la lampe au contact, ou du contact à la lampe. */
         private boolean joint(Rayon r) {
-            double[] p = {r.getP().x, r.getP().y, r.getP().z};
-            double[] v = {r.getV().x, r.getV().y, r.getV().z};
-            double cosinus = produit(direction(s, 0, -c), v);
-            boolean versLeContact = cosinus < -0.999;
-            double[] ecart = somme(p, -1, versLeContact ? lieu(s * D, 0, 4 - c * D) : lieu(0, 0, 4));
-            return produit(ecart, ecart) < 0.01 && (Math.abs(cosinus) > 0.999 || produit(direction(0, 0, -1), v) > 0.999);
+            return va(r, lieu(s * D, 0, 4 - c * D), direction(-s, 0, c)) || va(r, lieu(0, 0, 4), direction(s, 0, -c));
         }
 
         @BeforeEach
@@ -914,12 +917,14 @@ public class Tests extends Valeurs {
             assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
                     "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
             List<Rayon> lances = lances(Collections.singletonList(lampe), aCote(devant(), ou), sansReflet, boule);
+            // un reflet n'est pas d'une ombre
+            lances.removeIf(r -> va(r, lieu(0, 0, 4), direction(0, 0, -1)));
             autreRayon = lances.isEmpty() || lances.stream().anyMatch(this::joint) ? ""
                     : " ; getColor lance " + vers(lances.get(0)) + ", qui ne joint pas la lampe " + point(s * D, 0, 4 - c * D)
                     + " et le contact " + point(0, 0, 4);
             assumeTrue(Stream.of(aMiChemin(), surLeChemin(0.8, 0), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
                     .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
-                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null || !autreRayon.isEmpty(),
+                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null || !lances.isEmpty(),
                     "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
@@ -960,6 +965,8 @@ public class Tests extends Valeurs {
             Lampe autre = lampe(-s * D, 0, 4 - c * D);
             verifier("la première de deux lampes est cachée : il reste l'autre", couleur(autre, boule),
                     vue(new Scene(boules, Arrays.asList(lampe, autre)), aCote(devant(), ou)));
+            verifier("la seconde de deux lampes est cachée : il reste la première", couleur(autre, boule),
+                    vue(new Scene(boules, Arrays.asList(autre, lampe)), aCote(devant(), ou)));
         }
     }
 
@@ -982,8 +989,8 @@ public class Tests extends Valeurs {
         void commencee() {
             couleurCommencee();
             try {
-                lances = lances(Collections.<Lampe>emptyList(), devant(), 1, miroir(Ks));
-                assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
+                lances = lances(Collections.<Lampe>emptyList(), devant(), 1, miroir(NOIR, Ks));
+                assumeTrue(!pres(NOIR, reflet(NOIR, c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
                         || !lances.isEmpty(),
                         "étape non commencée : pour l'instant, la profondeur ne change encore aucune couleur");
             } catch (StackOverflowError e) {
@@ -995,8 +1002,8 @@ public class Tests extends Valeurs {
         private List<Rayon> lances = Collections.emptyList();
 
         /** De normale (0, 0.6, -0.8), un miroir renvoie (0, 0, 1) dans la direction (0, 0.96, -0.28). */
-        private Sphere miroir(Couleur Ks) {
-            return boule(0, -sn, z + cn, 1, NOIR, Ks, 1e5);
+        private Sphere miroir(Couleur Kd, Couleur Ks) {
+            return boule(0, -sn, z + cn, 1, Kd, Ks, 1e5);
         }
 
         /** Le rayon réfléchi, parti un peu plus loin. */
@@ -1005,24 +1012,24 @@ public class Tests extends Valeurs {
         }
 
         /** Ce que montre une boule parce que Ks n'est pas nul. */
-        private Couleur reflet(Predicate<Couleur> convient, List<Lampe> lampes, int profondeur, Sphere... autres) {
+        private Couleur reflet(Couleur Kd, Predicate<Couleur> convient, List<Lampe> lampes, int profondeur, Sphere... autres) {
             List<Sphere> avec = new ArrayList<>(Arrays.asList(autres));
             List<Sphere> sans = new ArrayList<>(Arrays.asList(autres));
-            avec.add(miroir(Ks));
-            sans.add(miroir(NOIR));
+            avec.add(miroir(Kd, Ks));
+            sans.add(miroir(Kd, NOIR));
             // sans Ks, à la profondeur qui ne montre rien : qui oublie Ks voit son reflet en entier
             return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), encore(rayon), profondeur)
                     .sub(vue(new Scene(sans, lampes), rayon)));
         }
 
         private void verifierReflet(String demande, Couleur attendue, List<Lampe> lampes, int profondeur, Sphere... autres) {
-            verifier(demande, attendue, reflet(c -> pres(attendue, c), lampes, profondeur, autres));
+            verifier(demande, attendue, reflet(NOIR, c -> pres(attendue, c), lampes, profondeur, autres));
         }
 
         /** Dit si la profondeur change la couleur d'une boule, mate ou brillante, devant le ciel ou devant une autre. */
         private boolean profondeurVue() {
             Sphere autre = boule(0, ry * 5, z + rz * 5, 1, gris, gris, 1);
-            return Stream.of(miroir(BLANC), boule(0, -sn, z + cn, 1, gris, gris, 1), boule(0, -sn, z + cn, 1, gris, NOIR, 1))
+            return Stream.of(miroir(NOIR, BLANC), boule(0, -sn, z + cn, 1, gris, gris, 1), boule(0, -sn, z + cn, 1, gris, NOIR, 1))
                     .anyMatch(b -> Stream.of(scene(lampe, b), scene(lampe, b, autre), scene(null, b))
                     .anyMatch(scene -> !pres(vue(scene, devant()), vue(scene, devant(), 2))));
         }
@@ -1040,9 +1047,8 @@ public class Tests extends Valeurs {
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
             int combien = entier(2, 2, 4);
             verifierReflet("avec " + (combien == 2 ? "deux" : "trois") + " lampes", Ks.mul(ciel), lampes.subList(0, combien), 1);
-            Scene eclairee = scene(lampe, boule(0, -sn, z + cn, 1, gris, Ks, 1e5));
-            verifier("une boule mate et miroir, Kd = " + texte(gris) + ", éclairée : la profondeur 1 moins la profondeur 0", Ks.mul(ciel),
-                    aCote(devant(), c -> pres(Ks.mul(ciel), c), r -> vue(eclairee, encore(r), 1).sub(vue(eclairee, r))));
+            verifier("une boule mate et miroir, Kd = " + texte(gris) + ", moins la même où Ks est nul", Ks.mul(ciel),
+                    reflet(gris, c -> pres(Ks.mul(ciel), c), Collections.singletonList(lampe), 1));
         }
 
         @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
@@ -1061,7 +1067,7 @@ public class Tests extends Valeurs {
             double D = tirer(5, 4.5, 6);
             Sphere mate = boule(0, ry * D, z + rz * D, tirer(1, 0.7, 1.2), teinte(0.25, 0.5, 0.75), NOIR, 1);
             Lampe derriere = orange(0, 0, tirer(8, 7.8, 9));
-            Scene scene = scene(derriere, miroir(Ks), mate);
+            Scene scene = scene(derriere, miroir(NOIR, Ks), mate);
             Couleur reflechie = aCote(reflechi(1), c -> !pres(NOIR, c), r -> vue(scene, r, 1));
             for (double t = 0.25; t < 2; t += 0.25) {
                 assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, aCote(reflechi(t), c -> pres(reflechie, c),

@@ -1,13 +1,10 @@
 package lancer.correction.depot;
 
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
-
 /** Une faute de compilation : son fichier, sa ligne, et ce que dit le compilateur. */
 public final class Faute {
 
-    private static final Pattern ABSENTE = Pattern.compile("The method .* is undefined for the type (?:\\w+\\.)*(\\w+)\\b.*");
+    /** Une méthode de Java, dans une des classes qu'un étudiant emploie. */
+    private static final String ABSENTE = "The method .* is undefined for the type (java\\..*|(Math|String|List|Arrays|Stream|Optional)\\b.*)";
 
     public final String fichier;
     public final int ligne;
@@ -31,13 +28,7 @@ public final class Faute {
 
     /** Ce message, cité ; et, s'il y manque une méthode de Java, la version de Java de la correction. */
     public static String citer(String message) {
-        Matcher absente = ABSENTE.matcher(message);
-        return "le compilateur dit « " + message + " »" + (absente.matches() && estDeJava(absente.group(1)) ? " ; Java "
-                + Runtime.version().feature() + ", celui de la correction, n'a pas cette méthode, qu'un Java plus récent a peut-être" : "");
-    }
-
-    private static boolean estDeJava(String classe) {
-        return Stream.of("java.lang.", "java.util.", "java.util.stream.")
-                .anyMatch(paquet -> ClassLoader.getPlatformClassLoader().getResource((paquet + classe).replace('.', '/') + ".class") != null);
+        return "le compilateur dit « " + message + " »" + (!message.matches(ABSENTE) ? "" : " ; Java " + Runtime.version().feature()
+                + ", celui de la correction, n'a pas cette méthode, qu'un Java plus récent a peut-être");
     }
 }

@@ -40,7 +40,7 @@ public class Etapes implements TestExecutionListener {
             "// FIXME.*\\R\\s*(?:super\\(0, 0, 0\\)|(?:return|.* =) (?:[01]|null|new \\w+\\((?:[01], [01], 0)?\\)));");
 
     /** Un calcul dont rien ne garde le résultat : les opérations du cours ne changent pas ce à quoi on les demande. */
-    private static final Pattern PERDU = Pattern.compile("(?m)^\\s*((\\w+)\\.(?:add|sub|mul|div|neg|normalized)\\(.*\\);)");
+    private static final Pattern PERDU = Pattern.compile("(?m)^\\s*((?:this\\.)?(\\w+)\\.(?:add|sub|mul|div|neg|normalized?)\\(.*\\);)");
 
     private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
 
@@ -237,7 +237,7 @@ public class Etapes implements TestExecutionListener {
             Matcher m = PERDU.matcher(texte);
             while (m.find()) {
                 // une liste, elle, change
-                if (source(classe).matches("(?s).*\\b(Couleur|Vecteur|Point) " + m.group(2) + "\\b.*")) {
+                if (source(classe).matches("(?s).*\\b(Couleur|Vecteur|Point) " + m.group(2) + "\\b.*") || m.group(2).equals("Vecteur")) {
                     int ici = source(classe).indexOf(texte) + m.start(1);
                     return new Lieu(classe, source(classe), ici, ici + m.group(1).length());
                 }
