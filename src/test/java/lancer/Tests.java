@@ -131,9 +131,7 @@ public class Tests extends Valeurs {
                 }
             }
         }
-        Sphere obstacle = boule(0.5, 1, -1.5, 1);
-        if (noirs.size() == points
-                && !pres(vue(scene(null, boule, obstacle), devant()), vue(scene(lampe, boule, obstacle), devant()))) {
+        if (!noirs.isEmpty() && eclaireeParUnObstacle(boule, lampe, noirs.get(0))) {
             return "une boule est noire quand rien ne la cache, et éclairée quand une autre la cache : la condition de l'ombre est à l'envers";
         }
         // le rayon d'ombre en est la cause si, sans la boule, le même point est éclairé ; ou, pour qui veut toujours la
@@ -141,6 +139,14 @@ public class Tests extends Valeurs {
         boolean ombre = !noirs.isEmpty() && (eclaireSansElle(seule, lampe, noirs.get(0)) || noirs.size() < points && sansArrondi());
         return ombre ? noirs.size() + " points noirs sur " + points
                 + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même" : null;
+    }
+
+    /** Dit si ce que voit ce rayon, noir, s'éclaire quand une autre boule le cache à la lampe. */
+    private boolean eclaireeParUnObstacle(Sphere boule, Lampe lampe, Rayon rayon) {
+        PointContact contact = scene(null, boule).getClosestIntersection(rayon, null);
+        Point p = lampe.getPosition();
+        Sphere obstacle = new Sphere(new Point((contact.x + p.x) / 2, (contact.y + p.y) / 2, (contact.z + p.z) / 2), 1);
+        return !pres(vue(scene(null, boule, obstacle), encore(rayon)), vue(scene(lampe, boule, obstacle), encore(rayon)));
     }
 
     /** La première boule d'une scène, loin de tout : elle n'est pas celle qu'un rayon d'ombre doit ignorer. */
@@ -185,7 +191,7 @@ public class Tests extends Valeurs {
 
     /** Les rayons que lance getColor, là où celui-ci rencontre cette boule. */
     private List<Rayon> lances(List<Lampe> lampes, Rayon rayon, int profondeur, Sphere boule) {
-        double[] loin = lieu(0, 0, -60);
+        double[] loin = lieu(-60, 0, 20);
         Temoin temoin = new Temoin(new Point(loin[0], loin[1], loin[2]));
         Scene scene = new Scene(Arrays.asList(boule, temoin), lampes);
         PointContact contact = scene.getClosestIntersection(rayon, null);
@@ -441,6 +447,10 @@ public class Tests extends Valeurs {
         void lEcartALAxeCompte() {
             distance("rayon de " + point(0, r * s, 0) + " vers " + vers(0, 0, 1) + " : demi-corde " + nb(r * c) + ", donc "
                     + nb(D) + " - " + nb(r * c), D - r * c, sphere, rayon(0, r * s, 0, 0, 0, 1));
+            // d'un autre rayon que 1, et près du bord
+            double R = tirer(2, 1.7, 2.5);
+            double y = 0.9 * R;
+            distance("la même, de rayon " + nb(R) + ", vue de " + point(0, y, 0), D - sinus(0.9) * R, boule(0, 0, D, R), rayon(0, y, 0, 0, 0, 1));
         }
 
         @Test @Order(3) @Tag("Sphere") @DisplayName("sans intersection, la distance est +∞")

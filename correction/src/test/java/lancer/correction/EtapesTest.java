@@ -26,7 +26,8 @@ class EtapesTest {
 
     /** Des fautes qui se voient plus ou moins selon les valeurs : elles arrondissent, ou ne changent rien là où un rayon vaut 1. */
     private static final Set<String> SELON_LES_VALEURS = Set.of("dot-en-entier", "norme2-en-entier", "rayon-sans-carre",
-            "centre-oublie", "ombre-par-equals", "ombre-par-la-distance-egale-ou-rien");
+            "centre-oublie", "ombre-par-equals", "ombre-par-la-distance-egale",
+            "ombre-par-la-distance-egale-ou-rien");
 
     @TempDir
     static Path dossier;

@@ -215,13 +215,13 @@ public class Etapes implements TestExecutionListener {
         private static Lieu methode(String classe, String source, String nom, String parametres) {
             Lieu ou = null;
             int meilleur = Integer.MIN_VALUE;
-            Matcher m = Pattern.compile("(?m)^(?: {4}|\t)(?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\\n(?: {4}|\t)}")
+            Matcher m = Pattern.compile("(?m)^(\\h+)(?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\\n\\1}")
                     .matcher(source);
             while (m.find()) {
                 // de deux méthodes de ce nom, celle qui a ces paramètres, et aucun autre ; puis celle qui a le plus à dire
-                int accord = m.group().length() - (parametres.isEmpty() ? 0 : 5_000 * m.group(1).split(",").length);
+                int accord = m.group().length() - (parametres.isEmpty() ? 0 : 5_000 * m.group(2).split(",").length);
                 for (String parametre : parametres.split("\\W+")) {
-                    accord += m.group(1).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
+                    accord += m.group(2).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
                 }
                 if (accord > meilleur) {
                     meilleur = accord;
