@@ -3,7 +3,6 @@ package lancer.correction.depot;
 /** Une faute de compilation : son fichier, sa ligne, et ce que dit le compilateur. */
 public final class Faute {
 
-    /** Une méthode de Java, dans une des classes qu'un étudiant emploie. */
     private static final String ABSENTE = "The method .* is undefined for the type (java\\..*|(Math|String|List|Arrays|Stream|Optional)\\b.*)";
 
     public final String fichier;
