@@ -304,7 +304,8 @@ abstract class Repetition {
                 String triplets = mondes[0].triplets();
                 question.premiere = question.poser(mondes[0]);
                 if (!triplets.equals(mondes[0].triplets())) {
-                    dire(question, " : un vecteur ou un point qui sert au calcul en ressort changé ; attendu : un nouveau, et le premier intact");
+                    dire(question, " : un vecteur ou un point qui sert au calcul en ressort changé ; attendu : un nouveau, et le "
+                            + "premier intact");
                     return;
                 }
             }

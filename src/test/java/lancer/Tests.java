@@ -132,7 +132,8 @@ public class Tests extends Valeurs {
             }
         }
         if (!noirs.isEmpty() && eclaireeParUnObstacle(boule, lampe, noirs.get(0))) {
-            return "une boule est noire quand rien ne la cache, et éclairée quand une autre la cache : la condition de l'ombre est à l'envers";
+            return "une boule est noire quand rien ne la cache, et éclairée quand une autre la cache : la condition de l'ombre "
+                    + "est à l'envers";
         }
         // le rayon d'ombre en est la cause si, sans la boule, le même point est éclairé ; ou, pour qui veut toujours la
         // retrouver, si un point dont rien n'est arrondi est éclairé
@@ -450,7 +451,8 @@ public class Tests extends Valeurs {
             // d'un autre rayon que 1, et près du bord
             double R = tirer(2, 1.7, 2.5);
             double y = 0.9 * R;
-            distance("la même, de rayon " + nb(R) + ", vue de " + point(0, y, 0), D - sinus(0.9) * R, boule(0, 0, D, R), rayon(0, y, 0, 0, 0, 1));
+            distance("la même, de rayon " + nb(R) + ", vue de " + point(0, y, 0), D - sinus(0.9) * R, boule(0, 0, D, R),
+                    rayon(0, y, 0, 0, 0, 1));
         }
 
         @Test @Order(3) @Tag("Sphere") @DisplayName("sans intersection, la distance est +∞")

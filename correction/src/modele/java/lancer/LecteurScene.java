@@ -21,7 +21,7 @@ class LecteurScene {
     //+ private final Brume brume = new Brume(0);
     //>
 
-    /** @throws IllegalArgumentException si le fichier ne peut être lu, ou s'il y manque quelque chose, ou s'y trouve deux fois */
+    /** @throws IllegalArgumentException si le fichier ne peut être lu, ou si une clé y manque ou s'y trouve deux fois */
     LecteurScene(String fichier) {
         this.fichier = fichier;
         try {
@@ -112,7 +112,7 @@ class LecteurScene {
             dedans = nue.trim().startsWith("[") ? nue.trim().equals("[" + section.getName() + "]") : dedans;
             ligne = dedans && (nue.trim().startsWith("[") || nue.split("[=:]")[0].trim().equals(cle)) ? numero : ligne;
         }
-        return new IllegalArgumentException(fichier + ":" + ligne + ", [" + section.getName() + "]" + (cle.isEmpty() ? "" : ", " + cle)
-                + " : attendu, " + attendu);
+        return new IllegalArgumentException(fichier + ":" + ligne + ", [" + section.getName() + "]"
+                + (cle.isEmpty() ? "" : ", " + cle) + " : attendu, " + attendu);
     }
 }

@@ -54,7 +54,8 @@ public class Main implements Toile {
         try {
             GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
         } catch (HeadlessException | AWTError e) {
-            System.err.println("Pas d'écran ici. Un second argument, image.png par exemple, dit où écrire l'image sans ouvrir de fenêtre.");
+            System.err.println("Pas d'écran ici. Un second argument, image.png par exemple, dit où écrire l'image, "
+                    + "sans ouvrir de fenêtre.");
             System.exit(1);
         }
     }

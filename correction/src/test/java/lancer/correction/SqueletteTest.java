@@ -90,16 +90,17 @@ class SqueletteTest extends ClasseEssai {
         assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
         BufferedImage image = dessiner(dossier.resolve("classes"), projet.resolve("scenes/scene1.ini"));
         assertTrue(Arrays.stream(image.getRGB(0, 0, 800, 600, null, 0, 800)).allMatch(c -> c == 0xFF00FF00));
-        Process sansEcran = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Djava.awt.headless=true",
-                "-cp", dossier.resolve("classes") + File.pathSeparator + ini4j(), "lancer.Main", projet.resolve("scenes/scene1.ini").toString())
-                .redirectErrorStream(true).start();
+        String java = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
+        Process sansEcran = new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", dossier.resolve("classes") + File.pathSeparator
+                + ini4j(), "lancer.Main", projet.resolve("scenes/scene1.ini").toString()).redirectErrorStream(true).start();
         String dit = new String(sansEcran.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertTrue(dit.matches("Pas d'.cran ici\\. Un second argument, image\\.png[^\n]*\n") && sansEcran.waitFor() == 1, dit);
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "[Lampe a];position=0 0 0;couleur=1 1 1;[Lampe a];position=1 0 0;couleur=1 1 1 | :4, [Lampe a] : attendu, un autre nom : celui-ci est déjà pris",
+        "[Lampe a];position=0 0 0;couleur=1 1 1;[Lampe a];position=1 0 0;couleur=1 1 1 "
+            + "| :4, [Lampe a] : attendu, un autre nom : celui-ci est déjà pris",
         "[Sphere a];rayon=1;centre=0,5 0 6 | :3, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, avec un point décimal ; "
             + "obtenu, « 0,5 0 6 »",
         "[Sphere a];rayon=1;[Sphere b];centre=0 0 6 | :1, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, une fois",

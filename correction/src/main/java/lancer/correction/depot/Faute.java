@@ -3,7 +3,7 @@ package lancer.correction.depot;
 /** Une faute de compilation : son fichier, sa ligne, et ce que dit le compilateur. */
 public final class Faute {
 
-    private static final String ABSENTE = "The method .* is undefined for the type (java\\..*|(Math|String|List|Arrays|Stream|Optional)\\b.*)";
+    private static final String ABSENTE = "The method .* is undefined for the type (java\\.|(Math|String|List|Arrays|Stream)\\b).*";
 
     public final String fichier;
     public final int ligne;

@@ -9,8 +9,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 class FauteTest {
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"The method clamp(double, int, int) is undefined for the type java.lang.Math | true",
-        "The method getFirst() is undefined for the type List<Lampe> | true", "The method norm() is undefined for the type lancer.Vecteur | false",
+    @CsvSource(delimiter = '|', value = {
+        "The method clamp(double, int, int) is undefined for the type java.lang.Math | true",
+        "The method clamp(double, int, int) is undefined for the type Math | true",
+        "The method getFirst() is undefined for the type List<Lampe> | true",
+        "The method norm() is undefined for the type lancer.Vecteur | false",
         "Syntax error, insert \";\" to complete Statement | false"})
     void uneMethodeQueCeJavaNAPasEnDonneLaVersion(String message, boolean deJava) {
         assertEquals("Objet3D.java:7 : le compilateur dit « " + message + " »" + (deJava ? " ; Java " + Runtime.version().feature()

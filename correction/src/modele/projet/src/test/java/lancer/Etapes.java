@@ -40,7 +40,8 @@ public class Etapes implements TestExecutionListener {
             "// FIXME.*\\R\\s*(?:super\\(0, 0, 0\\)|(?:return|.* =) (?:[01]|null|new \\w+\\((?:[01], [01], 0)?\\)));");
 
     /** Un calcul dont rien ne garde le résultat : les opérations du cours ne changent pas ce à quoi on les demande. */
-    private static final Pattern PERDU = Pattern.compile("(?m)^\\s*((?:this\\.)?(\\w+)\\.(?:add|sub|mul|div|neg|normalized?)\\(.*\\);)");
+    private static final Pattern PERDU = Pattern.compile(
+            "(?m)^\\s*((?:this\\.)?(\\w+)\\.(?:add|sub|mul|div|neg|normalized?)\\(.*\\);)");
 
     private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
 
@@ -68,7 +69,8 @@ public class Etapes implements TestExecutionListener {
                 // ce qu'une étape d'après explique n'est pas imputé à celle-ci
                 if (aReprendre == null || premier.rang < aReprendre.rang) {
                     aReprendre = premier;
-                    detail = Stream.concat(Stream.of(premier), manques.stream()).map(Manque::toString).distinct().collect(Collectors.joining());
+                    detail = Stream.concat(Stream.of(premier), manques.stream()).map(Manque::toString).distinct()
+                            .collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
                 }
             }
@@ -132,15 +134,19 @@ public class Etapes implements TestExecutionListener {
                 boolean sansFin = cause instanceof StackOverflowError;
                 message = sansFin ? "des appels sans fin : une méthode s'appelle elle-même, ou par une autre"
                         : cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
-                // une exception est née dans une des classes de l'étudiant ; de méthodes qui s'appellent en rond, celle que l'on demande
-                boolean demandee = sansFin && premiere(cause, p -> intitule.matches(".*\\b" + p.getMethodName() + "\\b.*")).isPresent();
-                lieu = premiere(cause, Causes::deLEtudiant).filter(p -> !demandee).map(Lieu::new).orElse(Lieu.nomme(classe, intitule));
+                // une exception est née dans une des classes de l'étudiant ; de méthodes qui s'appellent en rond, celle que
+                // demande la vérification
+                boolean enRond = sansFin
+                        && premiere(cause, p -> intitule.matches(".*\\b" + p.getMethodName() + "\\b.*")).isPresent();
+                lieu = premiere(cause, Causes::deLEtudiant).filter(p -> !enRond).map(Lieu::new)
+                        .orElse(Lieu.nomme(classe, intitule));
             }
             boolean expliquee = abandonnee && message.startsWith("étape non évaluable");
             nonEvaluable = expliquee && !lieu.aEcrire;
             Lieu perdu = nonEvaluable ? null : lieu.perdu();
-            aCommencer = perdu == null && !nonEvaluable && (lieu.aEcrire || abandonnee && cause.getMessage().contains("étape non commencée")
-                    && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
+            boolean memeMethode = etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName()));
+            aCommencer = perdu == null && !nonEvaluable
+                    && (lieu.aEcrire || memeMethode && abandonnee && cause.getMessage().contains("étape non commencée"));
             rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
             titre = aCommencer && abandonnee && !expliquee ? message : intitule;
             dit = perdu == null ? message : "rien ne garde le résultat de « " + perdu.texte.trim() + " » ; " + message;
@@ -184,7 +190,10 @@ public class Etapes implements TestExecutionListener {
             return SOURCES.resolve(classe + ".java");
         }
 
-        /** Où est, dans cette classe, le champ statique ou la première méthode que nomme un texte ; à défaut celle à compléter, ou le premier FIXME. */
+        /**
+         * Où est, dans cette classe, le champ statique ou la première méthode que nomme un texte ; à défaut celle à
+         * compléter, ou le premier FIXME.
+         */
         static Lieu nomme(String classe, String dit) {
             String source = source(classe);
             Matcher champ = Pattern.compile("gardé dans un champ : (\\w+)").matcher(dit);
@@ -195,7 +204,8 @@ public class Etapes implements TestExecutionListener {
                 }
             }
             // un nom suivi d'un point est celui d'une classe ; si aucun n'est dit, celui de la méthode à compléter
-            Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?").matcher(dit + " getIntersectionDistance getColor getRayon");
+            Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?")
+                    .matcher(dit + " getIntersectionDistance getColor getRayon");
             Lieu ou = null;
             while (ou == null && nom.find()) {
                 ou = methode(classe, source, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
@@ -237,7 +247,8 @@ public class Etapes implements TestExecutionListener {
             Matcher m = PERDU.matcher(texte);
             while (m.find()) {
                 // une liste, elle, change
-                if (source(classe).matches("(?s).*\\b(Couleur|Vecteur|Point) " + m.group(2) + "\\b.*") || m.group(2).equals("Vecteur")) {
+                if (m.group(2).equals("Vecteur")
+                        || source(classe).matches("(?s).*\\b(Couleur|Vecteur|Point) " + m.group(2) + "\\b.*")) {
                     int ici = source(classe).indexOf(texte) + m.start(1);
                     return new Lieu(classe, source(classe), ici, ici + m.group(1).length());
                 }
