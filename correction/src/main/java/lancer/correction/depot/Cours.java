@@ -1,6 +1,7 @@
 package lancer.correction.depot;
 
 import java.util.Map;
+import java.util.Set;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
@@ -15,12 +16,20 @@ public final class Cours {
         corrige = Source.duCours(lecture, SourcesDuCours::corrige);
     }
 
-    /** D'où vient ce texte : 0, de l'étudiant ; 1, du projet à compléter ; 2, du corrigé. */
+    /** D'où vient ce texte : 0, de l'étudiant, ou d'une classe donnée ; 1, du projet à compléter ; 2, du corrigé. */
     int provenance(Type type) {
-        Type aCompleter = squelette.get(type.nom);
-        if (aCompleter == null || type.empreinte.equals(aCompleter.empreinte)) {
-            return aCompleter == null ? 0 : 1;
+        if (!SourcesDuCours.A_COMPLETER.contains(type.nom)) {
+            return 0;
         }
-        return type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
+        return type.empreinte.equals(squelette.get(type.nom).empreinte) ? 1
+                : type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
+    }
+
+    /** Dit si cette classe a la plupart des méthodes de celle du cours qui a son nom ou, si celle-ci n'en a pas, de ses noms ; ou si elle n'a rien d'autre. */
+    boolean ressemble(Type type) {
+        Type sienne = squelette.getOrDefault(type.nom, Type.rien(type.nom));
+        Set<String> attendus = sienne.nommees().isEmpty() ? sienne.noms : sienne.nommees();
+        Set<String> siens = sienne.nommees().isEmpty() ? type.noms : type.nommees();
+        return type.methodes.isEmpty() && sienne.noms.containsAll(type.noms) || 2 * attendus.stream().filter(siens::contains).count() > attendus.size();
     }
 }

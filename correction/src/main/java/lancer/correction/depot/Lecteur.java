@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import com.sun.source.tree.AnnotationTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.IdentifierTree;
@@ -49,6 +50,9 @@ public final class Lecteur {
         final int entete;
         /** Le paquet, puis les préfixes de chaque importation, du plus long au plus court. */
         final List<Nom> noms = new ArrayList<>();
+        /** Les importations, puis les annotations. */
+        final List<Nom> importations = new ArrayList<>();
+        final List<Nom> annotations = new ArrayList<>();
         final List<Type> types;
         final List<Integer> fautes;
 
@@ -60,7 +64,7 @@ public final class Lecteur {
         }
     }
 
-    /** Un nom d'un en-tête, et sa place. */
+    /** Un nom, et la place de ce qui le contient : un paquet, une importation, une annotation. */
     static final class Nom {
 
         final String texte;
@@ -120,17 +124,29 @@ public final class Lecteur {
         Tree paquet = fichier.getPackageName();
         int entete = fin(fichier.getPackage());
         List<Nom> noms = new ArrayList<>(List.of(nom(paquet)));
+        List<Nom> importations = new ArrayList<>();
         for (ImportTree importation : fichier.getImports()) {
             Tree nom = importation.getQualifiedIdentifier();
             for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
                 noms.add(nom(((MemberSelectTree) nom).getExpression()));
             }
             entete = Math.max(entete, fin(importation));
+            importations.add(new Nom(importation.getQualifiedIdentifier().toString(), debut(importation), fin(importation)));
         }
         Fichier lu = new Fichier(paquet == null ? "" : paquet.toString(), entete, fichier.getTypeDecls().stream()
                 .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
                 fautes);
         lu.noms.addAll(noms);
+        lu.importations.addAll(importations);
+        new TreeScanner<Void, Void>() {
+            @Override
+            public Void visitAnnotation(AnnotationTree annotation, Void rien) {
+                if (lu.annotations.size() < NOMS_MAX) {
+                    lu.annotations.add(new Nom(annotation.getAnnotationType().toString(), debut(annotation), fin(annotation)));
+                }
+                return super.visitAnnotation(annotation, rien);
+            }
+        }.scan(fichier.getTypeDecls(), null);
         return lu;
     }
 
@@ -149,7 +165,8 @@ public final class Lecteur {
                 return super.scan(arbre, rien);
             }
         }.scan(classe, null);
-        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()));
+        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()),
+                classe.getKind().name().equals("RECORD"));
         noms.stream().limit(NOMS_MAX).forEach(lu.noms::add);
         classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
                 .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe)));

@@ -15,6 +15,8 @@ public final class Type {
     final int fin;
     /** Empreinte de l'arbre syntaxique, qui ignore les commentaires et la présentation. */
     public final String empreinte;
+    /** Vrai pour un {@code record}. */
+    final boolean enregistrement;
     /** Noms utilisés, {@code float} compris. */
     public final Set<String> noms = new TreeSet<>();
     public final List<Signature> methodes = new ArrayList<>();
@@ -25,16 +27,17 @@ public final class Type {
     /** Longueur du texte après la fin de la classe. */
     private transient int reste;
 
-    Type(String nom, int debut, int fin, String empreinte) {
+    Type(String nom, int debut, int fin, String empreinte, boolean enregistrement) {
         this.nom = nom;
         this.debut = debut;
         this.fin = fin;
         this.empreinte = empreinte;
+        this.enregistrement = enregistrement;
     }
 
     /** Une classe dont seul le nom est connu. */
     static Type rien(String nom) {
-        return new Type(nom, 0, 0, "");
+        return new Type(nom, 0, 0, "", false);
     }
 
     Type placer(Source fichier, String sien, int suite) {

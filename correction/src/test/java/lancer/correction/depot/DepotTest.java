@@ -88,7 +88,9 @@ class DepotTest extends DepotEssai {
         // rien ne disparaît
         "dupont.zip;rapport.pdf;rapport.docx;tp.jar;sans-fin;martin.rar | dupont.zip;martin.rar;rapport.docx;rapport.pdf;sans-fin;tp.jar",
         "src/lancer/Vecteur.java;pom.xml | !pom.xml", "dupont/src/lancer/Vecteur.java | !Vecteur.java",
-        "a.zip;b.zip;c.zip;d.zip;Vecteur.java | !Vecteur.java"})
+        "a.zip;b.zip;c.zip;d.zip;Vecteur.java | Vecteur.java;a.zip;b.zip;c.zip;d.zip",
+        // un numéro, ou un nom, qui serait celui de la ligne d'un autre
+        "101/lancer/A.java;Alice Martin_101_assignsubmission_file/lancer/A.java | 101;101/"})
     void uneEntreeEstUneLigneQuelQueSoitSonNom(String fichiers, String lignes) throws IOException {
         for (String fichier : fichiers.split(";")) {
             ecrire(rendus.resolve(fichier), "x");
@@ -318,11 +320,11 @@ class DepotTest extends DepotEssai {
         Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         ecrire(rendu.resolve("проект/Vecteur.java"), CLASSE);
         ecrire(rendu.resolve("проект/Point.java"), "la même");
-        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", new byte[9], "Point.java",
+        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", "autre".getBytes(StandardCharsets.UTF_8), "Point.java",
                 "la même".getBytes(StandardCharsets.UTF_8))));
         assertEquals(CLASSE, new String(lu.sources.get("проект/Vecteur.java"), StandardCharsets.UTF_8));
         assertEquals(List.of("проект/Vecteur.java : laissé de côté, un autre fichier a ce chemin, dans ce dossier ou dans une archive"),
-                projet(lu).aRegarder);
+                lu.refus);
     }
 
     @Test

@@ -75,9 +75,9 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
-                "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
-                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale",
+        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
+                + "du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
+                "Objet3D.getNormale absente ; prend et rend la même chose : normale",
                 "le même texte que le corrigé, aux commentaires près : Vecteur, Point, Rayon, Camera"), lu.aRegarder);
     }
 
@@ -208,7 +208,8 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals(7, lu.base.size(), lu.base.keySet().toString());
         assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
-        assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.remarques);
+        assertEquals(List.of("src2/ : hors du projet, le complète par Objet3D, Scene, Sphere",
+                "plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.remarques);
     }
 
     @Test
@@ -235,8 +236,8 @@ class ProjetTest extends DepotEssai {
         ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
         ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
         Projet lu = projet(lire(rendus).get("11"));
-        assertEquals("[A, lancer/B, lancer/D, lancer/Vecteur]", lu.base.keySet().toString());
-        assertTrue(lu.remarques.get(0).startsWith("lancer/C.java : laissé de côté, le compilateur ne peut pas le lire"),
+        assertEquals("[lancer/B, lancer/D, lancer/Vecteur]", lu.base.keySet().toString());
+        assertTrue(lu.remarques.get(1).startsWith("lancer/C.java : laissé de côté, le compilateur ne peut pas le lire"),
                 "seul celui qui est trop emboîté : " + lu.remarques);
     }
 
