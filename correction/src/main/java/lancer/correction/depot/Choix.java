@@ -175,7 +175,7 @@ final class Choix {
                 }
             }
             apportees.removeIf(t -> !SourcesDuCours.classes().contains(t.nom));
-            if (!projet.equals(racine) && !apportees.isEmpty()) {
+            if (!racine.startsWith(projet) && !apportees.isEmpty()) {
                 dites.add(racine + " : hors du projet, le complète par " + Projet.noms(apportees));
             }
         }

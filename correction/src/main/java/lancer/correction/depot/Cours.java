@@ -8,6 +8,9 @@ import lancer.correction.modele.SourcesDuCours;
 /** Les classes du cours, lues par le JDK : celles du projet à compléter, et celles du corrigé. */
 public final class Cours {
 
+    /** Ce qu'il faut écrire, en caractères, pour que ce ne soit pas par hasard comme un autre. */
+    private static final int LONGUE = 250;
+
     public final Map<String, Type> squelette;
     private final Map<String, Type> corrige;
 
@@ -23,6 +26,11 @@ public final class Cours {
         }
         return type.empreinte.equals(squelette.get(type.nom).empreinte) ? 1
                 : type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
+    }
+
+    /** L'empreinte d'une classe que deux étudiants n'écrivent pas pareil par hasard, sans les noms des variables ; vide sinon. */
+    String forme(Type type) {
+        return type.longueur > squelette.get(type.nom).longueur + LONGUE && !type.forme.equals(corrige.get(type.nom).forme) ? type.forme : "";
     }
 
     /** Dit si cette classe a la plupart des méthodes de celle du cours qui a son nom ou, si celle-ci n'en a pas, de ses noms ; ou si elle n'a rien d'autre. */

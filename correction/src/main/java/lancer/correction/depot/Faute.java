@@ -12,7 +12,7 @@ public final class Faute {
 
     static {
         REMEDES.put(Pattern.compile("^Syntax error, insert \"(\\W)\""),
-                "il manque « %s » : ajoutez-le dans une copie du rendu, et jugez cette copie");
+                "il manque « %s »");
         REMEDES.put(Pattern.compile("only available with source level (\\d+)"), "il faut Java %s, et ici juge Java %s");
         REMEDES.put(Pattern.compile("^('_') is a keyword"), "il faut Java 22 pour nommer %s ce qui ne sert pas, et ici juge Java %s");
         REMEDES.put(Pattern.compile("^The method (\\w+)\\(.*\\) is undefined for the type java\\."),
@@ -22,7 +22,7 @@ public final class Faute {
     public final String fichier;
     public final int ligne;
     public final String message;
-    /** Ce qui manque, et comment juger quand même ; vide si seul le compilateur le dit. */
+    /** Ce que c'est, en français ; vide si seul le compilateur le dit. */
     public final String remede;
 
     public Faute(String fichier, int ligne, String message) {

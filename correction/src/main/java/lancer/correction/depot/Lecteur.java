@@ -19,10 +19,14 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.lang.model.element.Modifier;
 import javax.tools.Diagnostic;
@@ -77,6 +81,8 @@ public final class Lecteur {
             this.fin = fin;
         }
     }
+
+    private static final Pattern NOM = Pattern.compile("[\\w$]+");
 
     private final String texte;
     private final CompilationUnitTree fichier;
@@ -152,6 +158,8 @@ public final class Lecteur {
 
     private Type classe(ClassTree classe) {
         Set<String> noms = new TreeSet<>();
+        // dans l'ordre où ils viennent
+        Set<String> locaux = new LinkedHashSet<>();
         new TreeScanner<Void, Void>() {
             @Override
             public Void scan(Tree arbre, Void rien) {
@@ -159,14 +167,20 @@ public final class Lecteur {
                     noms.add(arbre.toString());
                 } else if (arbre instanceof VariableTree) {
                     noms.add(((VariableTree) arbre).getName().toString());
+                    locaux.add(((VariableTree) arbre).getName().toString());
                 } else if (arbre instanceof MemberSelectTree) {
                     noms.add(((MemberSelectTree) arbre).getIdentifier().toString());
                 }
                 return super.scan(arbre, rien);
             }
         }.scan(classe, null);
+        Map<String, String> siens = new TreeMap<>();
+        locaux.forEach(nom -> siens.put(nom, "n" + siens.size()));
+        String forme = NOM.matcher(classe.getMembers().toString()).replaceAll(m -> siens.getOrDefault(m.group(), m.group()).replace("$", ""));
         Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()),
                 classe.getKind().name().equals("RECORD"));
+        lu.forme = condense(forme);
+        lu.longueur = forme.length();
         noms.stream().limit(NOMS_MAX).forEach(lu.noms::add);
         classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
                 .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe)));

@@ -51,6 +51,8 @@ public final class Projet {
     public final Set<String> changees;
     /** Écarts aux consignes de l'énoncé, par consigne. */
     public final Map<String, String> ecarts = new TreeMap<>();
+    /** Les empreintes des classes qui ne sont pas écrites comme celles d'un autre par hasard, par leur nom. */
+    public final Map<String, String> formes = new TreeMap<>();
     /** Raisons pour lesquelles l'enseignant doit examiner ce rendu. */
     public final List<String> aRegarder = new ArrayList<>();
 
@@ -136,6 +138,8 @@ public final class Projet {
         });
         consignes(rendu);
         absences(rendu);
+        SourcesDuCours.A_COMPLETER.stream().filter(c -> texte(c) != null && type(c).forme != null && !cours.forme(type(c)).isEmpty())
+                .forEach(c -> formes.put(c, cours.forme(type(c))));
         String duCorrige = SourcesDuCours.A_COMPLETER.stream().filter(c -> texte(c) != null && cours.provenance(type(c)) == 2)
                 .collect(Collectors.joining(", "));
         if (!duCorrige.isEmpty()) {

@@ -176,9 +176,10 @@ public final class Source {
         if (paquets.contains(paquet) && !paquet.equals("lancer")) {
             // sur la première ligne : les numéros de ligne de l'étudiant ne changent pas
             neuf.insert(0, paquet.isEmpty() ? "package lancer; " : "");
-            remarques.put(paquet.isEmpty() ? "la ligne « package lancer; » manque" : "le paquet est « " + paquets.stream()
-                    .filter(p -> !p.isEmpty() && !p.equals("lancer")).collect(Collectors.joining(" », « ")) + " » au lieu de « lancer »",
-                    Projet.NOMS);
+            String autres = paquets.stream().filter(p -> !p.equals("lancer")).map(p -> p.isEmpty() ? "aucun" : "« " + p + " »")
+                    .collect(Collectors.joining(", "));
+            remarques.put(autres.equals("aucun") ? "la ligne « package lancer; » manque"
+                    : "le paquet est " + autres + " au lieu de « lancer »", Projet.NOMS);
             paquet = "lancer";
         }
         return neuf.toString();

@@ -15,6 +15,9 @@ public final class Type {
     final int fin;
     /** Empreinte de l'arbre syntaxique, qui ignore les commentaires et la présentation. */
     public final String empreinte;
+    /** Empreinte du même arbre, où chaque variable a pour nom son rang, et longueur de cet arbre. */
+    String forme;
+    int longueur;
     /** Vrai pour un {@code record}. */
     final boolean enregistrement;
     /** Noms utilisés, {@code float} compris. */
@@ -65,6 +68,11 @@ public final class Type {
                 .collect(Collectors.toCollection(TreeSet::new));
         nommees.removeAll(List.of("toString", "equals", "hashCode"));
         return nommees;
+    }
+
+    /** Dit si un constructeur prend deux listes ; vrai aussi pour une classe qui n'est pas rendue. */
+    public boolean parListes() {
+        return methodes.isEmpty() || methodes.stream().anyMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("List", "List")));
     }
 
     /** Nombre de ces méthodes que la classe contient. */

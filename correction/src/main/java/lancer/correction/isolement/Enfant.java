@@ -33,6 +33,8 @@ public final class Enfant implements AutoCloseable {
     private static final int TUE = 128 + 9;
     /** Temps permis sans rien faire, toutes demandes ensemble, en fois celui d'une demande. */
     private static final int SOMMEIL = 2;
+    /** Nombre de tours permis sans rien faire à une machine qui en remplace une, arrêtée parce qu'elle dormait. */
+    private static final int RESTE = 20;
     /** Numéro attendu entre deux demandes. */
     private static final int RIEN = 0;
 
@@ -48,7 +50,7 @@ public final class Enfant implements AutoCloseable {
     private volatile boolean inattendu;
     private double calculMax;
     /** Nombre de tours passés sans rien faire, toutes demandes ensemble. */
-    private int endormi;
+    public int endormi;
     /** Temps de processeur au premier et au dernier contrôle de la demande, instants du commencement et du dernier contrôle. */
     private double debut;
     private double dernier;
@@ -214,6 +216,11 @@ public final class Enfant implements AutoCloseable {
         }
         close();
         return new Arret("arrêté : s'est arrêté, statut " + statut, statut == TUE);
+    }
+
+    /** Celle-ci en remplace une autre, qui a passé tant de tours sans rien faire. */
+    public void remplacer(int avant) {
+        endormi = Math.max(0, Math.min(avant, (int) (1000 * SOMMEIL * limites.attente / TOUR_MS) - RESTE));
     }
 
     /** Tue la machine virtuelle et ses descendants. */

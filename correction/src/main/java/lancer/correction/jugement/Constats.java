@@ -55,6 +55,9 @@ final class Constats {
             resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
                     + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
         }
+        if (!projet.type("Scene").parListes() && perdues.stream().filter(v -> v.classe.equals("Scene")).count() > 1) {
+            resultat.regarder("Scene n'a pas de constructeur par deux listes, et ses vérifications échouent : à vérifier à la main");
+        }
         List<String> fenetres = FENETRES.stream().flatMap(f -> emploient(f).stream()).distinct().collect(Collectors.toList());
         if (!fenetres.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
             resultat.regarder("ouvre une fenêtre (" + String.join(", ", fenetres) + ") : la correction n'a pas d'écran");
@@ -75,6 +78,7 @@ final class Constats {
         siennes.forEach(f -> resultat.fautes.add(f.toString()));
         // là où git a laissé deux versions, ce que dit le compilateur ne sert à rien
         siennes.stream().filter(f -> perdues.contains(f.classe()) && !projet.texte(f.classe()).contains("\n<<<<<<< ")).findFirst()
-                .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f));
+                .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f + " ; pour juger le reste, réparez-la dans une copie du "
+                        + "rendu, et jugez cette copie"));
     }
 }

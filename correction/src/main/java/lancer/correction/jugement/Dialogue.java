@@ -195,7 +195,7 @@ public final class Dialogue {
         } else if (!sorte.equals(Execution.FAUTE)) {
             throw new Echec(ou);
         } else if (fautes.isEmpty()) {
-            throw new Echec("une classe ne se charge pas" + ou);
+            throw new Echec("erreur de Java" + ou);
         }
         boolean dite = fautes.stream().anyMatch(f -> f.message.equals(quoi));
         throw new Echec("ne se compile pas" + ou + (dite ? " : " + Faute.citer(quoi) : ""), dite ? quoi : "");

@@ -92,6 +92,7 @@ final class JugeRendu implements AutoCloseable {
         machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
+        resultat.formes.putAll(projet.formes);
         SourcesDuCours.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);

@@ -100,6 +100,7 @@ final class Machines {
     private abstract class Machine implements AutoCloseable {
 
         Enfant enfant;
+        private int endormi;
 
         /**
          * Lance la machine virtuelle si besoin, et attend une première réponse : un arrêt ultérieur vient alors de la demande.
@@ -114,6 +115,7 @@ final class Machines {
             boolean executee = principale == Execution.class;
             enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes), siennes,
                     confinement.confine);
+            enfant.remplacer(endormi);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
                 demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
@@ -145,6 +147,7 @@ final class Machines {
         @Override
         public void close() {
             if (enfant != null) {
+                endormi = enfant.endormi;
                 enfant.close();
                 enfant = null;
             }

@@ -84,8 +84,10 @@ public final class Eleve {
     public final String arret;
     /** Ce que la feuille de Moodle dit de ce rendu : remis, en retard de deux jours ; vide sans feuille. */
     public String statut = "";
-    /** La note, de 0 à {@link Bareme#total}. */
-    public final double note;
+    /** La note que donnent les parts, au centième, de 0 à {@link Bareme#total}. */
+    public final double calculee;
+    /** La note de l'étudiant : celle-là, ou celle que l'enseignant a mise dans la feuille. */
+    public double note;
 
     /** @param siens points que l'enseignant a donnés à cet étudiant */
     public Eleve(Resultat resultat, String page, GrilleDeNotation grille, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
@@ -110,7 +112,9 @@ public final class Eleve {
                 (part.aNoter ? aNoter : extensions).add(etape.court);
             }
         }
-        note = Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()));
+        // arrondie une fois : toutes les pages et les feuilles écrivent la même
+        calculee = Math.round(100 * Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()))) / 100.0;
+        note = calculee;
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
         String aucune = note > 0 ? "aucune en entier" : "aucune";
         atteinte = (derniere.isEmpty() ? aucune : derniere) + suite(", mais reste à compléter : ", manquent)

@@ -119,7 +119,7 @@ class EnfantTest {
     }
 
     @Test
-    void aCourtDeMemoireLeNoyauTueDAbordCeQuiEstJugeEtCEstDit() throws Exception {
+    void aCourtDeMemoireLeNoyauTueDAbordCeQuiEstJugeEtSonStatutEstDit() throws Exception {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         try (Enfant enfant = echo(confinement)) {
@@ -131,7 +131,7 @@ class EnfantTest {
             // ce que fait le noyau à court de mémoire
             siens.get(0).destroyForcibly();
             Arret arret = assertThrows(Arret.class, () -> demander(enfant, "après"));
-            assertEquals("arrêté : tué par le système, à court de mémoire", arret.getMessage());
+            assertEquals("arrêté : s'est arrêté, statut 137", arret.getMessage());
             assertTrue(arret.tue);
         }
     }
