@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -27,14 +26,14 @@ final class Choix {
 
     /** Nombre de classes d'un dossier sans classe du cours au-delà duquel c'est une bibliothèque. */
     private static final int BIBLIOTHEQUE = 200;
-    /** Nombre de classes qu'un dossier peut avoir en commun avec une copie du projet, qu'il complète. */
+    /** Nombre de classes qu'un dossier qui complète le projet peut avoir en commun avec lui ; plus, c'est une autre copie. */
     private static final int COMMUNES_MAX = 2;
 
     private static final Map<String, Pattern> VARIANTE = Map.of("brume", Pattern.compile("(?i)brume"),
             "antialias", Pattern.compile("(?i)anti[-_ ]?(alias|cr.{1,2}nelage)"), "blinn", Pattern.compile("(?i)blinn"));
 
-    /** Les copies de la base, par dossier, puis celle de chaque extension ; les classes de chacune, par nom complet. */
-    final Map<String, Map<String, Type>> bases;
+    /** Les classes de la base, puis de chaque extension, par nom complet. */
+    final Map<String, Type> base;
     final Map<String, Map<String, Type>> variantes = new LinkedHashMap<>();
     /** Ce qui est laissé de côté, ou vient d'un autre dossier, et pourquoi. */
     final List<String> dites = new ArrayList<>();
@@ -49,15 +48,8 @@ final class Choix {
         gardees.forEach(source -> source.classes(paquets).forEach(type -> ranger(source, type)));
         racines.values().forEach(this::situer);
         Map<String, Map<String, List<Type>>> parties = partager();
-        for (String nom : SourcesDuCours.VARIANTES) {
-            Map<String, Map<String, Type>> siennes = choisir(parties.getOrDefault(nom, Map.of()));
-            siennes.values().stream().findFirst().ifPresent(premiere -> variantes.put(nom, premiere));
-            if (siennes.size() > 1) {
-                dites.add(plusieurs("de l'extension " + nom + " : montrée", siennes.keySet(), siennes.keySet().iterator().next()));
-            }
-        }
-        bases = choisir(parties.getOrDefault("", Map.of()));
-        ecarter(bases.values());
+        SourcesDuCours.VARIANTES.stream().filter(parties::containsKey).forEach(nom -> variantes.put(nom, choisir(parties.get(nom))));
+        base = choisir(parties.getOrDefault("", Map.of()));
     }
 
     /** Laisse de côté, hors du dossier qui a le plus de classes du cours, un autre travail, ou une bibliothèque. */
@@ -68,7 +60,7 @@ final class Choix {
                 .thenComparing(r -> -nombre(lues.get(r), t -> true)).thenComparing(String::length)).orElse("");
         Map<String, String> autres = new TreeMap<>();
         lues.forEach((racine, types) -> {
-            List<Type> duCours = types.stream().filter(t -> SourcesDuCours.classes().contains(t.nom)).collect(Collectors.toList());
+            List<Type> duCours = types.stream().filter(Choix::duCours).collect(Collectors.toList());
             if (!racine.equals(principal) && (duCours.isEmpty() ? types.size() > BIBLIOTHEQUE
                     : duCours.stream().noneMatch(cours::ressemble))) {
                 autres.put(racine, duCours.isEmpty() ? types.size() + " classes d'une bibliothèque"
@@ -146,46 +138,42 @@ final class Choix {
         return projets.stream().allMatch(p -> p.startsWith(dossier));
     }
 
-    static String plusieurs(String copies, Collection<String> toutes, String gardee) {
-        return "plusieurs copies " + copies + ", « " + gardee + " » ; laissée, « " + toutes.stream()
-                .filter(r -> !r.equals(gardee)).collect(Collectors.joining(" », « ")) + " »";
-    }
-
-    /**
-     * Choisit les copies du projet parmi ces dossiers. La première est celui qui a le plus de classes écrites par l'étudiant ; un dossier
-     * qui n'a presque aucune de ses classes la complète, un autre est une copie de plus.
-     */
-    private Map<String, Map<String, Type>> choisir(Map<String, List<Type>> groupes) {
-        Map<String, Map<String, Type>> copies = new LinkedHashMap<>();
-        for (String racine : ranges(groupes)) {
+    /** Le premier dossier est le projet ; les autres n'apportent que ce qui lui manque, ou ce qu'il n'a pas commencé. */
+    private Map<String, Type> choisir(Map<String, List<Type>> groupes) {
+        Map<String, Type> projet = new TreeMap<>();
+        List<String> racines = ranges(groupes);
+        for (String racine : racines) {
             List<Type> siens = uneParNom(groupes.get(racine));
-            String projet = copies.keySet().stream().filter(p -> siens.stream().map(Type::chemin)
-                    .filter(copies.get(p)::containsKey).count() <= COMMUNES_MAX).findFirst().orElse(racine);
-            Map<String, Type> copie = copies.computeIfAbsent(projet, r -> new TreeMap<>());
-            List<Type> apportees = new ArrayList<>();
-            for (Type type : siens) {
-                Type autre = copie.get(type.chemin());
-                boolean remplace = autre != null && type.provenance < autre.provenance;
-                if (autre == null || remplace) {
-                    copie.put(type.chemin(), type);
-                    apportees.add(type);
-                }
-                if (autre != null) {
-                    laisser(remplace ? autre : type, remplace ? type : autre);
-                }
+            boolean copie = siens.stream().filter(t -> projet.containsKey(t.chemin())).count() > COMMUNES_MAX;
+            List<Type> apportes = siens.stream().filter(t -> {
+                Type autre = projet.get(t.chemin());
+                return autre == null ? !copie || duCours(t) : t.provenance < autre.provenance;
+            }).collect(Collectors.toList());
+            apportes.forEach(t -> projet.put(t.chemin(), t));
+            siens.removeAll(apportes);
+            if (!copie) {
+                siens.forEach(t -> laisser(t, projet.get(t.chemin())));
+            } else if (!siens.isEmpty()) {
+                String quoi = siens.stream().allMatch(t -> t.provenance == 2) ? "c'est le texte du corrigé" : "le projet a les siennes";
+                dites.add(racine + Contenu.DE_COTE + quoi + " : " + Projet.noms(siens));
             }
-            apportees.removeIf(t -> !SourcesDuCours.classes().contains(t.nom));
-            if (!racine.startsWith(projet) && !apportees.isEmpty()) {
-                dites.add(racine + " : hors du projet, le complète par " + Projet.noms(apportees));
+            apportes.removeIf(t -> !duCours(t));
+            if (!racine.startsWith(racines.get(0)) && !apportes.isEmpty()) {
+                dites.add(racine + " : hors du projet, le complète par " + Projet.noms(apportes));
             }
         }
-        return copies;
+        return projet;
+    }
+
+    private static boolean duCours(Type type) {
+        return SourcesDuCours.classes().contains(type.nom);
     }
 
     /** Les dossiers, du plus sûr au moins sûr. */
     private List<String> ranges(Map<String, List<Type>> groupes) {
         Function<Predicate<Type>, Comparator<String>> leursClasses = lesquelles -> Comparator.comparing(r -> -nombre(groupes.get(r), lesquelles));
-        return groupes.keySet().stream().sorted(leursClasses.apply(t -> t.provenance != 1 && cours.ressemble(t))
+        return groupes.keySet().stream().sorted(leursClasses.apply(t -> t.provenance == 0 && cours.ressemble(t))
+                .thenComparing(r -> nombre(groupes.get(r), t -> t.provenance == 2))
                 .thenComparing(leursClasses.apply(t -> true))
                 .thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base"))
                 .thenComparing(r -> groupes.get(r).stream().mapToInt(t -> t.source.rang(t.nom)).min().getAsInt())
@@ -214,28 +202,5 @@ final class Choix {
 
     private void laisser(Type laisse, Type garde) {
         dites.add(laisse.source.chemin + Contenu.DE_COTE + laisse.nom + " est dans " + garde.source.chemin);
-    }
-
-    /**
-     * Un texte du corrigé, ou du projet à compléter, ne prend la place d'aucun autre texte de sa classe. Une copie qui n'a que ces textes
-     * disparaît.
-     */
-    private void ecarter(Collection<Map<String, Type>> copies) {
-        Map<String, Type> meilleurs = new TreeMap<>();
-        copies.forEach(copie -> copie.forEach((nom, type) -> meilleurs.merge(nom, type, (a, b) -> b.provenance < a.provenance ? b : a)));
-        Map<String, String> ecartes = new TreeMap<>();
-        copies.removeIf(copie -> {
-            List<Type> siennes = SourcesDuCours.A_COMPLETER.stream().map(c -> copie.get("lancer/" + c)).filter(Objects::nonNull)
-                    .collect(Collectors.toList());
-            List<Type> laissees = siennes.stream().filter(t -> t.provenance > meilleurs.get(t.chemin()).provenance)
-                    .collect(Collectors.toList());
-            for (Type type : laissees) {
-                copie.put(type.chemin(), meilleurs.get(type.chemin()));
-                String pourquoi = "c'est le texte " + (type.provenance == 2 ? "du corrigé" : "à compléter") + " ; un autre est jugé";
-                ecartes.merge(type.source.dossier + Contenu.DE_COTE + pourquoi, type.nom, (a, b) -> a + ", " + b);
-            }
-            return !laissees.isEmpty() && laissees.containsAll(siennes);
-        });
-        ecartes.forEach((pourquoi, classes) -> dites.add(pourquoi + " : " + classes));
     }
 }

@@ -3,7 +3,6 @@ package lancer.correction.depot;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,8 +29,6 @@ public final class Projet {
             TEXTE, "UTF-8, et des espaces au lieu de tabulations",
             FIXME, "chaque FIXME est enlevé quand c'est fait"));
 
-    /** Nombre maximal de copies du projet qui sont comparées. */
-    private static final int COPIES_MAX = 3;
     private static final int NOMS_DITS = 5;
 
     /** Bibliothèques que la correction fournit. */
@@ -84,35 +81,25 @@ public final class Projet {
         return noms.stream().limit(NOMS_DITS).collect(Collectors.joining(", ")) + (noms.size() > NOMS_DITS ? "…" : "");
     }
 
-    /** Les copies du projet que contient un rendu ; la base que nomme son dossier d'abord. */
-    public static List<Projet> copies(Rendu rendu, Source.Lecture lecture, Cours cours) throws Arret {
+    /** Le projet que contient un rendu. */
+    public static Projet lire(Rendu rendu, Source.Lecture lecture, Cours cours) throws Arret {
         List<String> remarques = new ArrayList<>(rendu.remarques);
         remarques.addAll(rendu.refus);
         List<String> illisibles = new ArrayList<>();
         Choix choix = new Choix(Source.lire(rendu.sources, lecture, illisibles), cours);
         choix.dites.addAll(0, illisibles);
-        Map<String, Map<String, Type>> bases = choix.bases;
-        if (bases.isEmpty() || !choix.variantes.isEmpty() && bases.values().stream().noneMatch(b -> b.values().stream()
-                .anyMatch(t -> SourcesDuCours.A_COMPLETER.contains(t.nom)))) {
+        Map<String, Type> base = choix.base;
+        if (base.isEmpty() || !choix.variantes.isEmpty()
+                && base.values().stream().noneMatch(t -> SourcesDuCours.A_COMPLETER.contains(t.nom))) {
             // une variante est une copie complète du projet
             String premiere = choix.variantes.isEmpty() ? "" : choix.variantes.keySet().iterator().next();
             remarques.add(premiere.isEmpty() ? "aucune classe à juger"
                     : "pas de projet de base : celui de « " + premiere + " » en tient lieu");
-            bases = Map.of("", choix.variantes.getOrDefault(premiere, new TreeMap<>()));
+            base = choix.variantes.getOrDefault(premiere, new TreeMap<>());
         }
-        List<Projet> copies = new ArrayList<>();
-        Set<Map<String, Type>> differentes = new HashSet<>();
-        for (Map.Entry<String, Map<String, Type>> base : bases.entrySet()) {
-            if (copies.size() < COPIES_MAX && differentes.add(base.getValue())) {
-                Projet projet = new Projet(cours.squelette, base.getValue(), choix.variantes, remarques);
-                projet.constater(rendu, choix, cours);
-                if (bases.size() > 1) {
-                    projet.dire(Choix.plusieurs("du projet : jugée", bases.keySet(), base.getKey()));
-                }
-                copies.add(projet);
-            }
-        }
-        return copies;
+        Projet projet = new Projet(cours.squelette, base, choix.variantes, remarques);
+        projet.constater(rendu, choix, cours);
+        return projet;
     }
 
     /** Dit ce que le choix des classes a arrangé, laissé de côté, ou cherché en vain. */

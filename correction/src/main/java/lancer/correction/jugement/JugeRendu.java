@@ -88,7 +88,7 @@ final class JugeRendu implements AutoCloseable {
     }
 
     /** @throws Arret si ces classes ne se compilent pas, ou si une machine virtuelle ne peut les charger */
-    Resultat juger() throws Arret {
+    void juger() throws Arret {
         machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
@@ -128,7 +128,6 @@ final class JugeRendu implements AutoCloseable {
             images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
         new Constats(this, projet).dire();
-        return resultat;
     }
 
     /**

@@ -68,8 +68,4 @@ public final class Resultat {
     public Verdict verdict(Verification critere) {
         return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, "", ""));
     }
-
-    long reussis() {
-        return verdicts.values().stream().filter(Verdict::compte).count();
-    }
 }
