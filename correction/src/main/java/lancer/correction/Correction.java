@@ -141,7 +141,7 @@ public final class Correction {
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
-                    + " ; sinon, un conteneur (docs/classe.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
+                    + " ; sinon, un conteneur (docs/confinement.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
                     + "lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
         }
         DossierDeResultats resultats = new DossierDeResultats(dossier);
