@@ -133,7 +133,8 @@ class NotesTest extends ClasseEssai {
     void uneFeuilleEnregistreeParUnTableurFrancaisGardeSonSeparateurSonCodageEtSonSigneDecimal() throws IOException {
         String titres = "Identifiant;Nom complet;NOTE;Note Maximale;Dernière modification (note);Feedback par commentaires\r\n";
         Path feuille = dossier.resolve("tableur.csv");
-        Files.write(feuille, (titres + "Participant7001;Œuvrée, Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
+        Files.write(feuille, (titres + "Participant7001;Œuvrée, "
+                + "Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
                 .getBytes(CP1252));
         Essai essai = renoter("--notes", feuille);
         assertEquals(0, essai.code, essai.erreur);
@@ -215,9 +216,11 @@ class NotesTest extends ClasseEssai {
         changer("7001", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"a\"");
         changer("7002", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"b\"");
         renoter();
-        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme celui de Zoé N’Guyen (7002), aux noms et aux commentaires près : "
+        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme celui de Zoé N’Guyen (7002), "
+                + "aux noms et aux commentaires près : "
                 + "Sphere");
-        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme celui de Ólafur Þór (7001), aux noms et aux commentaires près : "
+        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme celui de Ólafur Þór (7001), "
+                + "aux noms et aux commentaires près : "
                 + "Sphere");
     }
 
@@ -243,7 +246,8 @@ class NotesTest extends ClasseEssai {
                 "distance = 3;");
         Essai essai = executer("--sans-confinement", "--sortie", dossier, tard);
         assertEquals(0, essai.code, essai.erreur);
-        contient(essai.erreur, "2 entrées, 2 lignes", "un autre travail va remplacer celui de « Ólafur Þór, jugé le ", "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
+        contient(essai.erreur, "2 entrées, 2 lignes", "un autre travail va remplacer celui de « Ólafur Þór, jugé le ",
+                "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
         contient(classe(dossier).get("7001").get("à regarder"), "remplace un autre travail de « Ólafur Þór », jugé le ");
         assertEquals(Set.of("7001", "7002", "7009"), classe(dossier).keySet());
         contient(Files.readString(dossier.resolve("index.html")), "3 entrées, 3 lignes");

@@ -12,7 +12,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -24,8 +23,6 @@ import lancer.correction.modele.SourcesDuCours;
  */
 final class Choix {
 
-    /** Nombre de classes d'un dossier sans classe du cours au-delà duquel c'est une bibliothèque. */
-    private static final int BIBLIOTHEQUE = 200;
     /** Nombre de classes qu'un dossier qui complète le projet peut avoir en commun avec lui ; plus, c'est une autre copie. */
     private static final int COMMUNES_MAX = 2;
 
@@ -52,23 +49,18 @@ final class Choix {
         base = choisir(parties.getOrDefault("", Map.of()));
     }
 
-    /** Laisse de côté, hors du dossier qui a le plus de classes du cours, un autre travail, ou une bibliothèque. */
+    /** Laisse de côté, hors du dossier qui a le plus de classes du cours, un autre travail. */
     private List<Source> ecarterLesAutresTravaux(List<Source> sources) {
         Map<String, List<Type>> lues = new TreeMap<>();
-        sources.forEach(s -> s.types.forEach(t -> lues.computeIfAbsent(s.racine, r -> new ArrayList<>()).add(t)));
+        sources.forEach(s -> lues.computeIfAbsent(s.racine, r -> new ArrayList<>()).addAll(s.types));
         String principal = lues.keySet().stream().min(Comparator.comparing((String r) -> -nombre(lues.get(r), cours::ressemble))
                 .thenComparing(r -> -nombre(lues.get(r), t -> true)).thenComparing(String::length)).orElse("");
-        Map<String, String> autres = new TreeMap<>();
-        lues.forEach((racine, types) -> {
-            List<Type> duCours = types.stream().filter(Choix::duCours).collect(Collectors.toList());
-            if (!racine.equals(principal) && (duCours.isEmpty() ? types.size() > BIBLIOTHEQUE
-                    : duCours.stream().noneMatch(cours::ressemble))) {
-                autres.put(racine, duCours.isEmpty() ? types.size() + " classes d'une bibliothèque"
-                        : "hors du projet ; " + Projet.noms(duCours) + " n'y est pas du cours");
-            }
-        });
-        autres.forEach((racine, pourquoi) -> dites.add(racine + Contenu.DE_COTE + pourquoi));
-        return sources.stream().filter(s -> !autres.containsKey(s.racine)).collect(Collectors.toList());
+        lues.remove(principal);
+        lues.values().forEach(types -> types.removeIf(t -> !duCours(t)));
+        lues.values().removeIf(types -> types.isEmpty() || types.stream().anyMatch(cours::ressemble));
+        lues.forEach((racine, types) -> dites.add(racine + Contenu.DE_COTE + "hors du projet ; " + Projet.noms(types)
+                + " n'y est pas du cours"));
+        return sources.stream().filter(s -> !lues.containsKey(s.racine)).collect(Collectors.toList());
     }
 
     private void ranger(Source source, Type type) {
@@ -171,10 +163,10 @@ final class Choix {
 
     /** Les dossiers, du plus sûr au moins sûr. */
     private List<String> ranges(Map<String, List<Type>> groupes) {
-        Function<Predicate<Type>, Comparator<String>> leursClasses = lesquelles -> Comparator.comparing(r -> -nombre(groupes.get(r), lesquelles));
-        return groupes.keySet().stream().sorted(leursClasses.apply(t -> t.provenance == 0 && cours.ressemble(t))
+        return groupes.keySet().stream().sorted(Comparator
+                .comparing((String r) -> -nombre(groupes.get(r), t -> t.provenance == 0 && cours.ressemble(t)))
                 .thenComparing(r -> nombre(groupes.get(r), t -> t.provenance == 2))
-                .thenComparing(leursClasses.apply(t -> true))
+                .thenComparing(r -> -nombre(groupes.get(r), t -> true))
                 .thenComparing(r -> !dossier(r).toLowerCase(Locale.ROOT).contains("base"))
                 .thenComparing(r -> groupes.get(r).stream().mapToInt(t -> t.source.rang(t.nom)).min().getAsInt())
                 .thenComparing(String::length)).collect(Collectors.toList());
@@ -188,7 +180,7 @@ final class Choix {
         Map<String, Long> parDossier = types.stream().filter(Choix::aCompleter)
                 .collect(Collectors.groupingBy(t -> t.source.dossier, Collectors.counting()));
         String principal = parDossier.isEmpty() ? "" : Collections.max(parDossier.entrySet(), Map.Entry.comparingByValue()).getKey();
-        types.sort(Comparator.comparing((Type t) -> !t.source.dossier.equals(principal)).thenComparing(t -> t.provenance)
+        types.sort(Comparator.comparing((Type t) -> !t.source.dossier.equals(principal)).thenComparing(t -> t.provenance > 0)
                 .thenComparing(t -> t.source.rang(t.nom)).thenComparing(t -> t.source.chemin.split("/").length));
         Map<String, Type> gardes = new LinkedHashMap<>();
         for (Type type : types) {

@@ -42,7 +42,7 @@ final class Contenu {
     /** Taille maximale des sources d'un rendu, en octets. */
     private static final int PESEE_MAX = 6 << 20;
     /** Nombre maximal de sources d'un rendu. */
-    private static final int SOURCES_MAX = 500;
+    private static final int SOURCES_MAX = 300;
     private static final int EMBOITEMENT_MAX = 3;
     private static final int CITES_MAX = 5;
     private static final int NOM_MAX = 70;
@@ -181,7 +181,8 @@ final class Contenu {
 
     private void ajouter(String chemin, byte[] lus) {
         String texte = Source.decoder(lus).replace("\0", "");
-        String pourquoi = texte.isBlank() ? "vide" : texte.startsWith("version https://git-lfs.") ? "un renvoi de Git LFS, sans le texte" : "";
+        String pourquoi = texte.isBlank() ? "vide"
+                : texte.startsWith("version https://git-lfs.") ? "un renvoi de Git LFS, sans le texte" : "";
         if (!pourquoi.isEmpty()) {
             rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""), pourquoi);
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {

@@ -30,14 +30,16 @@ public final class Cours {
 
     /** L'empreinte d'une classe que deux étudiants n'écrivent pas pareil par hasard, sans les noms des variables ; vide sinon. */
     String forme(Type type) {
-        return type.longueur > squelette.get(type.nom).longueur + LONGUE && !type.forme.equals(corrige.get(type.nom).forme) ? type.forme : "";
+        boolean longue = type.longueur > squelette.get(type.nom).longueur + LONGUE;
+        return longue && !type.forme.equals(corrige.get(type.nom).forme) ? type.forme : "";
     }
 
-    /** Dit si cette classe a la plupart des méthodes de celle du cours qui a son nom ou, si celle-ci n'en a pas, de ses noms ; ou si elle n'a rien d'autre. */
+    /** Dit si cette classe a la plupart des méthodes de celle du cours qui a son nom, à défaut de ses noms, ou n'a rien d'autre. */
     boolean ressemble(Type type) {
         Type sienne = squelette.getOrDefault(type.nom, Type.rien(type.nom));
         Set<String> attendus = sienne.nommees().isEmpty() ? sienne.noms : sienne.nommees();
         Set<String> siens = sienne.nommees().isEmpty() ? type.noms : type.nommees();
-        return type.methodes.isEmpty() && sienne.noms.containsAll(type.noms) || 2 * attendus.stream().filter(siens::contains).count() > attendus.size();
+        return type.methodes.isEmpty() && sienne.noms.containsAll(type.noms)
+                || 2 * attendus.stream().filter(siens::contains).count() > attendus.size();
     }
 }

@@ -103,7 +103,8 @@ public final class Depot {
                 rendu.refus.add("un fichier seul n'est le rendu d'aucun étudiant ; " + pourUnSeul(lieu));
             } else {
                 // un nom qui serait celui de la ligne d'un autre
-                boolean pris = nom.matches("\\d{1,18}") || canvas.values().stream().anyMatch(m -> nom.equals(m.group(1) + "_" + m.group(3)));
+                boolean pris = nom.matches("\\d{1,18}") || canvas.values().stream()
+                        .anyMatch(m -> nom.equals(m.group(1) + "_" + m.group(3)));
                 rendu(pris ? nom + "/" : nom, nom).entrees.put(nom, fichier ? nom : "");
             }
         });

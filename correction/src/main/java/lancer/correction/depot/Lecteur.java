@@ -176,7 +176,8 @@ public final class Lecteur {
         }.scan(classe, null);
         Map<String, String> siens = new TreeMap<>();
         locaux.forEach(nom -> siens.put(nom, "n" + siens.size()));
-        String forme = NOM.matcher(classe.getMembers().toString()).replaceAll(m -> siens.getOrDefault(m.group(), m.group()).replace("$", ""));
+        String forme = NOM.matcher(classe.getMembers().toString())
+                .replaceAll(m -> siens.getOrDefault(m.group(), m.group()).replace("$", ""));
         Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()),
                 classe.getKind().name().equals("RECORD"));
         lu.forme = condense(forme);

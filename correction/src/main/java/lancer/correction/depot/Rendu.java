@@ -42,7 +42,7 @@ public final class Rendu {
         this.nom = propre.isEmpty() ? "sans nom" : propre;
     }
 
-    /** Lit ses fichiers, si rien ne l'a refusé. Tout ce qui arrive alors ne coûte que ce rendu. @param seul vrai si tout ce lieu est ce rendu */
+    /** Lit ses fichiers, si rien ne l'a refusé. Ce qui arrive alors ne coûte que ce rendu. @param seul vrai si ce lieu est ce rendu */
     void lire(Lieu ici, boolean seul) {
         if (!refus.isEmpty()) {
             return;

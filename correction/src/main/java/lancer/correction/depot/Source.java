@@ -62,10 +62,11 @@ public final class Source {
     private final String texte;
     private final Lecteur.Fichier lu;
 
-    private Source(String chemin, byte[] octets, String texte, Lecteur.Fichier lu) {
+    /** @param declares les noms des classes du rendu */
+    private Source(String chemin, byte[] octets, Lecteur.Fichier lu, Set<String> declares) {
         this.chemin = chemin;
         this.lu = lu;
-        this.texte = texte;
+        texte = sansAnnotations(decoder(octets), declares);
         paquet = lu.paquet;
         types = lu.types;
         // macOS décompose les accents des noms de fichiers
@@ -89,62 +90,40 @@ public final class Source {
         return Stream.of(lecture.lire(textes)).map(lu -> lu.types.get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
-    /** Ces fichiers, lus. @param remarques reçoit ceux qui sont illisibles */
-    static List<Source> lire(Map<String, byte[]> octets, Lecture lecture, List<String> remarques) throws Arret {
-        Map<String, String> textes = new TreeMap<>();
-        octets.forEach((chemin, lus) -> textes.put(chemin, decoder(lus)));
-        Map<String, Lecteur.Fichier> lus = lire(textes, lecture);
-        Map<String, String> sans = new TreeMap<>();
-        Map<String, Set<String>> retirees = new TreeMap<>();
-        Set<String> declares = lus.values().stream().filter(Objects::nonNull).flatMap(f -> f.types.stream()).map(t -> t.nom)
+    /** Ces fichiers, lus. @param illisibles reçoit ceux qui ne le sont pas */
+    static List<Source> lire(Map<String, byte[]> octets, Lecture lecture, List<String> illisibles) throws Arret {
+        List<Lecteur.Fichier> lus = Arrays.asList(lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())));
+        Set<String> declares = lus.stream().filter(Objects::nonNull).flatMap(f -> f.types.stream()).map(t -> t.nom)
                 .collect(Collectors.toSet());
-        lus.forEach((chemin, lu) -> {
+        List<Source> fichiers = new ArrayList<>();
+        Iterator<Lecteur.Fichier> suite = lus.iterator();
+        octets.forEach((chemin, siens) -> {
+            Lecteur.Fichier lu = suite.next();
             if (lu == null) {
-                remarques.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
+                illisibles.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
             } else {
-                List<Lecteur.Nom> inconnues = lu.annotations.stream().filter(a -> inconnue(a.texte, lu, declares))
-                        .collect(Collectors.toList());
-                inconnues.forEach(a -> retirees.computeIfAbsent(chemin, c -> new TreeSet<>()).add("@" + a.texte));
-                lu.importations.stream().filter(i -> inconnues.stream().anyMatch(a -> i.texte.endsWith("." + a.texte)))
-                        .forEach(inconnues::add);
-                if (!inconnues.isEmpty()) {
-                    sans.put(chemin, effacer(textes.get(chemin), inconnues));
-                }
-            }
-        });
-        lus.putAll(lire(sans, lecture));
-        textes.putAll(sans);
-        List<Source> fichiers = new ArrayList<>();
-        lus.forEach((chemin, lu) -> {
-            if (lu != null) {
-                Source source = new Source(chemin, octets.get(chemin), textes.get(chemin), lu);
-                retirees.getOrDefault(chemin, Set.of()).forEach(a ->
-                        source.remarques.put("jugé sans l'annotation " + a + ", que rien ne définit ici", ""));
-                fichiers.add(source);
+                fichiers.add(new Source(chemin, siens, lu, declares));
             }
         });
         return fichiers;
     }
 
-    private static Map<String, Lecteur.Fichier> lire(Map<String, String> textes, Lecture lecture) throws Arret {
-        Map<String, Lecteur.Fichier> lus = new TreeMap<>();
-        Iterator<Lecteur.Fichier> suite = textes.isEmpty() ? null : Arrays.asList(lecture.lire(List.copyOf(textes.values()))).iterator();
-        textes.keySet().forEach(chemin -> lus.put(chemin, suite.next()));
-        return lus;
+    /** Ce texte, où des blancs remplacent les annotations que rien ne définit, et leurs importations. */
+    private String sansAnnotations(String lui, Set<String> declares) {
+        List<Lecteur.Nom> inconnues = lu.annotations.stream().filter(a -> inconnue(a.texte, declares)).collect(Collectors.toList());
+        inconnues.forEach(a -> remarques.put("jugé sans l'annotation @" + a.texte + ", que rien ne définit ici", ""));
+        StringBuilder reste = new StringBuilder(lui);
+        Stream.concat(inconnues.stream(), lu.importations.stream().filter(i -> inconnues.stream()
+                .anyMatch(a -> i.texte.endsWith("." + a.texte)))).filter(q -> q.debut >= 0 && q.fin > q.debut)
+                .forEach(q -> reste.replace(q.debut, q.fin, lui.substring(q.debut, q.fin).replaceAll("[^\n]", " ")));
+        return reste.toString();
     }
 
     /** Dit si rien ne définit cette annotation : ni Java, ni le rendu, ni ce que la correction fournit. */
-    private static boolean inconnue(String nom, Lecteur.Fichier lu, Set<String> declares) {
+    private boolean inconnue(String nom, Set<String> declares) {
         String complet = lu.importations.stream().map(i -> i.texte).filter(i -> i.endsWith("." + nom)).findFirst().orElse(nom);
         return !CONNUES.matcher(complet).matches() && Stream.of(complet.split("\\.")).noneMatch(declares::contains);
-    }
-
-    /** Ce texte, où des blancs remplacent ceci. */
-    private static String effacer(String texte, List<Lecteur.Nom> quoi) {
-        StringBuilder reste = new StringBuilder(texte);
-        quoi.forEach(q -> reste.replace(q.debut, q.fin, texte.substring(q.debut, q.fin).replaceAll("[^\n]", " ")));
-        return reste.toString();
     }
 
     /** Dit s'il déclare une classe du cours. */

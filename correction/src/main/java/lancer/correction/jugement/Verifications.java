@@ -99,9 +99,8 @@ final class Verifications {
             Throwable cause = fin.getThrowable().orElse(null);
             String message = cause == null ? "" : message(cause);
             if (fin.getStatus() == TestExecutionResult.Status.ABORTED) {
-                boolean nonEvaluable = message.startsWith(NON_EVALUABLE);
-                return new Verdict(nonEvaluable ? Etat.NON_EVALUABLE : Etat.NON_COMMENCE, v.classe,
-                        message.substring(nonEvaluable ? NON_EVALUABLE.length() : message.startsWith(NON_COMMENCEE) ? NON_COMMENCEE.length() : 0));
+                Etat etat = message.startsWith(NON_EVALUABLE) ? Etat.NON_EVALUABLE : Etat.NON_COMMENCE;
+                return new Verdict(etat, v.classe, message.replaceFirst("^(" + NON_EVALUABLE + "|" + NON_COMMENCEE + ")", ""));
             }
             return new Verdict(cause == null ? Etat.REUSSI : Etat.FAUSSE, v.classe, message,
                     cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null);

@@ -75,7 +75,8 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
+        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, "
+                + "remplacez partout Monde par Scene dans une copie "
                 + "du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
                 "Objet3D.getNormale absente ; prend et rend la même chose : normale",
                 "le même texte que le corrigé, aux commentaires près : Vecteur, Point, Rayon, Camera"), lu.aRegarder);
@@ -283,7 +284,8 @@ class ProjetTest extends DepotEssai {
         classes("lancer-base", SourcesDuCours::squelette, toutes);
         Projet intact = projet(lire(rendus).get("11"));
         assertEquals(Set.of(), intact.changees, "rien n'y est de lui");
-        assertTrue(intact.aRegarder.contains("base-java/src/ : laissé de côté, c'est le texte du corrigé : Camera, Lancer, Objet3D, Point, Rayon…"), intact.aRegarder.toString());
+        assertTrue(intact.aRegarder.contains("base-java/src/ : laissé de côté, c'est le texte du corrigé : Camera, Lancer, Objet3D, "
+                + "Point, Rayon…"), intact.aRegarder.toString());
         // ce qu'il a écrit, même faux ; ce qu'il a laissé est celui du projet à compléter
         classes("lancer-base", c -> SourcesDuCours.corrige(c).replace("* v.y", "* v.x"), "Vecteur");
         Projet commence = projet(lire(rendus).get("11"));
