@@ -216,10 +216,10 @@ class NotesTest extends ClasseEssai {
         changer("7001", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"a\"");
         changer("7002", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"b\"");
         renoter();
-        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme celui de Zoé N’Guyen (7002), "
+        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme chez Zoé N’Guyen (7002), "
                 + "aux noms et aux commentaires près : "
                 + "Sphere");
-        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme celui de Ólafur Þór (7001), "
+        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme chez Ólafur Þór (7001), "
                 + "aux noms et aux commentaires près : "
                 + "Sphere");
     }

@@ -77,7 +77,7 @@ final class Constats {
         siennes.sort(Comparator.comparing((Faute f) -> !perdues.contains(f.classe())).thenComparing(f -> f.remede.isEmpty()));
         siennes.forEach(f -> resultat.fautes.add(f.toString()));
         // là où git a laissé deux versions, ce que dit le compilateur ne sert à rien
-        siennes.stream().filter(f -> perdues.contains(f.classe()) && !projet.texte(f.classe()).contains("\n<<<<<<< ")).findFirst()
+        siennes.stream().filter(f -> perdues.contains(f.classe()) && !projet.texte(f.classe()).contains("\n>>>>>>> ")).findFirst()
                 .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f + " ; pour juger le reste, réparez-la dans une "
                         + "copie du rendu, et jugez cette copie"));
     }
