@@ -10,14 +10,17 @@ class FauteTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "The method clamp(double, int, int) is undefined for the type java.lang.Math | true",
-        "The method clamp(double, int, int) is undefined for the type Math | true",
-        "The method getFirst() is undefined for the type List<Lampe> | true",
-        "The method norm() is undefined for the type lancer.Vecteur | false",
-        "Syntax error, insert \";\" to complete Statement | false"})
-    void uneMethodeQueCeJavaNAPasEnDonneLaVersion(String message, boolean deJava) {
-        assertEquals("Objet3D.java:7 : le compilateur dit « " + message + " »" + (deJava ? " ; Java " + Runtime.version().feature()
-                + ", celui de la correction, n'a pas cette méthode, qu'un Java plus récent a peut-être" : ""),
+        "The method clamp(double, int, int) is undefined for the type java.lang.Math | clamp n'est pas dans Java ICI, qui juge ici : est-elle "
+            + "d'une version plus récente ?",
+        "The method clamp(double, int, int) is undefined for the type Math | clamp n'est pas dans Java ICI, qui juge ici : est-elle d'une "
+            + "version plus récente ?",
+        "The method getFirst() is undefined for the type List<Lampe> | getFirst n'est pas dans Java ICI, qui juge ici : est-elle d'une version "
+            + "plus récente ?",
+        "The method norm() is undefined for the type lancer.Vecteur | ''",
+        "Syntax error, insert \";\" to complete Statement | il manque « ; »"})
+    void ceQuUneFauteDeCompilationVeutDirePrecedeLesMotsDuCompilateur(String message, String remede) {
+        String attendu = remede.isEmpty() ? "" : remede.replace("ICI", "" + Runtime.version().feature()) + " ; ";
+        assertEquals("Objet3D.java:7 : " + attendu + "le compilateur dit « " + message + " »",
                 new Faute("lancer/Objet3D.java", 7, message).toString());
     }
 }
