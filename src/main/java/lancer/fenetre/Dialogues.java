@@ -17,6 +17,9 @@ final class Dialogues {
 
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
+    /** Ce que l'on fait d'un déplacement qui n'est pas écrit. */
+    enum Reponse { ECRIRE, OUBLIER, RESTER }
+
     /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
     private static boolean ouvert;
 
@@ -61,12 +64,24 @@ final class Dialogues {
         if (cible == null || !cible.isFile()) {
             return cible;
         }
-        String[] reponses = {"Remplacer", "Annuler"};
-        int reponse = JOptionPane.showOptionDialog(parent,
-                "Le fichier « " + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?",
-                TITRE_IMAGE, JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
-        parent.requestFocus();
+        int reponse = demander(parent, TITRE_IMAGE, "Le fichier « " + Texte.echappe(cible.getName())
+                + " » existe déjà. Le remplacer ?", "Remplacer", "Annuler");
         return reponse == 0 ? cible : null;
+    }
+
+    /** Demande que faire des déplacements de cette scène, qui ne sont pas écrits. */
+    static Reponse demanderDEcrire(Component parent, String scene) {
+        int reponse = demander(parent, "Déplacement non écrit",
+                "Ce qui est déplacé dans « " + scene + " » n'y est pas écrit.", "Écrire", "Oublier", "Rester");
+        return reponse < 0 ? Reponse.RESTER : Reponse.values()[reponse];
+    }
+
+    /** Le rang de la réponse choisie, la dernière étant proposée ; négatif si le dialogue est fermé. */
+    private static int demander(Component parent, String titre, String question, String... reponses) {
+        int reponse = JOptionPane.showOptionDialog(parent, question, titre, JOptionPane.DEFAULT_OPTION,
+                JOptionPane.WARNING_MESSAGE, null, reponses, reponses[reponses.length - 1]);
+        parent.requestFocus();
+        return reponse;
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {

@@ -28,7 +28,6 @@ import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.fenetre.Bandeau.Sujet;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
@@ -79,11 +78,11 @@ final class PanneauReglages extends JScrollPane {
         setViewportView(haut);
         setBorder(null);
         montrer();
-        controleur.prevenir(this::montrer);
+        controleur.prevenir(etat -> montrer());
     }
 
     private Reglages reglages() {
-        return controleur.demande.reglages;
+        return controleur.getEtat().demande.reglages;
     }
 
     /** Ajoute un nombre à taper. Une valeur impossible est dite, et laissée à corriger. */
@@ -94,7 +93,7 @@ final class PanneauReglages extends JScrollPane {
             public Object stringToValue(String texte) throws ParseException {
                 double lu = Nombre.lire(texte.trim());
                 if (!possible.test(lu)) {
-                    controleur.panneau.bandeau.dire(Sujet.AVIS, nom + " : valeur impossible, " + Texte.cite(texte)
+                    controleur.panneau.bandeau.dire(nom + " : valeur impossible, " + Texte.cite(texte)
                             + " ; attendu : " + attendu);
                     throw new ParseException(texte, 0);
                 }

@@ -144,9 +144,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.getReflets() == 2);
+        attendre("deux réflexions", () -> banc.controleur.getEtat().enCours && banc.controleur.getEtat().montre.dessin.demande.reglages.getReflets() == 2);
         attendreVerdict("L'image n'est pas achevée");
-        assertTrue(surFilEvenements(() -> banc.controleur.enCours));
+        assertTrue(surFilEvenements(() -> banc.controleur.getEtat().enCours));
         banc.main.lent = false;
         int[] bleue = attendue("--reflets=2");
         banc.attendreCodes("la nouvelle image", bleue);
