@@ -21,7 +21,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import lancer.commande.Etape;
-import lancer.commande.Options;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.texte.Texte;
 
@@ -84,7 +84,7 @@ final class Commandes {
                 commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
                 commande("Loupe, plus loin", "ctrl DOWN", scene, () -> f.panneau.approcher(false)));
         menu.addSeparator();
-        Stream.concat(Stream.of("image"), Options.VUES.stream()).forEach(nom -> {
+        Stream.concat(Stream.of("image"), Option.VUE.valeurs.stream()).forEach(nom -> {
             String vue = nom.equals("image") ? null : nom;
             ajouter(menu, commande("Vue : " + nom, null, scene, () -> c.voir(vue))
                     .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.getEtat().demande.vue)));
@@ -104,7 +104,7 @@ final class Commandes {
         JComponent cadre = f.cadre.getRootPane();
         for (Etape etape : Etape.values()) {
             lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW, commande("Étape du cours : Lambert, Phong, ombres, reflets",
-                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(reglages().avecEtape(etape))));
+                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(reglages().avec(Option.ETAPE, etape))));
         }
         reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
         reflexions("Moins de réflexions", '-', REFLEXIONS::lower);
@@ -129,11 +129,11 @@ final class Commandes {
     /** Cette touche, frappée avec ou sans Maj : les claviers diffèrent. */
     private void reflexions(String nom, char touche, UnaryOperator<Integer> autre) {
         // une étape sans reflets n'a pas de réflexions à compter
-        BooleanSupplier possible = () -> scene.getAsBoolean() && reglages().getEtape() == Etape.REFLETS
-                && autre.apply(reglages().getReflets()) != null;
+        BooleanSupplier possible = () -> scene.getAsBoolean() && reglages().get(Option.ETAPE) == Etape.REFLETS
+                && autre.apply(reglages().get(Option.REFLETS)) != null;
         for (String avec : new String[] {"", "shift "}) {
             lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, commande(nom, avec + "typed " + touche,
-                    possible, () -> c.regler(reglages().avecReflets(autre.apply(reglages().getReflets())))));
+                    possible, () -> c.regler(reglages().avec(Option.REFLETS, autre.apply(reglages().get(Option.REFLETS))))));
         }
     }
 

@@ -9,9 +9,11 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
+import lancer.commande.Option;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
-import lancer.dessin.Lecture;
+import lancer.dessin.Programme;
 import lancer.fenetre.Etat.Deplaces;
 import lancer.fenetre.Etat.Montre;
 import lancer.fenetre.Etat.Source;
@@ -25,15 +27,17 @@ import lancer.scene.Surveillance;
 final class Controleur implements Travail.Suite {
 
     final PanneauImage panneau;
-    private final Moteur moteur;
+    private final Programme programme;
+    private final Options options;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Consumer<Etat>> prevenus = new ArrayList<>();
     private Etat etat = new Etat();
 
     /** @param taille donne la taille de l'image à dessiner */
-    Controleur(Moteur moteur, PanneauImage panneau, Supplier<Dimension> taille) {
-        this.moteur = moteur;
+    Controleur(Programme programme, Options options, PanneauImage panneau, Supplier<Dimension> taille) {
+        this.programme = programme;
+        this.options = options;
         this.panneau = panneau;
         this.taille = taille;
         surveillance = new Surveillance((fichier, version) ->
@@ -61,12 +65,12 @@ final class Controleur implements Travail.Suite {
 
     /** Nombre de fils d'un dessin. */
     int getFils() {
-        return moteur.options.fils;
+        return options.get(Option.FILS);
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
     void ouvrir(Travail premier) {
-        Source lue = new Source(premier.demande.lecture.fichier, premier.version, null);
+        Source lue = new Source(premier.demande.lue.nom, premier.version, null);
         surveillance.suivre(lue.fichier);
         publier(commencer(adopter(etat.avec(lue), premier.demande), premier));
     }
@@ -85,7 +89,7 @@ final class Controleur implements Travail.Suite {
     private void lire(Etat celui) {
         Source inconnue = new Source(celui.source.fichier, null, celui.source.faute);
         publier(commencer(celui.avec(inconnue).avec(celui.montre.retenu()),
-                new Travail(moteur, celui.source.fichier, celui.demande, null)));
+                new Travail(programme, options, celui.source.fichier, celui.demande)));
     }
 
     /** Le fichier de ce nom est à cette version. Celle que cette fenêtre a lue ou écrite ne lui apprend rien. */
@@ -116,18 +120,17 @@ final class Controleur implements Travail.Suite {
 
     /** Revient aux réglages de la ligne de commande et du fichier. */
     void revenir() {
-        regler(new Demande(etat.demande.lecture, moteur.options).reglages);
+        regler(new Demande(etat.demande.lue, options).reglages);
     }
 
-    /** Montre cette vue, comparée à la même image que la précédente. @param vue {@code null} pour l'image */
+    /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
         demander(etat, etat.demande.avecVue(vue));
     }
 
     /** Dessine la scène avec ces déplacements, que le fichier ne contient pas. */
     void deplacer(SceneLue deplacee) {
-        Lecture lecture = etat.demande.lecture;
-        changer(etat.demande.avecLecture(new Lecture(lecture.fichier, deplacee, lecture.dureeNs)));
+        changer(etat.demande.avecLecture(deplacee));
     }
 
     /** Un déplacement est fini, et peut être défait. @param debut la scène d'avant */
@@ -212,8 +215,7 @@ final class Controleur implements Travail.Suite {
         Montre montre = celui.montre;
         boolean commence = celui.enCours ? celui.demande.equals(celui.travail.demande)
                 : montre.entier && celui.demande.equals(montre.dessin.demande);
-        return commence ? celui : commencer(celui, new Travail(moteur, null, celui.demande,
-                montre.avant == null ? null : montre.avant.image));
+        return commence ? celui : commencer(celui, new Travail(programme, celui.demande));
     }
 
     private Etat commencer(Etat celui, Travail nouveau) {
@@ -257,7 +259,7 @@ final class Controleur implements Travail.Suite {
 
     /** La scène montrée est désormais celle qui vient d'être lue. */
     private Etat adopter(Etat celui, Demande lue) {
-        List<String> avis = new ArrayList<>(lue.lecture.lue.avertissements);
+        List<String> avis = new ArrayList<>(lue.lue.avertissements);
         if (celui.estDeplace() && !celui.deplaces.enEcriture) {
             avis.add("ce qui était déplacé dans " + celui.getNom() + " sans être écrit est oublié");
         }
@@ -265,8 +267,8 @@ final class Controleur implements Travail.Suite {
             panneau.bandeau.dire(String.join("\n", avis));
         }
         return celui.avec(new Source(celui.source.fichier, celui.source.version, null))
-                .avec(new Deplaces(lue.lecture.lue, Collections.emptyList(), false))
-                .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lecture));
+                .avec(new Deplaces(lue.lue, Collections.emptyList(), false))
+                .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lue));
     }
 
     @Override

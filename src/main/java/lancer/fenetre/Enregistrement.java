@@ -90,7 +90,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.getEtat().montre.dessin.demande.lecture.fichier;
+        String scene = controleur.getEtat().montre.dessin.demande.lue.nom;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(controleur.panneau, new File(dossier, nom));
         if (cible == null) {
@@ -123,8 +123,8 @@ final class Enregistrement {
             ensuite.run();
         } else {
             SceneLue avant = etat.deplaces.ecrite;
-            SceneLue voulue = etat.demande.lecture.lue;
-            String fichier = etat.demande.lecture.fichier;
+            SceneLue voulue = etat.demande.lue;
+            String fichier = etat.demande.lue.nom;
             controleur.commencerLEcriture();
             confier(() -> avant.remplacer(voulue), faute -> {
                 if (faute == null) {

@@ -145,12 +145,12 @@ final class Etat {
 
     /** Le nom, sans dossier, du fichier de la scène montrée. */
     String getNom() {
-        return Texte.echappe(new File(demande.lecture.fichier).getName());
+        return Texte.echappe(new File(demande.lue.nom).getName());
     }
 
     /** Dit si l'image montrée est d'une autre scène que celle qui est demandée. */
     boolean montreUneAutre() {
-        return demande != null && !demande.lecture.fichier.equals(source.fichier);
+        return demande != null && !demande.lue.nom.equals(source.fichier);
     }
 
     /** Dit si la scène montrée est celle que contient cette version du fichier demandé. */
@@ -160,7 +160,7 @@ final class Etat {
 
     /** Dit si un déplacement n'est pas dans le fichier de la scène montrée. */
     boolean estDeplace() {
-        return demande != null && demande.lecture.lue != deplaces.ecrite;
+        return demande != null && demande.lue != deplaces.ecrite;
     }
 
     /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */

@@ -196,7 +196,7 @@ final class Inspecteur extends JPanel {
         }
         pixel = new Point(Math.max(0, Math.min(dessin.image.largeur - 1, pixel.x)),
                 Math.max(0, Math.min(dessin.image.hauteur - 1, pixel.y)));
-        enCours = new Explication(new Inspection(dessin.lancer.getScene(), dessin.demande.lecture.lue::getOrigine,
+        enCours = new Explication(new Inspection(dessin.lancer.getScene(), dessin.demande.lue::getOrigine,
                 dessin.lancer.getCamera(), dessin.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();

@@ -16,7 +16,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingWorker;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
@@ -115,10 +114,9 @@ final class PanneauVitesse extends JPanel {
                     Long.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
-                Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
-                lancer.TracerPixels(prepare.image, moins.reglages.getProfondeur(), controleur.getFils());
+                long dureeNs = prepare.tracer(moins.reglages, prepare.image);
                 Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
-                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getAtelier().getDureeNs()),
+                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(dureeNs),
                         mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));
                 moins = suivant();

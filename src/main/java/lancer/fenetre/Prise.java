@@ -57,7 +57,7 @@ final class Prise extends MouseAdapter {
 
     /** Lâche ce qui est tiré si un autre geste ou une lecture a changé la scène. */
     private void suivre(Etat etat) {
-        if (prise != null && etat.demande.lecture.lue != tiree) {
+        if (prise != null && etat.demande.lue != tiree) {
             prise = null;
         }
     }
@@ -87,7 +87,7 @@ final class Prise extends MouseAdapter {
             // un message cacherait le bas de l'image
             panneau.bandeau.dire("");
             depart = panneau.pointDe(e);
-            debut = controleur.getEtat().demande.lecture.lue;
+            debut = controleur.getEtat().demande.lue;
             tiree = debut;
             try {
                 prise = viser();
@@ -111,7 +111,7 @@ final class Prise extends MouseAdapter {
         PointContact contact = montree.avec(montree.getModele())
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
         // l'image montrée peut être celle d'avant le dernier déplacement, où cet objet avait une autre place
-        int rang = contact == null ? -1 : montre().demande.lecture.lue.objets.indexOf(contact.objet);
+        int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
         Object vise = rang < 0 ? null : debut.objets.get(rang);
         if (vise != null && vise.getClass() == Sphere.class && !estTropGrande((Sphere) vise)) {
             return vise;
@@ -190,7 +190,7 @@ final class Prise extends MouseAdapter {
     private void peindre(Graphics2D g) {
         if (montre() != null && etoiles) {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            controleur.getEtat().demande.lecture.lue.lampes.stream().map(lampe -> aLEcran(lampe.getPosition()))
+            controleur.getEtat().demande.lue.lampes.stream().map(lampe -> aLEcran(lampe.getPosition()))
                     .filter(Objects::nonNull).forEach(ou -> Figure.peindreLisere(g, AffineTransform
                     .getTranslateInstance(ou.getX(), ou.getY()).createTransformedShape(ETOILE), LAMPE));
         }

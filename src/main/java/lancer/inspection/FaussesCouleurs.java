@@ -16,15 +16,11 @@ import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.image.Comparaison;
 import lancer.image.ImageMemoire;
 import lancer.texte.Nombre;
 
 /** Vues d'une scène en fausses couleurs ({@code --vue}), chacune avec sa légende. Le ciel y est noir. */
 public final class FaussesCouleurs {
-
-    /** Racine du nombre de rayons par pixel de la référence. */
-    private static final int COTE = 8;
 
     /** Les teintes des nombres de rayons, du noir au blanc, de plus en plus claires. */
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
@@ -56,17 +52,12 @@ public final class FaussesCouleurs {
     /**
      * Dessine une vue.
      *
-     * @param nom un de ceux d'{@link lancer.commande.Options#VUES}
+     * @param nom une de celles d'{@link lancer.commande.Option#VUE}
      * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
-     * @param reference image à laquelle {@code difference} compare ; {@code null} pour 64 rayons par pixel
      */
-    public void dessiner(String nom, ImageMemoire image, ImageMemoire reference) {
+    public void dessiner(String nom, ImageMemoire image) {
         String debut = "vue " + nom + " : ";
-        if (nom.equals("difference")) {
-            image.echelle = debut + (reference == null ? "une image de " + COTE * COTE
-                    + " rayons par pixel se dessine d'abord" : "l'image se dessine de nouveau");
-            image.echelle = debut + comparer(image, reference);
-        } else if (nom.equals("rayons")) {
+        if (nom.equals("rayons")) {
             image.sens = "rayons : %.0f";
             image.echelle = debut + compter(image);
         } else if (nom.equals("distance")) {
@@ -127,23 +118,6 @@ public final class FaussesCouleurs {
         return new Couleur(eclairent);
     }
 
-    /** Peint l'écart de l'image à la référence, dessinée s'il le faut. @return sa légende */
-    private String comparer(ImageMemoire image, ImageMemoire reference) {
-        ImageMemoire attendue = reference;
-        if (attendue == null) {
-            attendue = new ImageMemoire(image.largeur, image.hauteur, true);
-            tracer((pave, voulus, vue, toile) -> enGrille(COTE, voulus, vue, toile), attendue);
-        }
-        ImageMemoire dessinee = new ImageMemoire(image.largeur, image.hauteur, attendue.lineaire != null);
-        tracer(lancer.getScene().getModele().getEchantillonnage(), dessinee);
-        Comparaison comparaison = new Comparaison(dessinee, attendue, 0, 0);
-        // jusqu'ici, les nombres de l'image sont ceux du brouillon
-        image.sens = "écart : %.2f niveaux";
-        comparaison.peindreLesEcarts(image);
-        return "écart, au plus " + Nombre.arrondir(comparaison.getPire()) + " (blanc : 32 niveaux sur 255), avec "
-                + (reference == null ? "une image de " + COTE * COTE + " rayons par pixel" : "l'image d'avant");
-    }
-
     /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
     private double[] nombrer(Echantillonnage echantillonnage, ImageMemoire image) {
         double[] nombres = new double[image.largeur * image.hauteur];
@@ -188,8 +162,8 @@ public final class FaussesCouleurs {
             return couleur;
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
-        int raffines = choisi == null ? enGrille(1, voulus, comptee, (c, i, j) -> { })
-                : choisi.pour(lancer.getScene().getObjets(), camera).tracer(pave, voulus, comptee, (c, i, j) -> { });
+        int raffines = choisi.pour(lancer.getScene().getObjets(), camera)
+                .tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }
@@ -205,19 +179,5 @@ public final class FaussesCouleurs {
 
     private static Couleur couleur(int code) {
         return new Couleur(code >> 16 & 255, code >> 8 & 255, code & 255).div(255);
-    }
-
-    /** Donne à chaque pixel la moyenne d'une grille de rayons. @param cote racine de leur nombre */
-    private static int enGrille(int cote, Pave voulus, Vue vue, Toile toile) {
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                Couleur somme = new Couleur();
-                for (int k = 0; k < cote * cote; k++) {
-                    somme = somme.add(vue.couleur(i + (k % cote + 0.5) / cote, j + (k / cote + 0.5) / cote));
-                }
-                toile.drawPixel(somme.div(cote * cote), i, j);
-            }
-        }
-        return 0;
     }
 }

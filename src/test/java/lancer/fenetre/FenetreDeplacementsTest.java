@@ -35,7 +35,7 @@ class FenetreDeplacementsTest extends EssaiFenetre {
     }
 
     private lancer.Point centre() throws Exception {
-        return surFilEvenements(() -> ((Sphere) banc.controleur.getEtat().demande.lecture.lue.objets.get(0)).getCentre());
+        return surFilEvenements(() -> ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre());
     }
 
     private Point place() throws Exception {
@@ -213,6 +213,6 @@ class FenetreDeplacementsTest extends EssaiFenetre {
     }
 
     private lancer.Point centreIci() {
-        return ((Sphere) banc.controleur.getEtat().demande.lecture.lue.objets.get(0)).getCentre();
+        return ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre();
     }
 }

@@ -14,7 +14,7 @@ import java.awt.geom.Point2D;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import lancer.Sphere;
-import lancer.commande.Options;
+import lancer.commande.Option;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
@@ -37,7 +37,7 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.controleur.getEtat().demande.lecture.lue.objets.get(rang);
+        return (Sphere) banc.controleur.getEtat().demande.lue.objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -99,7 +99,7 @@ class FenetreLeconTest extends EssaiFenetre {
         int[] deplacee = banc.imageAchevee().codes;
         banc.frapperCtrl('e');
         attendre("elle est écrite", () -> !banc.cadre.getTitle().endsWith("•") && !banc.controleur.getEtat().enCours
-                && banc.controleur.getEtat().montre.dessin.demande.lecture.lue.objets.get(0) == sphere(0));
+                && banc.controleur.getEtat().montre.dessin.demande.lue.objets.get(0) == sphere(0));
         String ecrit = fichier();
         String valeur = ecrit.substring(ecrit.indexOf("Centre = ") + 9, ecrit.indexOf(" \r\nrayon=1\r"));
         assertEquals(ini.replace("0 0.2 6", valeur), ecrit);
@@ -166,16 +166,16 @@ class FenetreLeconTest extends EssaiFenetre {
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.controleur.getEtat().demande.lecture.lue.lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.controleur.getEtat().demande.lecture.lue.lampes.get(0).getPosition().x < -0.2);
+        tirer(surFilEvenements(() -> place(banc.controleur.getEtat().demande.lue.lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.getEtat().demande.lue.lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test
     void chaqueVueEstCelleDeLaLigneDeCommandeEtDitSaValeurSousLaSouris() throws Exception {
         ouvrir();
-        String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "écart : \\d+\\.\\d\\d niveaux"};
+        String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+"};
         for (int k = 0; k < dits.length; k++) {
-            String nom = Options.VUES.get(k);
+            String nom = Option.VUE.valeurs.get(k);
             int rang = k;
             faire(article(1, "Vue : " + nom)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
@@ -189,23 +189,5 @@ class FenetreLeconTest extends EssaiFenetre {
         attendre("le ciel se dit", () -> banc.pixel.getText().endsWith(" ciel"));
         faire(article(1, "Vue : image")::doClick);
         banc.attendreImage("et l'on revient à l'image", attendue(L, H));
-    }
-
-    @Test
-    void laDifferenceSeFaitAvecLImageDAvantSIlYEnAUne() throws Exception {
-        ImageMemoire avant = ouvrir();
-        banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.resume.getText().contains("2 réflexions"));
-        ImageMemoire apres = banc.imageAchevee();
-        faire(article(1, "Vue : difference")::doClick);
-        attendre("la vue", () -> banc.resume.getText().contains("vue difference"));
-        ImageMemoire vue = banc.imageAchevee();
-        for (int k = 0; k < vue.codes.length; k++) {
-            double pire = 0;
-            for (int c = 3 * k; c < 3 * k + 3; c++) {
-                pire = Math.max(pire, Math.abs(Math.min(1, avant.lineaire[c]) - Math.min(1, apres.lineaire[c])));
-            }
-            assertEquals(255 * pire, vue.lineaire[3 * k], 1e-3, "pixel " + k);
-        }
     }
 }

@@ -56,7 +56,7 @@ class SortiesTest extends EssaiCommande {
     @Test
     void desLiensSansFinSontUnePanne() throws IOException {
         Path boucle = lien("boucle.png", Paths.get("boucle.png"));
-        verifierRefus(1, boucle + " : écriture impossible, trop de liens symboliques", executer("--image", boucle.toString()));
+        verifierRefus(1, boucle + " : écriture impossible, Too many levels of symbolic links", executer("--image", boucle.toString()));
     }
 
     @Test
