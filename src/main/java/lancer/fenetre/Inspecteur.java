@@ -57,7 +57,6 @@ final class Inspecteur extends JPanel {
     /** Le dessin dont le pixel est expliqué. */
     private Dessin dessin;
     private Point pixel;
-    private int rang = Inspection.AU_CENTRE;
     /** Vrai si le détail est déplié. */
     private boolean tout;
 
@@ -74,13 +73,6 @@ final class Inspecteur extends JPanel {
         arbre.setRequestFocusEnabled(false);
         arbre.setRowHeight(0);
         arbre.setCellRenderer(new Ligne());
-        arbre.addTreeSelectionListener(e -> {
-            Noeud choisi = e.isAddedPath() ? noeud(e.getPath().getLastPathComponent()) : null;
-            if (choisi != null && choisi.echantillon >= 0) {
-                rang = choisi.echantillon;
-                calculer();
-            }
-        });
         arbre.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -123,7 +115,6 @@ final class Inspecteur extends JPanel {
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
     void montrer(Point voulu) {
         pixel = voulu;
-        rang = Inspection.AU_CENTRE;
         paraitreOuNon();
     }
 
@@ -148,7 +139,6 @@ final class Inspecteur extends JPanel {
     private final class Explication extends SwingWorker<Figure, Void> {
 
         private final Inspection nouvelle;
-        private final int voulu = rang;
         private Noeud recit;
 
         Explication(Inspection nouvelle) {
@@ -157,7 +147,7 @@ final class Inspecteur extends JPanel {
 
         @Override
         protected Figure doInBackground() {
-            nouvelle.faireOuEchouer(voulu);
+            nouvelle.faireOuEchouer();
             recit = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             return new Figure(nouvelle);
         }

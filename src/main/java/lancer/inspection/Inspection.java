@@ -3,35 +3,28 @@ package lancer.inspection;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.PointContact;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
-import lancer.contrat.Toile;
-import lancer.contrat.Vue;
 import lancer.fils.Equipe;
-import lancer.inspection.Chemin.Segment;
-import lancer.inspection.Chemin.Terme;
 
 /**
  * Explication d'un pixel. Le pixel est dessiné selon l'échantillonnage de la scène, avec les autres pixels de son pavé
- * s'il partage des points avec eux. Puis l'un de ses échantillons est recalculé en notant les détails.
+ * s'il partage des points avec eux. Puis les rayons de l'un de ses échantillons sont suivis par les méthodes publiques
+ * des classes du cours.
  */
-public final class Inspection implements Vue, Toile {
+public final class Inspection {
 
-    /** Rang qui désigne l'échantillon le plus proche du centre. */
-    public static final int AU_CENTRE = -1;
+    /** Distance au-delà du pixel, en pixels, où un échantillon d'un pixel voisin peut être partagé avec lui. */
+    private static final double PARTAGE = 0.5;
 
     public final Scene scene;
     private final Function<Object, String> origines;
@@ -39,20 +32,22 @@ public final class Inspection implements Vue, Toile {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Chemin chemin = new Chemin();
     private final Equipe equipe = new Equipe("lancer");
     private final Lancer lancer;
     private Couleur couleur;
-    private List<Echantillon> echantillons = Collections.emptyList();
-    private Echantillon choisi;
     private PixelFautif faute;
-    /** Échantillons pris près du pixel, par l'objet {@link Couleur} que la vue a rendu. */
-    private final Map<Couleur, Echantillon> vus = new IdentityHashMap<>();
 
-    /** Termes d'une somme pondérée, somme, diviseur ; {@code somme} est {@code null} si elle n'est pas notée. */
-    final List<Echantillon> termes = new ArrayList<>();
-    Couleur somme;
-    double diviseur;
+    /** Échantillons du pixel, ceux qu'il peut partager compris, ligne par ligne. */
+    final List<PointVu> echantillons = new ArrayList<>();
+
+    /** L'échantillon expliqué, le plus proche du centre ; ce que les segments n'expliquent pas dans sa couleur. */
+    PointVu choisi;
+    Couleur autre = new Couleur();
+
+    private final List<Segment> segments = new ArrayList<>();
+
+    /** Le premier échec du dessin ou, à défaut, de l'explication ; {@code null} s'il n'y en a pas. */
+    Throwable echec;
 
     /** @param profondeur nombre de réflexions permises @param x colonne, depuis 0 @param y ligne, depuis 0 en haut */
     public Inspection(Scene scene, Function<Object, String> origines, Camera camera, int profondeur, int x, int y) {
@@ -65,61 +60,90 @@ public final class Inspection implements Vue, Toile {
         lancer = new Lancer(scene.avec(scene.getModele()), camera);
     }
 
-    /** Explique l'échantillon le plus proche du centre. @throws CancellationException si ce fil est interrompu */
+    /**
+     * Explique l'échantillon le plus proche du centre.
+     *
+     * @throws PixelFautif si le pixel ne peut être calculé
+     * @throws CancellationException si ce fil est interrompu
+     */
     public void faire() {
-        // un fil d'une équipe a une pile assez grande pour les réflexions permises
-        equipe.faire(() -> expliquer(AU_CENTRE));
-    }
-
-    /** Explique l'échantillon de ce rang. Si le calcul échoue, garde la faute et les segments qui la précèdent. */
-    public void faireOuEchouer(int rang) {
-        try {
-            equipe.faire(() -> expliquer(rang));
-        } catch (PixelFautif e) {
-            faute = e;
-            chercherLesObstacles();
+        faireOuEchouer();
+        if (faute != null) {
+            throw faute;
         }
     }
 
-    private void expliquer(int rang) {
+    /** Comme {@link #faire} ; mais si le calcul échoue, garde la faute et les segments qui la précèdent. */
+    public void faireOuEchouer() {
+        // un fil d'une équipe a une pile assez grande pour les réflexions permises
+        equipe.faire(() -> {
+            try {
+                dessiner();
+                expliquer();
+            } catch (PixelFautif e) {
+                faute = e;
+                echec = e;
+                echantillons.clear();
+                suivre(e.xe, e.ye);
+            }
+        });
+    }
+
+    private void dessiner() {
         Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this, this);
-        echantillons = vus.values().stream()
-                .filter(e -> e.estDans(x, y) || termes.stream().anyMatch(t -> t.xe == e.xe && t.ye == e.ye))
-                .sorted(Comparator.<Echantillon>comparingDouble(e -> e.ye).thenComparingDouble(e -> e.xe))
-                .collect(Collectors.toList());
+        echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
+                (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
+        echantillons.sort(Comparator.<PointVu>comparingDouble(point -> point.ye)
+                .thenComparingDouble(point -> point.xe));
+    }
+
+    /** La couleur d'un point de l'écran, noté si ce pixel peut l'utiliser. */
+    private Couleur voir(double xe, double ye) {
+        equipe.obeir();
+        Couleur vue = lancer.getCouleurPixel(xe, ye, profondeur);
+        if (couleur == null && xe >= x && xe < x + 1 + PARTAGE && ye >= y && ye < y + 1 + PARTAGE) {
+            echantillons.add(new PointVu(xe, ye, xe >= x + 1 || ye >= y + 1, vue));
+        }
+        return vue;
+    }
+
+    private void expliquer() {
         if (!echantillons.isEmpty()) {
-            choisi = rang == AU_CENTRE ? Collections.min(echantillons,
-                    Comparator.comparingDouble(e -> Math.hypot(e.xe - x - 0.5, e.ye - y - 0.5)))
-                    : echantillons.get(Math.min(rang, echantillons.size() - 1));
-            lancer.getCouleurPixel(choisi.xe, choisi.ye, profondeur);
-            chercherLesObstacles();
+            choisi = Collections.min(echantillons,
+                    Comparator.comparingDouble(point -> Math.hypot(point.xe - x - 0.5, point.ye - y - 0.5)));
+            suivre(choisi.xe, choisi.ye);
+            if (echec == null) {
+                autre = Segment.retrancher(choisi.couleur, segments.get(0).vue);
+            }
         }
     }
 
-    /** Cherche l'objet qui cache chaque lampe cachée : le calcul de la couleur n'a pas besoin de le nommer. */
-    private void chercherLesObstacles() {
-        Scene sienne = scene.avec(scene.getModele());
-        for (Segment segment : chemin.segments) {
-            segment.lampes.stream().filter(lampe -> lampe.L != null && !lampe.ajouts.contains(lampe.produit))
-                    .forEach(lampe -> lampe.cache = obstacle(lampe, segment.contact, sienne));
+    /** Suit le rayon de ce point de réflexion en réflexion, puis calcule les couleurs, de la dernière à la première. */
+    private void suivre(double xe, double ye) {
+        Scene preparee = lancer.getScene();
+        essayer(() -> {
+            for (Segment segment = new Segment(1, camera.getRayon(xe, ye), null, profondeur, preparee); segment != null;
+                    segment = segment.reflechir(preparee)) {
+                segments.add(segment);
+                segment.eclairer(preparee);
+            }
+        });
+        for (int k = segments.size() - 1; k >= 0; k--) {
+            Segment segment = segments.get(k);
+            essayer(() -> segment.sommer(preparee));
         }
     }
 
-    private static PointContact obstacle(Terme cachee, PointContact contact, Scene scene) {
-        boolean lointaine = Scene.estLointaine(cachee.lampe, contact);
-        double portee = lointaine ? cachee.distance / 2 : cachee.distance;
-        Rayon ombre = Rayon.norme(cachee.lampe.getPosition(), cachee.L.neg());
-        PointContact depuisLaLampe = scene.getClosestIntersection(ombre, contact.objet);
-        if (ombre.getDistance() < portee || !lointaine) {
-            return ombre.getDistance() < portee ? depuisLaLampe : null;
+    /** Exécute ce calcul ; s'il échoue, note son échec, et le récit dit ce qui le précède. */
+    private void essayer(Runnable calcul) {
+        try {
+            calcul.run();
+        } catch (CancellationException | OutOfMemoryError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            echec = echec == null ? e : echec;
         }
-        Rayon versLampe = Rayon.norme(contact, cachee.L);
-        return scene.getObjets().stream()
-                .filter(objet -> objet != contact.objet && objet.getIntersectionDistance(versLampe) < portee)
-                .map(objet -> versLampe.calcContact()).max(Comparator.comparingDouble(dernier -> dernier.distance))
-                .orElse(null);
     }
 
     /** Échec du calcul de ce pixel ; {@code null} s'il a une couleur. */
@@ -131,26 +155,9 @@ public final class Inspection implements Vue, Toile {
         return couleur;
     }
 
-    /** Échantillons du pixel, partagés compris, dans l'ordre de leur addition : ligne par ligne. */
-    public List<Echantillon> getEchantillons() {
-        return echantillons;
-    }
-
-    /** Rayon de l'échantillon choisi ou, à défaut, de celui qui échoue ; {@code null} s'il n'y en a pas. */
-    public Rayon getDepart() {
-        if (getSegments().isEmpty()) {
-            return null;
-        }
-        return faute != null ? camera.getRayon(faute.xe, faute.ye) : camera.getRayon(choisi.xe, choisi.ye);
-    }
-
-    public Echantillon getChoisi() {
-        return choisi;
-    }
-
-    /** Le rayon initial, puis les rayons réfléchis. */
+    /** Le rayon initial, puis les rayons réfléchis, jusqu'au dernier ou jusqu'à l'échec. */
     public List<Segment> getSegments() {
-        return chemin.segments;
+        return segments;
     }
 
     /** Nom de la forme {@code [Sphere ambre] ligne 52} ou, sans fichier, rang dans la scène. */
@@ -161,27 +168,5 @@ public final class Inspection implements Vue, Toile {
         }
         return chose instanceof Lampe ? "lampe " + (1 + scene.getLampes().indexOf(chose))
                 : "objet " + (1 + scene.getObjets().indexOf(chose));
-    }
-
-    /** {@inheritDoc} La couleur est copiée : deux échantillons égaux restent des objets distincts. */
-    @Override
-    public Couleur couleur(double xe, double ye) {
-        equipe.obeir();
-        Couleur vu = lancer.getCouleurPixel(xe, ye, profondeur);
-        Couleur sienne = new Couleur(vu.r, vu.v, vu.b);
-        if (xe >= x && xe < x + 2 && ye >= y && ye < y + 2) {
-            vus.put(sienne, new Echantillon(xe, ye, 1, sienne));
-        }
-        return sienne;
-    }
-
-    @Override
-    public void drawPixel(Couleur coul, int i, int j) {
-        if (i == x && j == y) {
-            couleur = coul;
-        } else if (couleur == null) {
-            termes.clear();
-            somme = null;
-        }
     }
 }

@@ -18,40 +18,32 @@ public final class Noeud {
     /** Dit si les enfants ne sont montrés qu'à la demande. */
     public final boolean replie;
 
-    /** Rang de l'échantillon que nomme cette ligne, ou −1. */
-    public final int echantillon;
-
-    private Noeud(String texte, Couleur couleur, List<Noeud> enfants, boolean replie, int echantillon) {
+    private Noeud(String texte, Couleur couleur, List<Noeud> enfants, boolean replie) {
         this.texte = texte;
         this.couleur = couleur;
         this.enfants = Collections.unmodifiableList(enfants);
         this.replie = replie;
-        this.echantillon = echantillon;
     }
 
     Noeud(String texte, Couleur couleur) {
-        this(texte, couleur, Collections.emptyList(), false, -1);
+        this(texte, couleur, Collections.emptyList(), false);
     }
 
-    Noeud sur(List<Noeud> siens, boolean replies) {
-        return new Noeud(texte, couleur, siens, replies, echantillon);
-    }
-
-    /** Le même nœud, qui nomme l'échantillon de ce rang. */
-    Noeud choisissant(int rang) {
-        return new Noeud(texte, couleur, enfants, replie, rang);
+    /** La même ligne, expliquée par celles-ci. */
+    Noeud avec(List<Noeud> lignes, boolean replies) {
+        return new Noeud(texte, couleur, lignes, replies);
     }
 
     /** Les lignes, chacune suivie de celles qui l'expliquent, en retrait ; la racine n'ajoute pas de retrait. */
     public List<String> lignes() {
         List<String> lignes = new ArrayList<>();
         lignes.add(texte);
-        enfants.forEach(enfant -> enfant.ajouter("", lignes));
+        enfants.forEach(enfant -> enfant.ecrire("", lignes));
         return lignes;
     }
 
-    private void ajouter(String retrait, List<String> lignes) {
+    private void ecrire(String retrait, List<String> lignes) {
         lignes.add(retrait + texte);
-        enfants.forEach(enfant -> enfant.ajouter(retrait + "  ", lignes));
+        enfants.forEach(enfant -> enfant.ecrire(retrait + "  ", lignes));
     }
 }

@@ -10,12 +10,12 @@ import static lancer.essai.Triplets.t;
 import static lancer.essai.Triplets.unite;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
@@ -60,7 +60,7 @@ public final class EssaiRecit {
     private double[] V;
     private double[] produit;
 
-    /** Les pixels dont la somme est pesée, les contacts dits, les lampes éclairées, les cachées, et les raisons de s'arrêter. */
+    /** Les pixels qui pèsent leurs échantillons, les contacts dits, les lampes éclairées, les cachées, et les raisons de s'arrêter. */
     public int pesees;
     public int contacts;
     public int eclairees;
@@ -87,10 +87,12 @@ public final class EssaiRecit {
         autres.forEach(autre -> assertNull(autre, sortie));
         contacts += autres.size();
         double[] point = {x + 0.5, y + 0.5};
+        String fin = sortie.substring(sortie.lastIndexOf("somme "));
         double[] pixel = vue(1);
         if (debut.length > 1) {
-            pixel = moyenne(debut);
+            pixel = moyenne(debut, Arrays.copyOf(nombres(fin), 3));
             point = nombres(debut[debut.length - 1]);
+            pesees += debut[debut.length - 2].startsWith("leur moyenne") ? 1 : 0;
         }
         Rayon rayon = new Camera(largeur, hauteur).getRayon(point[0], point[1]);
         P = t(rayon.getP());
@@ -100,36 +102,39 @@ public final class EssaiRecit {
         for (int numero = 1; numero < etapes.length; numero++) {
             depart = etape(numero, etapes[etapes.length - numero], depart);
         }
-        String fin = sortie.substring(sortie.lastIndexOf("somme "));
         assertArrayEquals(pixel, Arrays.copyOf(nombres(fin), 3), fin);
         assertTrue(fin.trim().endsWith(String.format("#%06X", new Couleur(pixel[0], pixel[1], pixel[2]).getCode() & 0xFFFFFF)), fin);
     }
 
-    /** La moyenne des échantillons ou, s'ils sont pesés, de leurs termes. */
-    private double[] moyenne(String[] lignes) {
-        Map<String, double[]> echantillons = new LinkedHashMap<>();
-        double[] termes = new double[3];
-        double poids = 0;
+    /** La moyenne des échantillons ; s'ils sont pesés autrement, la couleur dite, entre les extrêmes de chaque composante. */
+    private static double[] moyenne(String[] lignes, double[] dite) {
+        double[] somme = new double[3];
+        double[] min = Triplets.gris(Double.POSITIVE_INFINITY);
+        double[] max = Triplets.gris(Double.NEGATIVE_INFINITY);
+        int nombre = 0;
         for (String ligne : lignes) {
-            String[] mots = ligne.trim().split(" \\(partagé\\) : | : | × | = ");
             if (ligne.matches("  \\S+ \\S+( \\(partagé\\))? : .*")) {
-                echantillons.put(mots[0], nombres(mots[1]));
-            } else if (ligne.startsWith("  ")) {
-                poids += nombres(mots[0])[0];
-                assertArrayEquals(fois(gris(nombres(mots[0])[0]), echantillons.get(mots[1])), nombres(mots[2]), ligne);
-                ajouter(termes, nombres(mots[2]));
+                double[] vue = nombres(ligne.replaceFirst(".* : ", ""));
+                ajouter(somme, vue);
+                nombre++;
+                Arrays.setAll(min, c -> Math.min(min[c], vue[c]));
+                Arrays.setAll(max, c -> Math.max(max[c], vue[c]));
             }
         }
-        pesees += poids > 0 ? 1 : 0;
-        if (poids == 0) {
-            echantillons.values().forEach(vue -> ajouter(termes, vue));
-            poids = echantillons.size();
+        double aire = nombre;
+        double[] moyenne = Arrays.stream(somme).map(c -> c / aire).toArray();
+        String bilan = lignes[lignes.length - 2];
+        if (!bilan.startsWith("leur moyenne = ")) {
+            assertEquals("leur somme = " + somme[0] + " " + somme[1] + " " + somme[2] + ", divisée par " + nombre + " pour le pixel",
+                    bilan);
+            return moyenne;
         }
-        double aire = Math.rint(poids);
-        assertEquals(aire, poids, 1e-9);
-        double[] dits = nombres(lignes[lignes.length - 2]);
-        assertArrayEquals(new double[] {termes[0], termes[1], termes[2], aire}, dits, lignes[lignes.length - 2]);
-        return Arrays.stream(termes).map(c -> c / aire).toArray();
+        assertArrayEquals(moyenne, nombres(bilan), bilan);
+        assertFalse(Arrays.equals(moyenne, dite), bilan);
+        for (int c = 0; c < 3; c++) {
+            assertTrue(dite[c] >= min[c] - 1e-12 && dite[c] <= max[c] + 1e-12, Arrays.toString(dite));
+        }
+        return dite;
     }
 
     /** Ce que le récit dit que voit le rayon de cette étape. */

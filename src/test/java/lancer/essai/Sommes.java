@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 public final class Sommes {
 
     private static final String TRIPLET = "(\\S+ \\S+ \\S+)";
-    private static final Pattern TERME = Pattern.compile(" *(?:.* éclairée : diffus \\+ reflet(?: =| ne donne pas)|autre terme ="
-            + "|Ks \\(.*\\) ⊗ (?:vue|somme) \\d+ (?:=|ne donne pas)) " + TRIPLET);
+    private static final Pattern TERME = Pattern.compile(" *(?:.* éclairée : diffus \\+ reflet"
+            + "|Ks \\(.*\\) ⊗ (?:vue|somme) \\d+) = " + TRIPLET);
     private static final Pattern AUTRE = Pattern.compile(" {2}autre = " + TRIPLET + " \\(que le récit ne connaît pas\\)");
     private static final Pattern SOMME = Pattern.compile("\\d+  \\[.*  " + TRIPLET + "(?: = .*| : .*)");
 

@@ -1,6 +1,7 @@
 package lancer.inspection;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -10,6 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
@@ -19,7 +21,9 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.PixelFautif;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
@@ -146,7 +150,7 @@ class InspectionTest {
         };
         Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
                 camera, 5, 4, 4);
-        pixel.faireOuEchouer(Inspection.AU_CENTRE);
+        pixel.faireOuEchouer();
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
@@ -164,34 +168,96 @@ class InspectionTest {
         assertTrue(lignes.get(2).startsWith("  lampe 1  N·L = "), lignes.toString());
     }
 
-    @Test
-    void uneFormeQuiSeColoreASaFaconNeDitQueSonContactEtSaSomme() {
-        Couleur sienne = new Couleur(0.25, 0.5, 0.75);
-        Sphere sphere = new Sphere(new Point(0, 0, 8), 2) {
-            @Override
-            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
-                Lampe lampe = scene.getLampes().get(0);
-                return scene.estCachee(lampe, contact, new Vecteur(0, 0, -1), 5, this) ? null : sienne;
-            }
-        };
+    /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
+    private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
         Modele modele = new Modele();
-        // neuf échantillons de cette même couleur
-        modele.setEchantillonnage((pave, voulus, vue, toile) -> {
+        modele.setEchantillonnage(echantillonnage);
+        Scene scene = new Scene(Collections.singletonList(sphere),
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
+        return recitDe(auMilieu(scene)).raconter().lignes();
+    }
+
+    /** Neuf échantillons, et le pixel vaut leur somme divisée par ce nombre. */
+    private static Echantillonnage neuf(double diviseur) {
+        return (pave, voulus, vue, toile) -> {
             Couleur somme = new Couleur();
             for (int k = 0; k < 9; k++) {
                 somme = somme.add(vue.couleur(4 + (k % 3 + 0.5) / 3, 4 + (k / 3 + 0.5) / 3));
             }
-            vue.diviser(somme, 9);
-            toile.drawPixel(somme.div(9), 4, 4);
+            toile.drawPixel(somme.div(diviseur), 4, 4);
             return 0;
-        });
-        Scene scene = new Scene(Collections.singletonList(sphere),
-                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
-        List<String> lignes = recitDe(auMilieu(scene)).raconter().lignes();
+        };
+    }
+
+    @Test
+    void laCouleurDUneFormeQuiSeColoreASaFaconEstAutre() {
+        Sphere sphere = new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return new Couleur(0.25, 0.5, 0.75);
+            }
+        };
+        List<String> lignes = recitDUneForme(sphere, neuf(9));
         assertEquals("9 échantillons", lignes.get(1));
         assertEquals("leur somme = 2.25 4.5 6.75, divisée par 9 pour le pixel", lignes.get(11));
-        assertEquals("1  objet 1  0.25 0.5 0.75", lignes.get(13));
-        assertTrue(lignes.get(16).startsWith("    contact = "), lignes.toString());
-        assertEquals(Arrays.asList("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(17, lignes.size()));
+        assertEquals(Arrays.asList("chaîne de l'échantillon 4.5 4.5", "1  objet 1  0.25 0.5 0.75 = autre",
+                "  lampe 1  N·L = 1.0  sans effet sur cette matière : pas de rayon d'ombre",
+                "  autre = 0.25 0.5 0.75 (que le récit ne connaît pas)"), lignes.subList(12, 16));
+        assertEquals(Arrays.asList("  arrêt : Ks nul", "somme 0.25 0.5 0.75 = #4080BF"), lignes.subList(lignes.size() - 2, lignes.size()));
+        lignes = recitDUneForme(sphere, neuf(18));
+        assertEquals("leur moyenne = 0.25 0.5 0.75 ; l'échantillonnage les pèse autrement pour le pixel", lignes.get(11));
+    }
+
+    @Test
+    void uneFormeSansNormaleDitSaCouleurEtPourquoiLeRecitSArrete() {
+        List<String> lignes = recitDUneForme(new Sphere(new Point(0, 0, 8), 2) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                return new Couleur(0.5);
+            }
+
+            @Override
+            public Vecteur getNormale(Point contact) {
+                throw new IllegalStateException("pas encore écrite");
+            }
+        }, Echantillonnage.CENTRES);
+        assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
+                lignes.subList(1, 3));
+        assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("),
+                lignes.toString());
+        assertEquals("somme 0.5 0.5 0.5 = #808080", lignes.get(lignes.size() - 1));
+    }
+
+    @Test
+    void lesSegmentsQuiPrecedentUnEchecSeDisent() {
+        Sphere miroir = new Sphere(new Point(0, 0, 8), 2);
+        miroir.setKs(new Couleur(0.5));
+        Sphere derriere = new Sphere(new Point(0, 0, -50), 9) {
+            @Override
+            public Couleur getColor(Scene scene, Rayon incident, PointContact contact, int profondeur) {
+                throw new IllegalStateException("boum");
+            }
+        };
+        Inspection pixel = new Inspection(new Scene(Arrays.asList(miroir, derriere), Collections.emptyList()), chose -> null,
+                new Camera(9, 9), 5, 4, 4);
+        assertThrows(PixelFautif.class, pixel::faire);
+        List<String> lignes = recitDe(pixel).raconter().lignes();
+        assertEquals(Arrays.asList("2  objet 2", "1  objet 1"),
+                lignes.stream().filter(ligne -> ligne.matches("\\d+  .*")).collect(Collectors.toList()));
+        assertTrue(lignes.get(lignes.size() - 1).startsWith("échec : java.lang.IllegalStateException: boum ("), lignes.toString());
+    }
+
+    /** Une forme peut rendre sa distance sans la noter dans le rayon. */
+    @Test
+    void unRivalQuiNeNoteRienSeDit() {
+        Sphere muette = new Sphere(new Point(0, 0, 12), 2) {
+            @Override
+            public double getIntersectionDistance(Rayon incident) {
+                return 10;
+            }
+        };
+        List<String> lignes = recitDe(auMilieu(new Scene(Arrays.asList(new Sphere(new Point(0, 0, 8), 2), muette),
+                Collections.emptyList()))).raconter().lignes();
+        assertTrue(lignes.contains("    rival objet 2  d = 10.0"), lignes.toString());
     }
 }

@@ -96,7 +96,7 @@ class AntialiasTest {
             }
         }
         assertTrue(recit.eclairees > 20 && recit.contacts > 30, recit.eclairees + " lampes, " + recit.contacts + " contacts");
-        assertEquals(echantillons.contains("partage") ? 60 : 0, recit.pesees);
+        assertTrue(echantillons.contains("partage") ? recit.pesees > 20 : recit.pesees == 0, recit.pesees + " pixels pesés");
     }
 
     @ParameterizedTest

@@ -17,10 +17,9 @@ import lancer.Point;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
-import lancer.inspection.Apports;
-import lancer.inspection.Chemin.Segment;
-import lancer.inspection.Chemin.Terme;
+import lancer.inspection.Eclairage;
 import lancer.inspection.Inspection;
+import lancer.inspection.Segment;
 
 /** La suite des contacts d'un pixel, peinte sur l'image : contacts, rayons, lampes. Elle n'est calculée qu'une fois. */
 public final class Figure {
@@ -58,25 +57,25 @@ public final class Figure {
         Point depart = null;
         for (Segment segment : pixel.getSegments()) {
             if (depart != null) {
-                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.V) : segment.contact, REFLET,
-                        segment.contact == null);
+                tracer(depart, segment.contact == null ? depart.add(LOIN, segment.rayon.getV()) : segment.contact,
+                        REFLET, segment.contact == null);
             }
             depart = segment.contact;
             if (depart != null) {
                 double[] ou = projeter(depart);
                 anneaux.add(new double[] {ou[0], ou[1], segment.numero});
-                segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
+                segment.eclairages.forEach(eclairage -> tracer(segment.contact, eclairage));
             }
         }
     }
 
-    private void tracer(Point contact, Terme lampe) {
-        Point position = lampe.lampe.getPosition();
-        if (Apports.eclaire(lampe)) {
+    private void tracer(Point contact, Eclairage eclairage) {
+        Point position = eclairage.lampe.getPosition();
+        if (eclairage.eclaire()) {
             tracer(contact, position, LAMPE, false);
-        } else if (lampe.cache != null) {
-            tracer(lampe.cache, position, Color.BLACK, false);
-            tracer(contact, lampe.cache, OMBRE, false);
+        } else if (eclairage.obstacle != null) {
+            tracer(eclairage.obstacle, position, Color.BLACK, false);
+            tracer(contact, eclairage.obstacle, OMBRE, false);
         }
     }
 

@@ -18,10 +18,9 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.inspection.Apports;
-import lancer.inspection.Chemin.Segment;
-import lancer.inspection.Chemin.Terme;
+import lancer.inspection.Eclairage;
 import lancer.inspection.Inspection;
+import lancer.inspection.Segment;
 
 /** La figure du cours, vue de côté : l'œil, et à sa droite l'écran, les sphères et les rayons. */
 @SuppressWarnings("serial")
@@ -97,9 +96,10 @@ public final class VueDeCote extends JPanel {
         g.fill(new Ellipse2D.Double(h(depart) - 3, v(depart) - 3, 6, 6));
         g.drawString("œil", (float) h(depart), (float) v(depart) - 6);
         for (Segment segment : pixel.getSegments()) {
-            Point bout = segment.contact == null ? depart.add(2 * getWidth() / echelle, segment.V) : segment.contact;
+            Point bout = segment.contact != null ? segment.contact
+                    : depart.add(2 * getWidth() / echelle, segment.rayon.getV());
             entourer(g, segment.contact);
-            segment.lampes.forEach(lampe -> eclairer(g, bout, lampe));
+            segment.eclairages.forEach(eclairage -> eclairer(g, bout, eclairage));
             g.setColor(RAYON);
             g.draw(ligne(depart, bout));
             if (segment.contact != null) {
@@ -111,11 +111,11 @@ public final class VueDeCote extends JPanel {
     }
 
     /** Peint le rayon d'une lampe, ou l'objet qui la cache. */
-    private void eclairer(Graphics2D g, Point contact, Terme lampe) {
-        entourer(g, lampe.cache);
-        if (Apports.eclaire(lampe)) {
+    private void eclairer(Graphics2D g, Point contact, Eclairage eclairage) {
+        entourer(g, eclairage.obstacle);
+        if (eclairage.eclaire()) {
             g.setColor(LAMPE);
-            g.draw(ligne(contact, lampe.lampe.getPosition()));
+            g.draw(ligne(contact, eclairage.lampe.getPosition()));
         }
     }
 

@@ -21,7 +21,6 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
-import lancer.inspection.Apports;
 import lancer.inspection.Inspection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,7 +42,7 @@ class FiguresTest {
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), chose -> null, camera, 0, x, y);
         pixel.faire();
-        assertTrue(pixel.getSegments().get(0).contact != null && Apports.eclaire(pixel.getSegments().get(0).lampes.get(0)));
+        assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).eclairages.get(0).eclaire());
         return pixel;
     }
 
