@@ -40,7 +40,7 @@ final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
     private static final int PASTILLE = 10;
-    private static final int HAUTEUR_VUE = 100;
+    private static final int HAUTEUR_VUE = 190;
 
     private final Controleur controleur;
     private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
@@ -82,8 +82,9 @@ final class Inspecteur extends JPanel {
         });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(arbre), vue);
-        // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
-        partage.setResizeWeight(0.8);
+        // un écran dense n'a parfois que quatre cents points de haut
+        vue.setMinimumSize(new Dimension(0, HAUTEUR_VUE / 2));
+        partage.setResizeWeight(0.6);
         partage.setBorder(null);
         partage.setFocusable(false);
         add(verdict, BorderLayout.PAGE_START);
