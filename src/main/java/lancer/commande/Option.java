@@ -288,6 +288,9 @@ public final class Option<T> extends Parametre {
         if (forme == Forme.TYPES) {
             return Texte.minuscules(String.join(",", (Set<String>) valeur));
         }
+        if (forme == Forme.COUPLE) {
+            return ((Couple) valeur).x + valeurs.get(0) + ((Couple) valeur).y;
+        }
         return valeur instanceof Double ? Nombre.ecrire((Double) valeur) : valeur.toString();
     }
 }

@@ -95,8 +95,7 @@ final class Commandes {
     private JMenu dessin() {
         return menu("Dessin",
                 commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", f::peutEchapper, f::echapper),
-                commande("Défaire le déplacement", "ctrl Z", () -> !c.getEtat().deplaces.avant.isEmpty(), c::defaire),
-                commande("Revenir aux réglages du fichier", null, scene, c::revenir));
+                commande("Défaire le déplacement", "ctrl Z", () -> !c.getEtat().deplaces.avant.isEmpty(), c::defaire));
     }
 
     /** Les commandes sans article : celles de l'image demandent qu'elle ait le clavier. */

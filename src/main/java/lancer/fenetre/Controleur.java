@@ -118,11 +118,6 @@ final class Controleur implements Travail.Suite {
         }
     }
 
-    /** Revient aux réglages de la ligne de commande et du fichier. */
-    void revenir() {
-        regler(new Demande(etat.demande.lue, options).reglages);
-    }
-
     /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
         demander(etat, etat.demande.avecVue(vue));
@@ -239,8 +234,10 @@ final class Controleur implements Travail.Suite {
 
     @Override
     public void montrer(Travail celui) {
-        if (celui == etat.travail && !(celui.isCancelled() && etat.montre.dessin != null)) {
-            publier(suivre(etat));
+        Etat avant = etat;
+        Etat suivi = celui != etat.travail || celui.isCancelled() && etat.montre.dessin != null ? etat : suivre(etat);
+        if (suivi != avant) {
+            publier(suivi);
         }
     }
 

@@ -10,6 +10,7 @@ import java.awt.event.MouseEvent;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -91,8 +92,8 @@ final class PanneauReglages extends JScrollPane {
     private void ajouter(String prefixe, Parametre reglage, Supplier<String> present, Consumer<String> siChange,
             BooleanSupplier possible) {
         JLabel valeur = reglage.estUnNombre() ? new JLabel() : null;
-        JComponent composant;
-        Runnable ajustement;
+        final JComponent composant;
+        final Runnable ajustement;
         if (reglage.estUnNombre()) {
             JSlider glissiere = glissiere(reglage, siChange);
             composant = glissiere;
@@ -107,7 +108,7 @@ final class PanneauReglages extends JScrollPane {
             composant = champ;
             ajustement = () -> {
                 // un texte que l'on écrit reste, tant que la valeur est la même
-                if (!present.get().equals(champ.getValue())) {
+                if (!Objects.equals(present.get(), champ.getValue())) {
                     champ.setValue(present.get());
                 }
             };

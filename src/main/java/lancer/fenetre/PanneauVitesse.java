@@ -226,7 +226,7 @@ final class PanneauVitesse extends JPanel {
             long vus = essais.stream().filter(essai -> essai.durees.getNombre() > 0).count();
             return "arrêtée : " + vus + (vus > 1 ? " réglages mesurés" : " réglage mesuré") + " ; F3 reprend";
         }
-        if (!essais.stream().allMatch(Essai::suffit)) {
+        if (essais.isEmpty() || !essais.stream().allMatch(Essai::suffit)) {
             int faits = essais.stream().mapToInt(essai -> essai.durees.getNombre()).sum();
             int voulus = essais.stream().mapToInt(essai -> Math.max(essai.durees.getNombre(), essai.getVoulus())).sum();
             return "mesure en cours : " + faits + (faits > 1 ? " dessins sur " : " dessin sur ") + voulus;

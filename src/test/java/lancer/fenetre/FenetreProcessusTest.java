@@ -54,7 +54,12 @@ class FenetreProcessusTest extends EssaiProcessus {
     @Test
     void sansPolicesUneLigneNommeLesPaquets() throws Exception {
         BancFenetre.exigerEcran();
-        assertEquals(1, statut(preparer(java("-Dsun.font.fontmanager=absent", SCENE))));
+        File polices = new File("/usr/lib/x86_64-linux-gnu/libfontconfig.so.1");
+        assumeTrue(polices.exists() && new File("/usr/bin/bwrap").exists(), "ni fontconfig à cacher, ni bwrap");
+        List<String> commande = new ArrayList<>(Arrays.asList("bwrap", "--dev-bind", "/", "/", "--bind", "/dev/null",
+                polices.getCanonicalPath()));
+        commande.addAll(java("", SCENE));
+        assertEquals(1, statut(preparer(commande)));
         assertTrue(erreur().matches("lancer : pas de polices .* les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png\n"),
                 erreur());
     }

@@ -38,15 +38,6 @@ class FenetreReglagesTest extends EssaiFenetre {
     }
 
     @Test
-    void leMenuRevientAuxReglagesDeLaCommande() throws Exception {
-        ouvrir("--reflets=1");
-        banc.frapper(KeyEvent.VK_ADD);
-        banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        faire(article("Revenir aux réglages du fichier")::doClick);
-        banc.attendreImage("retour à une", attendue("--reflets=1"));
-    }
-
-    @Test
     void lesReflexionsEtLeSeuilDeLOngletSontCeuxDeLImageEtSeTapent() throws Exception {
         ouvrir("--reflets=40", "--seuil=0.01");
         banc.frapper(KeyEvent.VK_F2);

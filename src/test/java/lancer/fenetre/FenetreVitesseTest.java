@@ -14,6 +14,7 @@ import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import lancer.commande.Option;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -100,6 +101,27 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.attendreCodes("elle est bleue", attendue(LARGEUR, HAUTEUR));
         attendreLaFin();
         assertFalse(viserLePlusRapide().equals(avant), "une autre scène est mesurée");
+    }
+
+    @Test
+    void lesDessinsSeComptentEchapArreteEtF3Reprend() throws Exception {
+        banc = new BancFenetre("--taille=640x480", scene.toString());
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_F3);
+        graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
+        etat = composant("vitesse.etat", JTextArea.class);
+        attendre("les dessins se comptent", () -> etat.getText().matches("mesure en cours : [2-9] dessins sur \\d+"));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap arrête", () -> etat.getText().matches("arrêtée : \\d+ réglages? mesurés? ; F3 reprend"));
+        assertTrue(surFilEvenements(graphique::isShowing), "et le panneau reste");
+        banc.frapper(KeyEvent.VK_RIGHT);
+        attendre("une flèche désigne un point", () -> etat.getText().contains("--reflets "));
+        banc.frapper(KeyEvent.VK_F3);
+        attendre("F3 reprend", () -> etat.getText().startsWith("mesure en cours : "));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        int reflets = surFilEvenements(() -> Integer.parseInt(etat.getText().replaceFirst("(?s).* --reflets (\\d+) .*", "$1")));
+        banc.frapper(KeyEvent.VK_ENTER);
+        attendre("Entrée le prend", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets);
     }
 
     @Test

@@ -70,14 +70,16 @@ public final class Figure {
      */
     void peindre(Graphics2D g, Rectangle cadre, Color encre, BiFunction<Point, Point, Line2D> projection) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        Shape avant = g.getClip();
+        g.clip(cadre);
         Point depart = pixel.camera.getOeil();
         for (Segment segment : pixel.getSegments()) {
             Point bout = segment.contact != null ? segment.contact : depart.add(LOIN, segment.rayon.getV());
-            tracer(g, cadre, projection.apply(depart, bout), REFLET);
+            tracer(g, projection.apply(depart, bout), REFLET);
             for (Eclairage lampe : segment.eclairages) {
                 boolean eclaire = lampe.eclaire();
                 Point vers = eclaire ? lampe.lampe.getPosition() : lampe.obstacle;
-                tracer(g, cadre, vers == null ? null : projection.apply(bout, vers), eclaire ? LAMPE : OMBRE);
+                tracer(g, vers == null ? null : projection.apply(bout, vers), eclaire ? LAMPE : OMBRE);
             }
             depart = bout;
         }
@@ -85,6 +87,13 @@ public final class Figure {
             if (segment.contact != null) {
                 numeroter(g, projection.apply(segment.contact, segment.contact), "" + segment.numero, encre);
             }
+        }
+        g.setClip(avant);
+    }
+
+    private static void tracer(Graphics2D g, Line2D segment, Color couleur) {
+        if (segment != null) {
+            peindreLisere(g, segment, couleur);
         }
     }
 
@@ -99,31 +108,6 @@ public final class Figure {
             g.drawString(numero, x + 1, y + 1);
             g.setColor(encre);
             g.drawString(numero, x, y);
-        }
-    }
-
-    /** Peint la part de ce segment qui est dans ce cadre (Liang et Barsky, 1984) : Java peint mal un trait sans fin. */
-    private static void tracer(Graphics2D g, Rectangle cadre, Line2D segment, Color couleur) {
-        if (segment == null) {
-            return;
-        }
-        double debut = 0;
-        double fin = 1;
-        double[] de = {segment.getX1(), segment.getY1()};
-        double[] pas = {segment.getX2() - de[0], segment.getY2() - de[1]};
-        double[] moins = {cadre.getMinX(), cadre.getMinY()};
-        double[] plus = {cadre.getMaxX(), cadre.getMaxY()};
-        for (int axe = 0; axe < 2; axe++) {
-            if (pas[axe] != 0) {
-                debut = Math.max(debut, ((pas[axe] > 0 ? moins : plus)[axe] - de[axe]) / pas[axe]);
-                fin = Math.min(fin, ((pas[axe] > 0 ? plus : moins)[axe] - de[axe]) / pas[axe]);
-            } else if (de[axe] < moins[axe] || de[axe] > plus[axe]) {
-                return;
-            }
-        }
-        if (debut < fin) {
-            peindreLisere(g, new Line2D.Double(de[0] + debut * pas[0], de[1] + debut * pas[1],
-                    de[0] + fin * pas[0], de[1] + fin * pas[1]), couleur);
         }
     }
 
