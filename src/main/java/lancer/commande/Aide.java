@@ -27,9 +27,9 @@ public final class Aide {
                 "nombre de réflexions d'un rayon, 0 à " + REFLETS_MAX),
         new Option("--etape", "ombres", "une étape du cours : lambert, phong, ombres ou reflets",
                 "le cours étape par étape : lambert, phong, ombres, puis reflets"),
-        new Option("--vue", "normales", "une vue : normales, distance, lampes, rayons ou difference",
+        new Option("--vue", "normales", "une vue : normales, distance, lampes, rayons ou marge",
                 "avec --image, en fausses couleurs : normales, distance, lampes,\n"
-                + "rayons ou difference, qui se compare à 64 rayons par pixel"),
+                + "rayons ou marge, les décimales qu'un rayon peut perdre"),
         new Option("--seuil", "0.0009765625", "un nombre positif ou nul, par exemple 0.001",
                 "reflets abandonnés sous ce produit des Ks ; 0 : jamais"),
         new Option("--sans", "Brume,Blinn", "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",

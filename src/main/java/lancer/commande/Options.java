@@ -15,7 +15,7 @@ import lancer.texte.Texte;
 public final class Options {
 
     public static final List<String> VUES = Collections.unmodifiableList(
-            Arrays.asList("normales", "distance", "lampes", "rayons", "difference"));
+            Arrays.asList("normales", "distance", "lampes", "rayons", "marge"));
 
     /** Une option, puis celles qui ne vont pas avec elle ; une option, puis celles dont une doit aller avec elle. */
     private static final String[][] SEPAREES = {
@@ -220,8 +220,8 @@ public final class Options {
         if (sansFenetre() && scene == null) {
             throw demande("aucune scène à dessiner", "un fichier, par exemple scenes/scene1.ini");
         }
-        if (comparer != null && vue != null && !vue.equals("difference")) {
-            throw demande("--vue " + vue + " ne va pas avec --comparer", "--vue difference");
+        if (comparer != null && vue != null) {
+            throw demande("--vue ne va pas avec --comparer", "l'une ou l'autre");
         }
         if (unPixel() && (pixelX >= largeur || pixelY >= hauteur)) {
             throw impossible("--pixel", "un pixel de l'image, de 0,0 à " + (largeur - 1) + "," + (hauteur - 1));

@@ -84,7 +84,7 @@ public final class Dessin {
             lancer.TracerBrouillon(image, demande.reglages.getProfondeur(), fils);
             finirBrouillon();
             siBrouillonFait.run();
-            new FaussesCouleurs(lancer, demande.reglages.getProfondeur(), fils).dessiner(demande.vue, image, reference);
+            new FaussesCouleurs(lancer, demande.reglages.getProfondeur(), fils).dessiner(demande.vue, image);
         } catch (PixelFautif e) {
             throw demande.nommer(e);
         }

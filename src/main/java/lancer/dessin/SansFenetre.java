@@ -139,7 +139,7 @@ public final class SansFenetre {
 
     private long[] tracerLaVue(Dessin dessin) {
         new FaussesCouleurs(dessin.lancer, demande.reglages.getProfondeur(), options.fils)
-                .dessiner(options.vue, dessin.image, null);
+                .dessiner(options.vue, dessin.image);
         return new long[] {dessin.lancer.getAtelier().getDureeNs()};
     }
 

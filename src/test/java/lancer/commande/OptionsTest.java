@@ -157,7 +157,7 @@ class OptionsTest {
         "--pixel | 800,0 0,600 800,600 99999999999999999999,1 4294967296,0 0,18446744073709551616 | un pixel de l'image, de 0,0 à 799,599",
         "--sans | , Brume, ,Brume Brume,,Blinn | des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
         "--etape | P | une étape du cours : lambert, phong, ombres ou reflets",
-        "--vue | x | une vue : normales, distance, lampes, rayons ou difference"})
+        "--vue | x | une vue : normales, distance, lampes, rayons ou marge"})
     void uneValeurImpossibleEstRefusee(String nom, String valeurs, String attendu) {
         for (String valeur : valeurs.split(" ")) {
             String message = "valeur impossible pour " + nom + " : « " + valeur + " » ; attendu : " + attendu;
@@ -169,7 +169,7 @@ class OptionsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "--vue rayons s.ini | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
-        "--vue rayons --image a.png s.ini --comparer b.png | --vue rayons ne va pas avec --comparer ; attendu : --vue difference",
+        "--vue rayons --image a.png s.ini --comparer b.png | --vue ne va pas avec --comparer ; attendu : l'une ou l'autre",
         "--auto erreur=1 " + FENETRE, "--auto erreur=1 s.ini " + FENETRE,
         "--pixel 7,7 --taille=9x7 s.ini | valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 à 8,6",
         "--pixel 1,1 " + SANS_SCENE, "--image a.png " + SANS_SCENE, "--lineaire=a.pfm " + SANS_SCENE,
