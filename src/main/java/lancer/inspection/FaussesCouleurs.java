@@ -34,7 +34,7 @@ public final class FaussesCouleurs {
     /** Nombre de rayons déplacés au hasard, pour chaque déplacement. */
     private static final int TIRAGES = 3;
 
-    /** Places dans {@link #ECHELLE} des cinq teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
+    /** Places, de 0 à 1, des cinq teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
     private static final double[] MARGES = {0, 2 / 6.0, 4 / 6.0, 5 / 6.0, 1};
 
     private static final Couleur NOIR = new Couleur();
@@ -77,9 +77,9 @@ public final class FaussesCouleurs {
             image.echelle = debut + mesurer(image);
         } else if (nom.equals("marge")) {
             image.sens = "marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)";
-            image.echelle = debut + "décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
-                    + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
-                    + "orange : 2 à 4, blanc : l'arrondi suffit";
+            image.echelle = debut + "décimales que peut perdre le rayon avant que la couleur change d'un niveau, "
+                    + "d'après " + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, "
+                    + "violet : 8 à 10, rouge : 5 à 7, orange : 2 à 4, blanc : l'arrondi suffit";
             peindre(image, nombrer(this::marger, image), m -> teinte(MARGES[4 - ((int) m + 1) / 3]));
         } else if (nom.equals("normales")) {
             image.sens = "N = %.4f %.4f %.4f";
@@ -213,7 +213,7 @@ public final class FaussesCouleurs {
         return DERNIER - dernier;
     }
 
-    /** Dit si la couleur change de plus d'un niveau en un de quelques points à cette distance, en pixels, de (xe, ye). */
+    /** Dit si la couleur change de plus d'un niveau en l'un de quelques points à {@code pixels} de (xe, ye). */
     private static boolean change(Couleur dessinee, double xe, double ye, double pixels, SplittableRandom hasard,
             Vue vue) {
         boolean change = false;

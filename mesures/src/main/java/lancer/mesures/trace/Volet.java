@@ -19,6 +19,7 @@ import org.jfree.chart.labels.ItemLabelAnchor;
 import org.jfree.chart.labels.ItemLabelPosition;
 import org.jfree.chart.labels.XYItemLabelGenerator;
 import org.jfree.chart.plot.DefaultDrawingSupplier;
+import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
@@ -46,6 +47,10 @@ public final class Volet {
     private static final double LONG = 1000;
 
     private static final int GRADUATIONS = 8;
+
+    /** Largeur du trait de la dernière série, en pixels, et ce que chaque série d'avant a de plus. */
+    private static final int TRAIT = 3;
+    private static final int SURPLUS = 3;
 
     private final XYIntervalSeriesCollection series = new XYIntervalSeriesCollection();
     private final JFreeChart graphique;
@@ -75,11 +80,20 @@ public final class Volet {
     }
 
     public Volet(String titre, String nomX, String nomY) {
-        plot = new XYPlot(series, new LogAxis(nomX), new LogAxis(nomY), new XYErrorRenderer());
+        plot = new XYPlot(series, logarithmique(nomX), logarithmique(nomY), new XYErrorRenderer());
         plot.setDrawingSupplier(new DefaultDrawingSupplier(COULEURS, DefaultDrawingSupplier.DEFAULT_OUTLINE_PAINT_SEQUENCE,
                 new Stroke[] {new BasicStroke(3)}, DefaultDrawingSupplier.DEFAULT_OUTLINE_STROKE_SEQUENCE,
                 DefaultDrawingSupplier.DEFAULT_SHAPE_SEQUENCE));
+        // la dernière série est dessinée sur les autres, d'un trait plus fin : aucune ne se cache
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         graphique = new JFreeChart(titre, plot);
+    }
+
+    private static ValueAxis logarithmique(String nom) {
+        LogAxis axe = new LogAxis(nom);
+        // celle de JFreeChart, 1e-8, dépasse toutes les valeurs de certains axes
+        axe.setAutoRangeMinimumSize(Double.MIN_NORMAL);
+        return axe;
     }
 
     /** Remplace l'axe logarithmique des abscisses par un axe ordinaire, qui contient 0. */
@@ -111,6 +125,9 @@ public final class Volet {
         theme.setRangeGridlinePaint(GRILLE);
         theme.setDrawingSupplier(plot.getDrawingSupplier());
         theme.apply(graphique);
+        for (int k = 0; k < series.getSeriesCount(); k++) {
+            plot.getRenderer().setSeriesStroke(k, new BasicStroke(TRAIT + SURPLUS * (series.getSeriesCount() - 1 - k)));
+        }
         graduer(plot.getDomainAxis());
         graduer(plot.getRangeAxis());
         return graphique;
@@ -129,9 +146,10 @@ public final class Volet {
         XYItemLabelGenerator textes = (donnees, s, k) -> points.get(k).texte;
         rendu.setSeriesItemLabelGenerator(rang, textes);
         rendu.setSeriesItemLabelsVisible(rang, true);
-        // deux séries voisines sont souvent proches : leurs noms ne sont pas du même côté de leurs points
-        rendu.setSeriesPositiveItemLabelPosition(rang, rang % 2 == 0 ? new ItemLabelPosition()
-                : new ItemLabelPosition(ItemLabelAnchor.OUTSIDE6, TextAnchor.TOP_CENTER));
+        // une courbe descend vers la droite : ses noms sont au-dessus à droite, ou au-dessous à gauche
+        rendu.setSeriesPositiveItemLabelPosition(rang, rang % 2 == 0
+                ? new ItemLabelPosition(ItemLabelAnchor.OUTSIDE2, TextAnchor.BOTTOM_LEFT)
+                : new ItemLabelPosition(ItemLabelAnchor.OUTSIDE8, TextAnchor.TOP_RIGHT));
         rendu.setSeriesLinesVisible(rang, Boolean.valueOf(reliee));
         rendu.setSeriesItemLabelPaint(rang, COULEURS[rang % COULEURS.length]);
         return this;
