@@ -82,7 +82,7 @@ public final class Lancer {
 
     /** Dessine l'image selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
     public void Tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
-        atelier.dessiner(echantillonnage.pour(scene.getObjets(), camera),
+        atelier.dessiner(echantillonnage,
                 () -> new Lancer(scene.avec(scene.getModele()), camera, atelier).getVue(profondeur), toile, fils);
     }
 

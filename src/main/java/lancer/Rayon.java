@@ -80,11 +80,6 @@ public class Rayon {
         this.distance = distance;
     }
 
-    /** Oublie la distance retenue, qui devient NaN. */
-    public void oublier() {
-        distance = Double.NaN;
-    }
-
     /** Le point de contact P + distance·V, ramené sur la surface ; {@code null} si la distance est infinie. */
     public PointContact calcContact() {
         return distance == Constantes.INFINI ? null

@@ -40,15 +40,11 @@ public final class Scene {
 
     /** Une scène sans fichier. Une sphère de mêmes centre et rayon qu'une précédente en est retirée. */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes) {
-        this(objets, lampes, Camera::new);
+        this(objets, lampes, Camera::new, new Modele());
     }
 
-    /** Une scène sans fichier. @param cadrage voir {@link #getCamera} */
-    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage) {
-        this(objets, lampes, cadrage, new Modele());
-    }
-
-    private Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage,
+    /** Une scène sans fichier, dessinée selon ce modèle. @param cadrage voir {@link #getCamera} */
+    public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage,
             Modele modele) {
         this.objets = Collections.unmodifiableList(SceneLue.sansConfondues(objets));
         this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));

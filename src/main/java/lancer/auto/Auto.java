@@ -20,6 +20,9 @@ public final class Auto {
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
 
+    /** Nombre de pavés d'un essai. */
+    private static final int PAVES = 12;
+
     private final Lancer prepare;
     private final List<Reglages> echelle;
     private final double voulue;
@@ -39,7 +42,7 @@ public final class Auto {
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
         int pixels = prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur();
-        choisir(new Echantillon(prepare, fils, rang -> Constantes.CIEL, voulue, pixels, hasard));
+        choisir(new Echantillon(prepare, fils, rang -> Constantes.CIEL, voulue, pixels, PAVES, hasard));
     }
 
     /** Monte jusqu'au premier échelon qui convient à cet échantillon, ou que le suivant n'améliore pas assez. */
@@ -76,7 +79,7 @@ public final class Auto {
     public boolean controler(IntFunction<Couleur> dessinee) {
         boolean premiere = mesure == null;
         Echantillon controle = new Echantillon(prepare, fils, dessinee, voulue,
-                lancer.getAtelier().getCompteurs().primaires, hasard);
+                lancer.getAtelier().getCompteurs().primaires, Integer.MAX_VALUE, hasard);
         mesure = controle.mesurer(dessinee);
         if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
             rang++;

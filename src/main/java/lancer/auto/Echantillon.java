@@ -1,6 +1,7 @@
 package lancer.auto;
 
 import java.util.Arrays;
+import java.util.IntSummaryStatistics;
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
@@ -8,9 +9,9 @@ import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.commande.Reglages;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Vue;
 
 /**
  * Des pixels d'une image, et deux références de chacun : la moyenne de rayons au hasard, sans limite de réflexions. Les
@@ -43,9 +44,10 @@ public final class Echantillon {
      * @param dessinee couleur de chaque pixel d'une image, par son rang, ligne par ligne ; un seul gris pour un essai
      * @param voulue erreur voulue, en niveaux, dont dépend le nombre de rayons d'une référence
      * @param primaires nombre de premiers rayons de l'image, dont dépend le nombre de pixels
+     * @param paves nombre de pavés où tirer, régulièrement espacés : dessiner un pixel coûte parfois celui d'un pavé
      */
     public Echantillon(Lancer prepare, int fils, IntFunction<Couleur> dessinee, double voulue, long primaires,
-            SplittableRandom hasard) {
+            int paves, SplittableRandom hasard) {
         this.prepare = prepare;
         this.fils = fils;
         largeur = prepare.getCamera().getLargeur();
@@ -54,11 +56,19 @@ public final class Echantillon {
         float[] contrastes = trouverLesContrastes(dessinee);
         int taille = contrastes.length;
         double somme = IntStream.range(0, taille).mapToDouble(p -> contrastes[p]).sum();
-        IntToDoubleFunction chance = p -> Math.min(1, nombre / 2 * (1.0 / taille + contrastes[p] / somme));
-        rangs = IntStream.range(0, taille).filter(p -> hasard.nextDouble() < chance.applyAsDouble(p)).toArray();
+        int pas = Math.max(1, (int) Math.rint((double) taille / (Pave.COTE * Pave.COTE) / paves));
+        IntToDoubleFunction chance = p -> Math.min(1.0 / pas, nombre / 2 * (1.0 / taille + contrastes[p] / somme));
+        int premier = hasard.nextInt(pas);
+        rangs = IntStream.range(0, taille).filter(p -> pave(p) % pas == premier
+                && hasard.nextDouble() < pas * chance.applyAsDouble(p)).toArray();
         poids = Arrays.stream(rangs).mapToDouble(p -> 1 / chance.applyAsDouble(p)).toArray();
         a = dessinerAuHasard(cote, hasard.nextLong());
         b = dessinerAuHasard(cote, hasard.nextLong());
+    }
+
+    /** Le rang, ligne par ligne, du pavé d'un pixel. */
+    private int pave(int p) {
+        return p / largeur / Pave.COTE * ((largeur - 1) / Pave.COTE + 1) + p % largeur / Pave.COTE;
     }
 
     /** L'écart de chaque pixel à ses voisins ; jamais nul : là où rien ne diffère, toutes les chances sont égales. */
@@ -79,38 +89,55 @@ public final class Echantillon {
 
     /** La moyenne d'un rayon au hasard dans chaque sous-pixel des pixels tirés. */
     private Couleur[] dessinerAuHasard(int cote, long graine) {
-        return dessiner(prepare.getScene().getModele().avec((pave, lui, vue, toile) -> {
-            SplittableRandom hasard = new SplittableRandom(graine + lui.j0 * largeur + lui.i0);
-            Couleur somme = new Couleur();
-            for (int s = 0; s < cote * cote; s++) {
-                somme = somme.add(vue.couleur(lui.i0 + (s % cote + hasard.nextDouble()) / cote,
-                        lui.j0 + (s / cote + hasard.nextDouble()) / cote));
+        return dessiner(prepare.getScene().getModele().avec((pave, voulus, vue, toile) -> {
+            for (int j = voulus.j0; j < voulus.j1; j++) {
+                for (int i = voulus.i0; i < voulus.i1; i++) {
+                    if (place(i, j) >= 0) {
+                        toile.drawPixel(auHasard(vue, i, j, cote, graine), i, j);
+                    }
+                }
             }
-            toile.drawPixel(somme.div(cote * cote), lui.i0, lui.j0);
             return 0;
         }, SANS_LIMITE), Echelle.PROFONDEUR);
     }
 
-    /** Dessine les pixels tirés, chacun dans son pavé. */
+    private Couleur auHasard(Vue vue, int i, int j, int cote, long graine) {
+        SplittableRandom hasard = new SplittableRandom(graine + j * largeur + i);
+        Couleur somme = new Couleur();
+        for (int s = 0; s < cote * cote; s++) {
+            somme = somme.add(vue.couleur(i + (s % cote + hasard.nextDouble()) / cote,
+                    j + (s / cote + hasard.nextDouble()) / cote));
+        }
+        return somme.div(cote * cote);
+    }
+
+    /** Le rang d'un pixel parmi les pixels tirés ; négatif s'il n'en est pas. */
+    private int place(int i, int j) {
+        return Arrays.binarySearch(rangs, j * largeur + i);
+    }
+
+    /** Dessine les pixels tirés, ceux d'un pavé ensemble : ils partagent des rayons. */
     private Couleur[] dessiner(Modele modele, int reflets) {
         Couleur[] couleurs = new Couleur[rangs.length];
-        Echantillonnage choisi = modele.getEchantillonnage()
-                .pour(prepare.getScene().getObjets(), prepare.getCamera());
         Lancer lancer = prepare.avec(modele);
         lancer.Tracer((pave, voulus, vue, toile) -> {
-            for (int k = 0; k < rangs.length; k++) {
-                int place = k;
-                int i = rangs[k] % largeur;
-                int j = rangs[k] / largeur;
-                if (i >= pave.i0 && i < pave.i1 && j >= pave.j0 && j < pave.j1) {
-                    choisi.tracer(pave, new Pave(i, j, i + 1, j + 1), vue, (couleur, xe, ye) ->
-                            couleurs[place] = xe == i && ye == j ? couleur : couleurs[place]);
-                }
-            }
-            return 0;
+            int[] siens = Arrays.stream(rangs).filter(p -> estDans(pave, p)).toArray();
+            IntSummaryStatistics x = Arrays.stream(siens).map(p -> p % largeur).summaryStatistics();
+            return siens.length == 0 ? 0 : modele.getEchantillonnage().tracer(pave, new Pave(x.getMin(),
+                    siens[0] / largeur, x.getMax() + 1, siens[siens.length - 1] / largeur + 1), vue,
+                    (couleur, i, j) -> {
+                        int place = place(i, j);
+                        if (place >= 0) {
+                            couleurs[place] = couleur;
+                        }
+                    });
         }, (couleur, xe, ye) -> { }, reflets, fils);
         rayons += lancer.getAtelier().getCompteurs().rayons();
         return couleurs;
+    }
+
+    private boolean estDans(Pave pave, int p) {
+        return p % largeur >= pave.i0 && p % largeur < pave.i1 && p / largeur >= pave.j0 && p / largeur < pave.j1;
     }
 
     /** Dessine ces seuls pixels avec ces réglages, et mesure leur erreur. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.commande.Etape;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
@@ -28,18 +29,18 @@ public final class Echelle {
      * @return un échelon au moins
      */
     public static List<Reglages> de(Reglages presents, boolean gardeReflets, boolean gardeSeuil) {
-        boolean fixes = gardeReflets || presents.getEtape() != Etape.REFLETS;
+        boolean fixes = gardeReflets || presents.get(Option.ETAPE) != Etape.REFLETS;
         Variante essayee = presents.getEssayee();
         if (essayee == null) {
-            Reglages base = gardeSeuil ? presents : presents.avecSeuil(Constantes.SEUIL);
-            int[] reflets = fixes ? new int[] {presents.getReflets()}
+            Reglages base = gardeSeuil ? presents : presents.avec(Option.SEUIL, Constantes.SEUIL);
+            int[] reflets = fixes ? new int[] {presents.get(Option.REFLETS)}
                     : new int[] {0, 1, 2, Constantes.MAX_REFLETS, PROFONDEUR};
-            return Arrays.stream(reflets).mapToObj(base::avecReflets).collect(Collectors.toList());
+            return Arrays.stream(reflets).mapToObj(n -> base.avec(Option.REFLETS, n)).collect(Collectors.toList());
         }
-        Reglages base = fixes ? presents : presents.avecReflets(PROFONDEUR);
+        Reglages base = fixes ? presents : presents.avec(Option.REFLETS, PROFONDEUR);
         return presents.getSectionsProposees(essayee).entrySet().stream()
                 .map(proposee -> base.avecSection(essayee, proposee.getKey())
-                        .avecSeuil(gardeSeuil ? presents.getSeuil() : proposee.getValue()))
+                        .avec(Option.SEUIL, gardeSeuil ? presents.get(Option.SEUIL) : proposee.getValue()))
                 .collect(Collectors.toList());
     }
 
@@ -50,6 +51,6 @@ public final class Echelle {
                 : "l'échantillonnage de la scène";
         String choisi = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
         return choisi + ", --reflets " + echelon.getProfondeur() + " --seuil "
-                + BigDecimal.valueOf(echelon.getSeuil()).toPlainString();
+                + BigDecimal.valueOf(echelon.get(Option.SEUIL)).toPlainString();
     }
 }

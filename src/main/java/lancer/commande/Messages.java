@@ -3,9 +3,7 @@ package lancer.commande;
 import java.io.File;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Collections;
 import java.util.List;
-import lancer.Constantes;
 import lancer.SceneFautive;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
@@ -18,7 +16,7 @@ public final class Messages {
 
     /** Écrit cet échec en une ligne. @return le statut de sortie */
     public static int dire(Throwable echec, PrintStream erreur) {
-        avertir(Collections.singletonList(message(echec)), erreur);
+        avertir(message(echec), erreur);
         if (echec instanceof Echec) {
             return ((Echec) echec).code;
         }
@@ -38,10 +36,15 @@ public final class Messages {
         return "échec du programme : " + Pile.cause(echec, Pile.HORS_DE_JAVA);
     }
 
-    public static void avertir(List<String> messages, PrintStream erreur) {
-        for (String message : messages) {
-            erreur.println("lancer : " + Texte.echappe(message));
+    /** Écrit ces lignes sur l'erreur standard. */
+    public static void avertir(List<String> lignes, PrintStream erreur) {
+        for (String ligne : lignes) {
+            avertir(ligne, erreur);
         }
+    }
+
+    public static void avertir(String ligne, PrintStream erreur) {
+        erreur.println("lancer : " + Texte.echappe(ligne));
     }
 
     /** Écrit une réponse sur la sortie standard. @throws Echec si elle n'a pu être écrite */
@@ -65,14 +68,12 @@ public final class Messages {
         }
     }
 
-    /** La commande qui dessine cette scène. @param options celles des réglages, écrites après {@code avant} */
-    public static String commande(String avant, String options, String scene, int largeur, int hauteur) {
-        boolean autreTaille = largeur != Constantes.LARGEUR_IMAGE || hauteur != Constantes.HAUTEUR_IMAGE;
+    /** La commande qui dessine cette scène. @param options chacune après un blanc */
+    public static String commande(String options, String scene) {
         String chemin = System.getProperty("java.class.path");
         String programme = chemin.endsWith(".jar") && !chemin.contains(File.pathSeparator)
                 ? "java -jar " + motDeCommande(chemin) : "java -cp " + motDeCommande(chemin) + " lancer.Main";
-        return programme + avant + (autreTaille ? " --taille " + largeur + "x" + hauteur : "") + options + ' '
-                + motDeCommande(scene);
+        return programme + options + ' ' + motDeCommande(scene);
     }
 
     private static String motDeCommande(String mot) {

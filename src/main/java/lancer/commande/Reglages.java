@@ -1,55 +1,39 @@
 package lancer.commande;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import lancer.Constantes;
 import lancer.contrat.Modele;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /**
- * La façon de dessiner une scène : étape, réflexions, seuil, et chaque variante présente, branchée ou non, avec sa
- * section. Immuable. Une méthode dont le nom commence par {@code avec} rend les mêmes réglages, à son argument près.
+ * La façon de dessiner une scène : les options, et chaque variante présente, branchée ou non, avec sa section. Immuable.
+ * Une méthode dont le nom commence par {@code avec} rend les mêmes réglages, à son argument près.
  */
 public final class Reglages {
 
-    private final Etape etape;
-    private final int reflets;
-    private final double seuil;
-    private final boolean simple;
-    /** Types des variantes débranchées, quelle que soit leur casse. */
-    private final SortedSet<String> debranchees;
+    private final Options options;
     /** La section de chaque variante présente dans le fichier, de ligne 0 s'il n'en a pas ; puis celle qui sert. */
     private final Map<Variante, Section> lues;
     private final Map<Variante, Section> sections;
 
-    private Reglages(Etape etape, int reflets, double seuil, boolean simple, Collection<String> debranchees,
-            Map<Variante, Section> lues, Map<Variante, Section> sections) {
-        this.etape = etape;
-        this.reflets = reflets;
-        this.seuil = seuil;
-        this.simple = simple;
-        this.debranchees = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-        this.debranchees.addAll(debranchees);
+    private Reglages(Options options, Map<Variante, Section> lues, Map<Variante, Section> sections) {
+        this.options = options;
         this.lues = lues;
         this.sections = sections;
     }
 
-    /** Ceux du cours, pour une scène qui n'est pas encore lue. */
-    public Reglages() {
-        this(Etape.REFLETS, Constantes.MAX_REFLETS, Constantes.SEUIL, false, Collections.emptySet(),
-                Collections.emptyMap(), Collections.emptyMap());
+    /** Ceux de la ligne de commande, pour une scène qui n'est pas encore lue. */
+    public Reglages(Options options) {
+        this(options, Collections.emptyMap(), Collections.emptyMap());
     }
 
     /**
@@ -67,71 +51,41 @@ public final class Reglages {
                 }
             }
         }
-        return new Reglages(etape, reflets, seuil, simple, debranchees, lues, gardees);
+        return new Reglages(options, lues, gardees);
     }
 
-    public Reglages avecEtape(Etape autre) {
-        return new Reglages(autre, reflets, seuil, simple, debranchees, lues, sections);
+    /** La valeur de cette option. */
+    public <T> T get(Option<T> option) {
+        return options.get(option);
     }
 
-    public Reglages avecReflets(int autres) {
-        return new Reglages(etape, autres, seuil, simple, debranchees, lues, sections);
-    }
-
-    public Reglages avecSeuil(double autre) {
-        return new Reglages(etape, reflets, autre, simple, debranchees, lues, sections);
-    }
-
-    /** Les mêmes, avec les boucles du cours au lieu de la recherche rapide. */
-    public Reglages avecLesBoucles() {
-        return new Reglages(etape, reflets, seuil, true, debranchees, lues, sections);
-    }
-
-    /** Les mêmes, sans ces variantes. @param types quelle que soit leur casse, et que les variantes soient présentes */
-    public Reglages sans(Collection<String> types) {
-        return new Reglages(etape, reflets, seuil, simple, types, lues, sections);
+    public <T> Reglages avec(Option<T> option, T valeur) {
+        return new Reglages(options.avec(option, valeur), lues, sections);
     }
 
     public Reglages avecVariante(Variante variante, boolean branchee) {
-        List<String> autres = new ArrayList<>(debranchees);
-        autres.removeIf(variante.getSection()::equalsIgnoreCase);
+        Set<String> autres = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+        autres.addAll(get(Option.SANS));
+        autres.remove(variante.getSection());
         if (!branchee) {
             autres.add(variante.getSection());
         }
-        return new Reglages(etape, reflets, seuil, simple, autres, lues, sections);
+        return avec(Option.SANS, Collections.unmodifiableSet(autres));
     }
 
     public Reglages avecSection(Variante variante, Section section) {
         Map<Variante, Section> autres = new LinkedHashMap<>(sections);
         autres.put(variante, section);
-        return new Reglages(etape, reflets, seuil, simple, debranchees, lues, autres);
+        return new Reglages(options, lues, autres);
     }
 
-    public Etape getEtape() {
-        return etape;
-    }
-
-    public int getReflets() {
-        return reflets;
+    public Options getOptions() {
+        return options;
     }
 
     /** Le nombre de réflexions, compte tenu de l'étape du cours. */
     public int getProfondeur() {
-        return etape == Etape.REFLETS ? reflets : 0;
-    }
-
-    public double getSeuil() {
-        return seuil;
-    }
-
-    /** Dit si les boucles du cours cherchent les contacts, au lieu de la recherche rapide. */
-    public boolean isSimple() {
-        return simple;
-    }
-
-    /** Les types des variantes débranchées, présentes ou non. */
-    public Set<String> getDebranchees() {
-        return Collections.unmodifiableSet(debranchees);
+        return get(Option.ETAPE) == Etape.REFLETS ? get(Option.REFLETS) : 0;
     }
 
     /** Les variantes présentes, branchées ou non. */
@@ -145,7 +99,7 @@ public final class Reglages {
     }
 
     public boolean estBranchee(Variante variante) {
-        return !debranchees.contains(variante.getSection());
+        return !get(Option.SANS).contains(variante.getSection());
     }
 
     /** La section de cette variante, branchée ou non. */
@@ -198,7 +152,7 @@ public final class Reglages {
      */
     public Modele getModele() {
         Modele modele = new Modele();
-        modele.setSeuil(seuil);
+        modele.setSeuil(get(Option.SEUIL));
         for (Variante variante : sections.keySet()) {
             Section section = sections.get(variante);
             if (estBranchee(variante) || section == lues.get(variante)) {
@@ -206,52 +160,39 @@ public final class Reglages {
                 section.verifierCles();
             }
         }
-        if (etape == Etape.LAMBERT) {
+        if (get(Option.ETAPE) == Etape.LAMBERT) {
             modele.oterSpecularite();
         }
-        if (etape.compareTo(Etape.OMBRES) < 0) {
+        if (get(Option.ETAPE).compareTo(Etape.OMBRES) < 0) {
             modele.oterOmbres();
         }
         return modele;
     }
 
-    /** Les options de la ligne de commande qui donnent ces réglages, précédées d'un blanc ; vide s'il n'en faut pas. */
-    public String getOptions() {
-        StringBuilder options = new StringBuilder();
-        ajouter(options, etape != Etape.REFLETS, " --etape " + etape);
-        ajouter(options, reflets != Constantes.MAX_REFLETS, " --reflets " + reflets);
-        ajouter(options, seuil != Constantes.SEUIL, " --seuil " + seuil);
-        ajouter(options, simple, " --simple");
-        ajouter(options, !debranchees.isEmpty(), " --sans " + String.join(",", debranchees));
-        return options.toString();
-    }
-
-    private static void ajouter(StringBuilder options, boolean donnee, String option) {
-        options.append(donnee ? option : "");
-    }
-
     /** Deux réglages égaux donnent la même image d'une même scène. */
     @Override
     public boolean equals(Object autre) {
-        return autre instanceof Reglages && cle().equals(((Reglages) autre).cle());
+        return autre instanceof Reglages && options.getReglages().equals(((Reglages) autre).options.getReglages())
+                && getSections().equals(((Reglages) autre).getSections());
     }
 
     @Override
     public int hashCode() {
-        return Objects.hash(etape, reflets, seuil);
+        return getSections().hashCode();
     }
 
-    private List<Object> cle() {
-        return Arrays.asList(etape, reflets, seuil, simple, debranchees, new ArrayList<>(sections.values()));
+    private List<Section> getSections() {
+        return new ArrayList<>(sections.values());
     }
 
     /** Texte lisible, par exemple {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */
     @Override
     public String toString() {
+        int reflets = get(Option.REFLETS);
         String permises = reflets + (reflets > 1 ? " réflexions" : " réflexion");
-        String choisi = etape != Etape.REFLETS ? "étape " + etape : permises;
-        return choisi + (seuil == Constantes.SEUIL ? "" : ", seuil " + seuil)
-                + sections.keySet().stream().filter(this::estBranchee).map(v -> ", " + getSectionEntiere(v))
-                .collect(Collectors.joining());
+        String choisi = get(Option.ETAPE) == Etape.REFLETS ? permises : "étape " + get(Option.ETAPE);
+        String abandon = get(Option.SEUIL).equals(Option.SEUIL.absente) ? "" : ", seuil " + get(Option.SEUIL);
+        return choisi + abandon + sections.keySet().stream().filter(this::estBranchee)
+                .map(v -> ", " + getSectionEntiere(v)).collect(Collectors.joining());
     }
 }

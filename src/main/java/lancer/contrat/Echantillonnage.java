@@ -1,9 +1,6 @@
 package lancer.contrat;
 
-import java.util.List;
-import lancer.Camera;
 import lancer.Lancer;
-import lancer.Objet3D;
 
 /**
  * Choix des points de l'écran qui donnent les couleurs d'un pavé, au lieu du seul centre de chaque pixel. Les pixels
@@ -21,9 +18,4 @@ public interface Echantillonnage {
      * @return le nombre de pixels raffinés, 0 si l'échantillonnage n'en raffine pas
      */
     int tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
-
-    /** L'échantillonnage d'un dessin de ces objets, vus par cette caméra ; par défaut, le même. */
-    default Echantillonnage pour(List<Objet3D> objets, Camera camera) {
-        return this;
-    }
 }

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.texte.Nombre;
 
-/** Une clé de variante que la fenêtre règle dans un intervalle utile. Un fichier accepte d'autres valeurs. Immuable. */
-public final class Parametre {
+/** Un réglage, tel que la fenêtre le nomme et le change. Un fichier accepte d'autres valeurs. Immuable. */
+public class Parametre {
 
     /** La clé, sa valeur par défaut comme dans un fichier, et la clé incompatible avec elle, ou {@code null}. */
     public final String cle;
@@ -20,11 +20,16 @@ public final class Parametre {
     /** Les valeurs à choisir, comme dans un fichier : des mots, ou des nombres croissants ; vide pour une couleur. */
     public final List<String> valeurs;
 
-    private Parametre(String cle, String defaut, List<String> valeurs, String autre) {
+    /** Ce que la fenêtre accepte, en mots. */
+    public final String attendu;
+
+    /** Voir {@link #nombre}, {@link #mot} et {@link #couleur}. */
+    protected Parametre(String cle, String defaut, List<String> valeurs, String autre, String attendu) {
         this.cle = cle;
         this.defaut = defaut;
         this.valeurs = valeurs;
         this.autre = autre;
+        this.attendu = attendu;
     }
 
     /** Un nombre de {@code min} à {@code max} par {@code pas} ; {@code defaut} peut être {@code null}. */
@@ -32,22 +37,34 @@ public final class Parametre {
         return new Parametre(cle, defaut == null ? null : Nombre.ecrire(defaut),
                 IntStream.rangeClosed(0, (int) Math.round((max - min) / pas)).mapToObj(cran -> Nombre.ecrire(
                         BigDecimal.valueOf(pas).multiply(BigDecimal.valueOf(cran)).add(BigDecimal.valueOf(min))
-                                .doubleValue())).collect(Collectors.toList()), null);
+                                .doubleValue())).collect(Collectors.toList()), null, null);
     }
 
     /** Un mot parmi ceux-ci ; le premier est la valeur par défaut. */
     public static Parametre mot(String cle, String... mots) {
-        return new Parametre(cle, mots[0], Arrays.asList(mots), null);
+        return new Parametre(cle, mots[0], Arrays.asList(mots), null, null);
     }
 
     /** Une couleur, trois composantes de 0 à 1. @param defaut comme dans un fichier de scène */
     public static Parametre couleur(String cle, String defaut) {
-        return new Parametre(cle, defaut, Collections.emptyList(), null);
+        return new Parametre(cle, defaut, Collections.emptyList(), null, "trois nombres de 0 à 1");
     }
 
     /** Paramètre identique, incompatible avec cette autre clé. */
     public Parametre sans(String autreCle) {
-        return new Parametre(cle, defaut, valeurs, autreCle);
+        return new Parametre(cle, defaut, valeurs, autreCle, attendu);
+    }
+
+    /** Le nom du réglage dans la fenêtre. */
+    public String getTitre() {
+        return cle;
+    }
+
+    /** Dit si ce texte, tapé dans la fenêtre, est une couleur. */
+    public boolean accepte(String texte) {
+        String[] composantes = texte.split("[ \t]+");
+        return composantes.length == 3 && Arrays.stream(composantes).mapToDouble(Nombre::lire)
+                .allMatch(composante -> composante >= 0 && composante <= 1);
     }
 
     public boolean estUneCouleur() {

@@ -1,5 +1,6 @@
 package lancer.contrat;
 
+import java.util.Iterator;
 import java.util.List;
 import lancer.Objet3D;
 import lancer.Rayon;
@@ -10,6 +11,7 @@ public final class TousLesObjets implements Recherche {
     private final Objet3D[] objets;
     private final Compteurs compteurs;
 
+    /** @param objets dans l'ordre de la scène */
     public TousLesObjets(List<Objet3D> objets) {
         this(objets.toArray(new Objet3D[0]), new Compteurs());
     }
@@ -23,7 +25,7 @@ public final class TousLesObjets implements Recherche {
     public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
         Recherche.obeir();
         compteurs.compter(rayon, depart, portee);
-        return new Parcours(objets, rayon, depart, compteurs);
+        return new Passage(rayon, depart);
     }
 
     @Override
@@ -37,7 +39,43 @@ public final class TousLesObjets implements Recherche {
     }
 
     @Override
-    public Recherche pourUnFil(Compteurs compteurs) {
-        return new TousLesObjets(objets, compteurs);
+    public Recherche pourUnFil(Compteurs autres) {
+        return new TousLesObjets(objets, autres);
+    }
+
+    /** Le passage d'un rayon. Chaque question a le sien : une boucle peut donc en poser une autre. */
+    private final class Passage implements Iterable<Objet3D>, Iterator<Objet3D> {
+
+        private final Rayon rayon;
+        private final Objet3D depart;
+        private int suivant;
+
+        Passage(Rayon rayon, Objet3D depart) {
+            this.rayon = rayon;
+            this.depart = depart;
+        }
+
+        @Override
+        public Iterator<Objet3D> iterator() {
+            return this;
+        }
+
+        @Override
+        public boolean hasNext() {
+            if (Double.isNaN(rayon.getDistance()) && suivant > 0) {
+                Recherche.getDistance(objets[suivant - 1], rayon);
+            }
+            return suivant < objets.length;
+        }
+
+        @Override
+        public Objet3D next() {
+            Objet3D objet = objets[suivant++];
+            if (objet != depart) {
+                compteurs.testsSpheres++;
+                rayon.setContact(null, Double.NaN);
+            }
+            return objet;
+        }
     }
 }

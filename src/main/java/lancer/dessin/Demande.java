@@ -1,7 +1,6 @@
 package lancer.dessin;
 
-import java.util.Arrays;
-import java.util.List;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -9,35 +8,42 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
+import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
+import lancer.scene.SceneLue;
 import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /**
- * Ce qui est demandé : une scène lue, ses réglages, une taille, et une vue en fausses couleurs, ou l'image. Immuable.
- * Une méthode dont le nom commence par {@code avec} rend la même demande, à son argument près.
+ * Ce qui est demandé : une scène lue, et ses réglages, dont une taille, et une vue en fausses couleurs ou l'image.
+ * Immuable. Une méthode dont le nom commence par {@code avec} rend la même demande, à son argument près.
  */
 public final class Demande {
 
-    public final Lecture lecture;
+    public final SceneLue lue;
     public final Reglages reglages;
     public final int largeur;
     public final int hauteur;
     /** Le nom de la vue ; {@code null} pour l'image. */
     public final String vue;
-    private final Modele modele;
+    /** Les objets, les lampes et la caméra, ainsi réglés. */
+    private final Scene scene;
 
-    private Demande(Lecture lecture, Reglages reglages, int largeur, int hauteur, String vue) {
-        this.lecture = lecture;
+    private Demande(SceneLue lue, Reglages reglages, Scene scene) {
+        this.lue = lue;
         this.reglages = reglages;
-        this.largeur = largeur;
-        this.hauteur = hauteur;
-        this.vue = vue;
-        modele = reglages.getModele();
+        this.scene = scene;
+        largeur = reglages.get(Option.TAILLE).x;
+        hauteur = reglages.get(Option.TAILLE).y;
+        vue = reglages.get(Option.VUE);
+    }
+
+    private Demande(SceneLue lue, Reglages reglages) {
+        this(lue, reglages, new Scene(lue.objets, lue.lampes, lue.getCadrage(), reglages.getModele()));
     }
 
     /**
@@ -46,48 +52,53 @@ public final class Demande {
      * @throws SceneFautive si une section de variante est refusée
      * @throws Echec si {@code --sans} nomme une variante qui n'existe pas
      */
-    public Demande(Lecture lecture, Options options) {
-        this(lecture, options.reglages.pour(lecture.lue.variantes), options.largeur, options.hauteur, options.vue);
-        for (String type : reglages.getDebranchees()) {
+    public Demande(SceneLue lue, Options options) {
+        this(lue, new Reglages(options).pour(lue.variantes));
+        for (String type : options.get(Option.SANS)) {
             if (!LecteurSections.varianteConnue(type)
                     && reglages.getVariantes().stream().noneMatch(v -> v.getSection().equalsIgnoreCase(type))) {
-                throw Echec.demande("valeur impossible pour --sans : " + Texte.cite(type)
-                        + " ; attendu : une variante, par exemple Brume");
+                throw Option.SANS.impossible(type, "une variante, par exemple Brume");
             }
         }
     }
 
-    /** La même demande pour une autre lecture. Voir {@link Reglages#pour}. @throws SceneFautive voir le constructeur */
-    public Demande avecLecture(Lecture autre) {
-        return new Demande(autre, reglages.pour(autre.lue.variantes), largeur, hauteur, vue);
+    /** La même demande d'une autre lecture. Voir {@link Reglages#pour}. @throws SceneFautive voir le constructeur */
+    public Demande avecLecture(SceneLue autre) {
+        return new Demande(autre, reglages.pour(autre.variantes));
     }
 
     /** @throws SceneFautive si un réglage est refusé */
     public Demande avecReglages(Reglages autres) {
-        return new Demande(lecture, autres, largeur, hauteur, vue);
+        return new Demande(lue, autres, scene.avec(autres.getModele()));
     }
 
     public Demande avecTaille(int autreLargeur, int autreHauteur) {
-        return new Demande(lecture, reglages, autreLargeur, autreHauteur, vue);
+        return new Demande(lue, reglages.avec(Option.TAILLE, new Option.Couple(autreLargeur, autreHauteur)), scene);
     }
 
+    /** @param autre {@code null} pour l'image */
     public Demande avecVue(String autre) {
-        return new Demande(lecture, reglages, largeur, hauteur, autre);
+        return new Demande(lue, reglages.avec(Option.VUE, autre), scene);
+    }
+
+    /** Voir {@link Options#sansFenetre}. */
+    public boolean sansFenetre() {
+        return reglages.getOptions().sansFenetre();
     }
 
     /** La scène, ainsi réglée. Chaque appel en rend une nouvelle, à préparer. */
     public Scene getScene() {
-        return lecture.scene.avec(modele);
+        return scene.avec(scene.getModele());
     }
 
     /** La commande qui demande la même chose. @param avant les options à écrire d'abord, chacune après un blanc */
     public String getCommande(String avant) {
-        return Messages.commande(avant, reglages.getOptions(), lecture.fichier, largeur, hauteur);
+        return Messages.commande(avant + reglages.getOptions().getReglages(), lue.nom);
     }
 
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */
     public Echec nommer(PixelFautif faute) {
-        return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lecture.fichier) + " : "
+        return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lue.nom) + " : "
                 + Pile.cause(faute, classes(getScene())) + " ; pour le revoir : "
                 + getCommande(" --pixel " + faute.x + "," + faute.y));
     }
@@ -103,15 +114,12 @@ public final class Demande {
     /** Deux demandes égales donnent la même image de la même lecture. */
     @Override
     public boolean equals(Object autre) {
-        return autre instanceof Demande && cle().equals(((Demande) autre).cle());
+        return autre instanceof Demande && lue == ((Demande) autre).lue && reglages.equals(((Demande) autre).reglages)
+                && Objects.equals(vue, ((Demande) autre).vue);
     }
 
     @Override
     public int hashCode() {
-        return cle().hashCode();
-    }
-
-    private List<Object> cle() {
-        return Arrays.asList(lecture, reglages, largeur, hauteur, vue);
+        return reglages.hashCode();
     }
 }

@@ -1,16 +1,22 @@
 package lancer.dessin;
 
 import java.io.PrintStream;
-import java.util.Collections;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Lancer;
 import lancer.Scene;
+import lancer.auto.Auto;
+import lancer.auto.Echelle;
+import lancer.auto.Mesure;
+import lancer.commande.Echec;
 import lancer.commande.Messages;
+import lancer.commande.Option;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.Compteurs;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Toile;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
@@ -23,15 +29,22 @@ public final class Dessin {
     private static final int PIXELS_AVEC_LINEAIRE = 4_000_000;
 
     private static final double NS_PAR_MS = 1e6;
+    private static final double NS_PAR_S = 1e9;
 
     private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
             + "questions : ce sont les boucles sur tous les objets qui dessinent";
 
     public final Demande demande;
     public final ImageMemoire image;
+    /** Le lancer de cette demande, préparé. */
     public final Lancer lancer;
-    /** Le temps de la préparation, en nanosecondes. */
+    /** Celui qui a dessiné l'image en dernier : le même, ou celui d'autres réglages. */
+    private volatile Lancer dernier;
+    private Auto auto;
+    /** Le temps de la préparation, puis celui de chaque dessin, en nanosecondes. */
     private final long preparationNs;
+    private long[] tracesNs;
+    private long essaisNs;
     private final boolean cachait;
     private volatile boolean brouillonFait;
 
@@ -41,53 +54,95 @@ public final class Dessin {
      * @throws CancellationException si ce fil est interrompu
      */
     public Dessin(Demande demande) {
-        this(demande, new ImageMemoire(demande.largeur, demande.hauteur,
-                (long) demande.largeur * demande.hauteur <= PIXELS_AVEC_LINEAIRE));
-    }
-
-    /** Prépare le dessin de cette demande dans cette image, de même taille. */
-    public Dessin(Demande demande, ImageMemoire image) {
         this.demande = demande;
-        this.image = image;
+        image = image(demande);
         Scene scene = demande.getScene();
         Camera camera = scene.getCamera(image.largeur, image.hauteur);
         long debut = System.nanoTime();
-        Scene preparee = demande.reglages.isSimple() ? scene : Preparation.preparer(scene, camera);
+        Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
         preparationNs = System.nanoTime() - debut;
         cachait = Regard.trouveUneReponseCachee(preparee, camera);
         lancer = new Lancer(cachait ? scene : preparee, camera);
+        dernier = lancer;
     }
 
-    private Dessin(Dessin prepare, Demande demande, ImageMemoire image) {
-        this.demande = demande;
-        this.image = image;
-        lancer = prepare.lancer.avec(demande.reglages.getModele());
-        preparationNs = 0;
-        cachait = prepare.cachait;
+    /** L'image à dessiner, sans ce qu'un fichier ne demande pas. */
+    private static ImageMemoire image(Demande demande) {
+        Options options = demande.reglages.getOptions();
+        boolean avecCodes = options.estDonnee(Option.IMAGE) || !options.estDonnee(Option.LINEAIRE);
+        boolean avecLineaire = options.sansFenetre()
+                ? options.estDonnee(Option.LINEAIRE) || options.estDonnee(Option.AUTO) || options.estDonnee(Option.COMPARER)
+                : (long) demande.largeur * demande.hauteur <= PIXELS_AVEC_LINEAIRE;
+        return new ImageMemoire(demande.largeur, demande.hauteur, avecCodes, avecLineaire);
     }
 
-    /** Le dessin de la même scène, déjà préparée, avec ces autres réglages, dans une nouvelle image. */
-    public Dessin avecReglages(Reglages reglages) {
-        return new Dessin(this, demande.avecReglages(reglages), new ImageMemoire(image.largeur, image.hauteur, true));
-    }
-
-    /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Reglages#isSimple} */
+    /** Le lancer d'une scène, préparée pour une image de cette taille. @param simple voir {@link Option#SIMPLE} */
     public static Lancer lancer(Scene scene, int largeur, int hauteur, boolean simple) {
         Camera camera = scene.getCamera(largeur, hauteur);
         return new Lancer(simple ? scene : Preparation.preparer(scene, camera), camera);
     }
 
-    /** Dessine le brouillon, puis la vue demandée. @param reference celle de la vue « difference », ou {@code null} */
-    public void dessinerLaVue(ImageMemoire reference, int fils, Runnable siBrouillonFait) {
-        lancer.getAtelier().getFautes().tolerer();
+    /**
+     * Dessine ce qui est demandé sur cette toile, {@code --repeter} fois.
+     *
+     * @throws Echec si un pixel ne peut être calculé, et si ce n'est pas toléré
+     */
+    public void tracer(Toile toile) {
         try {
-            lancer.TracerBrouillon(image, demande.reglages.getProfondeur(), fils);
-            finirBrouillon();
-            siBrouillonFait.run();
-            new FaussesCouleurs(lancer, demande.reglages.getProfondeur(), fils).dessiner(demande.vue, image);
+            if (demande.vue != null) {
+                tracerLaVue(toile);
+            } else if (demande.reglages.getOptions().estDonnee(Option.AUTO)) {
+                choisirEtTracer(toile);
+            } else {
+                tracer(demande.reglages, lancer, toile);
+            }
         } catch (PixelFautif e) {
             throw demande.nommer(e);
         }
+    }
+
+    /** Dessine l'image de la scène préparée, selon ces autres réglages. @return le temps du dernier dessin */
+    public long tracer(Reglages autres, Toile toile) {
+        tracer(autres, lancer.avec(autres.getModele()), toile);
+        return dernier.getAtelier().getDureeNs();
+    }
+
+    private void tracer(Reglages reglages, Lancer celui, Toile toile) {
+        dernier = celui;
+        // une fenêtre montre un seul dessin
+        tracesNs = new long[demande.sansFenetre() ? reglages.get(Option.REPETER) : 1];
+        for (int k = 0; k < tracesNs.length; k++) {
+            celui.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
+            tracesNs[k] = celui.getAtelier().getDureeNs();
+        }
+    }
+
+    private void tracerLaVue(Toile toile) {
+        int profondeur = demande.reglages.getProfondeur();
+        int fils = demande.reglages.get(Option.FILS);
+        if (toile.montreUnBrouillon()) {
+            lancer.TracerBrouillon(toile, profondeur, fils);
+            toile.finirBrouillon();
+        }
+        new FaussesCouleurs(lancer, profondeur, fils).dessiner(demande.vue, image);
+        tracesNs = new long[] {lancer.getAtelier().getDureeNs()};
+    }
+
+    /** Dessine avec les réglages que {@code --auto} choisit, puis mesure l'erreur de l'image. */
+    private void choisirEtTracer(Toile toile) {
+        long debut = System.nanoTime();
+        Options options = demande.reglages.getOptions();
+        auto = new Auto(lancer, Echelle.de(demande.reglages, options.estDonnee(Option.REFLETS),
+                options.estDonnee(Option.SEUIL)), options.get(Option.AUTO), options.get(Option.FILS));
+        do {
+            tracer(auto.getChoisi(), auto.getLancer(), toile);
+        } while (!auto.controler(image::getCouleur));
+        essaisNs = System.nanoTime() - debut - new Durees(tracesNs).getSomme();
+    }
+
+    /** La part dessinée de l'image en cours, de 0 à 1. */
+    public double getAvancement() {
+        return dernier.getAtelier().getAvancement();
     }
 
     public void finirBrouillon() {
@@ -104,36 +159,55 @@ public final class Dessin {
         return cachait ? CACHE : null;
     }
 
-    /** Avertit de {@link #getEcart}. */
-    public void direEcart(PrintStream erreur) {
-        if (getEcart() != null) {
-            Messages.avertir(Collections.singletonList(getEcart()), erreur);
+    /** Dit ce qu'il faut de ce dessin achevé : statistiques demandées, réglages choisis, {@link #getEcart}. */
+    public Dessin rapporter(PrintStream sortie, PrintStream erreur) {
+        if (demande.reglages.get(Option.STATISTIQUES)) {
+            Messages.repondre(getStatistiques(), sortie);
         }
+        if (auto != null) {
+            Mesure mesure = auto.getMesure();
+            Messages.avertir("auto, choisi : " + Echelle.dire(auto.getChoisi()), erreur);
+            Messages.avertir(String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s",
+                    mesure.enMots(), dernier.getAtelier().getDureeNs() / NS_PAR_S, essaisNs / NS_PAR_S,
+                    mesure.rienVu ? "" : " ; " + auto.getVerdict()), erreur);
+        }
+        if (cachait) {
+            Messages.avertir(CACHE, erreur);
+        }
+        return this;
     }
 
     /** Le nombre de rayons et le temps de ce dessin achevé. */
     public String getCout() {
         // l'espace fine insécable manque à beaucoup de polices
-        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", lancer.getAtelier().getCompteurs().rayons(),
-                lancer.getAtelier().getDureeNs() / 1e9).replace('\u202F', '\u00A0');
+        return String.format(Locale.FRANCE, "%,d rayons en %.2f s", dernier.getAtelier().getCompteurs().rayons(),
+                dernier.getAtelier().getDureeNs() / NS_PAR_S).replace('\u202F', '\u00A0');
     }
 
     /**
      * Texte de {@code --statistiques} : compteurs d'un dessin, et temps. Les nombres ont un point décimal, sans
      * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
-     *
-     * @param acheve le lancer qui a dessiné l'image
-     * @param tracesNs le temps de chaque dessin, dans l'ordre, en nanosecondes
      */
-    public String statistiques(Lancer acheve, long... tracesNs) {
-        Compteurs c = acheve.getAtelier().getCompteurs();
+    private String getStatistiques() {
+        Compteurs c = dernier.getAtelier().getCompteurs();
         double traceNs = new Durees(tracesNs).getMediane();
         return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
-                c.pixelsRaffines, demande.lecture.dureeNs / NS_PAR_MS,
-                preparationNs / NS_PAR_MS,
-                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / 1e9)));
+                c.pixelsRaffines, demande.lue.getDureeNs() / NS_PAR_MS, preparationNs / NS_PAR_MS,
+                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / NS_PAR_S))) + getEssais();
+    }
+
+    /** Ce que {@code --auto} ajoute aux statistiques. */
+    private String getEssais() {
+        if (auto == null) {
+            return "";
+        }
+        Mesure mesure = auto.getMesure();
+        String incertitude = mesure.rienVu ? ""
+                : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
+        return String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d%nauto.essais.ms: %.3f",
+                mesure.erreur, incertitude, auto.getRayonsDesEssais(), essaisNs / NS_PAR_MS);
     }
 }

@@ -1,5 +1,6 @@
 package lancer.fenetre;
 
+import java.awt.Font;
 import java.awt.Toolkit;
 import java.util.Locale;
 import javax.swing.UIManager;
@@ -12,8 +13,9 @@ final class Apparence {
     private Apparence() {
     }
 
-    /** À appeler avant de créer le premier composant. */
+    /** À appeler avant de créer le premier composant. @throws Error sans polices, ou sans fontconfig */
     static void preparer() {
+        new Font(Font.DIALOG, Font.PLAIN, 1).canDisplay('a');
         // sinon, FlatLaf chercherait une bibliothèque du système, absente de l'archive
         System.setProperty("flatlaf.useNativeLibrary", "false");
         UIManager.put("swing.boldMetal", false);

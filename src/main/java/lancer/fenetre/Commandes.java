@@ -21,7 +21,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import lancer.commande.Etape;
-import lancer.commande.Options;
+import lancer.commande.Option;
 import lancer.texte.Texte;
 
 /** Les commandes de la fenêtre, dans ses menus ou seulement au clavier. Aucune touche n'est un chiffre. */
@@ -83,7 +83,7 @@ final class Commandes {
                 commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
                 commande("Loupe, plus loin", "ctrl DOWN", scene, () -> f.panneau.approcher(false)));
         menu.addSeparator();
-        Stream.concat(Stream.of("image"), Options.VUES.stream()).forEach(nom -> {
+        Stream.concat(Stream.of("image"), Option.VUE.valeurs.stream()).forEach(nom -> {
             String vue = nom.equals("image") ? null : nom;
             ajouter(menu, commande("Vue : " + nom, null, scene, () -> c.voir(vue))
                     .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.demande.vue)));
@@ -104,7 +104,7 @@ final class Commandes {
         JComponent cadre = f.cadre.getRootPane();
         for (Etape etape : Etape.values()) {
             lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW, commande("Étape du cours : Lambert, Phong, ombres, reflets",
-                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(c.demande.reglages.avecEtape(etape))));
+                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(c.demande.reglages.avec(Option.ETAPE, etape))));
         }
         reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
         reflexions("Moins de réflexions", '-', REFLEXIONS::lower);
@@ -126,8 +126,9 @@ final class Commandes {
     private void reflexions(String nom, char touche, UnaryOperator<Integer> autre) {
         for (String avec : new String[] {"", "shift "}) {
             lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, commande(nom, avec + "typed " + touche,
-                    () -> scene.getAsBoolean() && autre.apply(c.demande.reglages.getReflets()) != null,
-                    () -> c.regler(c.demande.reglages.avecReflets(autre.apply(c.demande.reglages.getReflets())))));
+                    () -> scene.getAsBoolean() && autre.apply(c.demande.reglages.get(Option.REFLETS)) != null,
+                    () -> c.regler(c.demande.reglages.avec(Option.REFLETS,
+                            autre.apply(c.demande.reglages.get(Option.REFLETS))))));
         }
     }
 

@@ -9,10 +9,12 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
+import lancer.commande.Option;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.dessin.Lecture;
+import lancer.dessin.Programme;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
@@ -27,7 +29,8 @@ final class Controleur implements Travail.Suite {
     /** La plus grande image « avant » gardée, en pixels. */
     private static final int PIXELS_GARDES = 16_000_000;
 
-    private final Moteur moteur;
+    private final Programme programme;
+    private final Options options;
     final PanneauImage panneau;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
@@ -49,8 +52,9 @@ final class Controleur implements Travail.Suite {
     Predicate<SceneLue> oubli = lue -> false;
 
     /** @param taille donne la taille de l'image à dessiner */
-    Controleur(Moteur moteur, PanneauImage panneau, Supplier<Dimension> taille) {
-        this.moteur = moteur;
+    Controleur(Programme programme, Options options, PanneauImage panneau, Supplier<Dimension> taille) {
+        this.programme = programme;
+        this.options = options;
         this.panneau = panneau;
         this.taille = taille;
         surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
@@ -72,12 +76,12 @@ final class Controleur implements Travail.Suite {
 
     /** Nombre de fils d'un dessin. */
     int getFils() {
-        return moteur.options.fils;
+        return options.get(Option.FILS);
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
     void ouvrir(Travail premier) {
-        fichier = premier.demande.lecture.fichier;
+        fichier = premier.demande.lue.nom;
         surveillance.suivre(fichier, premier.version);
         adopter(premier.demande);
         commencer(premier);
@@ -87,7 +91,7 @@ final class Controleur implements Travail.Suite {
     void ouvrir(String scene) {
         retenir();
         fichier = scene;
-        commencer(new Travail(moteur, scene, demande, null));
+        commencer(new Travail(programme, options, scene, demande));
     }
 
     void relire() {
@@ -111,10 +115,10 @@ final class Controleur implements Travail.Suite {
 
     /** Revient aux réglages de la ligne de commande et du fichier. */
     void revenir() {
-        regler(new Demande(demande.lecture, moteur.options).reglages);
+        regler(new Demande(demande.lue, options).reglages);
     }
 
-    /** Montre cette vue, comparée à la même image que la précédente. @param vue {@code null} pour l'image */
+    /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
         demander(demande.avecVue(vue));
     }
@@ -122,7 +126,7 @@ final class Controleur implements Travail.Suite {
     /** Dessine la scène lue, avec ces déplacements. */
     void deplacer(SceneLue deplacee) {
         retenir();
-        demander(demande.avecLecture(new Lecture(demande.lecture.fichier, deplacee, demande.lecture.dureeNs)));
+        demander(demande.avecLecture(deplacee));
     }
 
     /** Suit la taille que la fenêtre donne à l'image. */
@@ -168,7 +172,7 @@ final class Controleur implements Travail.Suite {
     /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
     private void dessiner() {
         if (enCours ? !demande.equals(travail.demande) : !entiere || !demande.equals(montre.demande)) {
-            commencer(new Travail(moteur, null, demande, avant == null ? null : avant.image));
+            commencer(new Travail(programme, demande));
         }
     }
 
@@ -211,9 +215,9 @@ final class Controleur implements Travail.Suite {
 
     /** La scène montrée est désormais celle qui vient d'être lue. */
     private void adopter(Demande lue) {
-        demande = demande == null ? lue : demande.avecLecture(lue.lecture);
-        List<String> avis = new ArrayList<>(lue.lecture.lue.avertissements);
-        if (oubli.test(lue.lecture.lue)) {
+        demande = demande == null ? lue : demande.avecLecture(lue.lue);
+        List<String> avis = new ArrayList<>(lue.lue.avertissements);
+        if (oubli.test(lue.lue)) {
             avis.add("scène relue : ce qui était déplacé sans être écrit est revenu à sa place");
         }
         panneau.bandeau.dire(Sujet.DESSIN, "");
@@ -241,9 +245,9 @@ final class Controleur implements Travail.Suite {
             }
         }
         if (echec instanceof SceneFautive && !celui.lue) {
-            boolean autre = demande != null && !demande.lecture.fichier.equals(fichier);
+            boolean autre = demande != null && !demande.lue.nom.equals(fichier);
             panneau.bandeau.dire(Sujet.SCENE, Messages.message(echec) + (autre ? "\nl'image qui reste est celle de "
-                    + new File(demande.lecture.fichier).getName() : ""));
+                    + new File(demande.lue.nom).getName() : ""));
         } else if (fautes != null && !(echec instanceof Error)) {
             panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
                     + dessin.demande.nommer(dessin.lancer.getAtelier().getFautes().getPremiere()).getMessage());

@@ -90,7 +90,7 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.montre.demande.lecture.fichier;
+        String scene = controleur.montre.demande.lue.nom;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(controleur.panneau, new File(dossier, nom));
         if (cible == null) {

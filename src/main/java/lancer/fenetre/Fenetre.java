@@ -23,7 +23,10 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.WindowConstants;
+import lancer.commande.Option;
+import lancer.commande.Options;
 import lancer.dessin.Dessin;
+import lancer.dessin.Programme;
 import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.ImageMemoire;
 
@@ -41,7 +44,8 @@ final class Fenetre {
     final Controleur controleur;
     final Prise prise;
     final Enregistrement enregistrement;
-    private final String programme;
+    /** Le nom du programme et de ses variantes. */
+    private final String nom;
     /** La taille de l'image demandée par la ligne de commande. */
     private final Dimension demandee;
     private final BarreEtat barre = new BarreEtat();
@@ -51,12 +55,12 @@ final class Fenetre {
     boolean remplie;
 
     /** @param variantes noms des variantes présentes @param fin appelé à la fermeture, dans un autre fil */
-    Fenetre(Moteur moteur, List<String> variantes, Runnable fin) {
-        programme = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
-        demandee = new Dimension(moteur.options.largeur, moteur.options.hauteur);
+    Fenetre(Programme programme, Options options, List<String> variantes, Runnable fin) {
+        nom = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
+        demandee = new Dimension(options.get(Option.TAILLE).x, options.get(Option.TAILLE).y);
         this.fin = fin;
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
-        controleur = new Controleur(moteur, panneau, this::getTaille);
+        controleur = new Controleur(programme, options, panneau, this::getTaille);
         enregistrement = new Enregistrement(controleur);
         prise = new Prise(controleur, enregistrement);
         // un filet autour de l'image, coloré quand elle a le clavier
@@ -191,8 +195,8 @@ final class Fenetre {
                         Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
             }
         }
-        String titre = controleur.fichier == null ? programme
-                : programme + " — " + new File(controleur.fichier).getName();
+        String titre = controleur.fichier == null ? nom
+                : nom + " — " + new File(controleur.fichier).getName();
         cadre.setTitle(prise.estDeplace() ? titre + " •" : titre);
         rafraichir();
     }

@@ -172,7 +172,7 @@ final class Inspecteur extends JPanel {
         }
         pixel = new Point(Math.max(0, Math.min(montre.image.largeur - 1, pixel.x)),
                 Math.max(0, Math.min(montre.image.hauteur - 1, pixel.y)));
-        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lecture.lue::getOrigine,
+        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lue::getOrigine,
                 montre.lancer.getCamera(), montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();

@@ -9,22 +9,23 @@ import java.io.File;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
-import java.util.function.BiConsumer;
-import java.util.function.BiFunction;
-import java.util.function.Consumer;
-import java.util.function.DoubleConsumer;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Options;
 import lancer.dessin.Demande;
-import lancer.dessin.Dessin;
-import lancer.dessin.Lecture;
+import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
 import lancer.scene.Surveillance;
+import lancer.texte.Pile;
 import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
+
+    /** La profondeur d'écran que Java ne connaît pas, en bits. */
+    private static final int BITS_DE_TROP = 30;
 
     private Ouverture() {
     }
@@ -32,50 +33,52 @@ public final class Ouverture {
     /**
      * Ouvre la fenêtre sur la scène demandée, et revient après la lecture de cette scène.
      *
-     * @param lecteur lit une scène, et dit la part lue du fichier, de 0 à 1
-     * @param programme dessine une demande, et donne le dessin quand il commence, puis quand son brouillon est fini
      * @param erreur sortie des avertissements de la première scène
      * @param fin appelé à la fermeture de la fenêtre, dans un autre fil
      * @throws lancer.SceneFautive si la scène ne peut être utilisée ; aucune fenêtre n'est alors ouverte
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Options options, BiFunction<String, DoubleConsumer, Lecture> lecteur,
-            BiConsumer<Demande, Consumer<Dessin>> programme, PrintStream erreur, Runnable fin) {
-        Moteur moteur = new Moteur(options, lecteur, programme);
+    public static Fenetre ouvrir(Options options, Programme programme, PrintStream erreur, Runnable fin) {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
         if (manque != null) {
             if (options.scene != null) {
                 // une faute de la scène est plus utile à dire que l'absence d'écran
-                moteur.lire(options.scene, part -> { });
+                new Demande(programme.lire(options.scene, part -> { }), options);
             }
             throw Echec.machine(manque + ", ou --image FICHIER.png");
         }
         // pendant que la scène se lit ici
-        EventQueue.invokeLater(Apparence::preparer);
+        FutureTask<Void> apparence = new FutureTask<>(Apparence::preparer, null);
+        EventQueue.invokeLater(apparence);
         String version = options.scene == null ? null : Surveillance.version(options.scene);
-        Demande demande = options.scene == null ? null : moteur.lire(options.scene, part -> { });
+        Demande demande = options.scene == null ? null
+                : new Demande(programme.lire(options.scene, part -> { }), options);
         Fenetre[] ouverte = new Fenetre[1];
         try {
+            apparence.get();
             EventQueue.invokeAndWait(() -> {
-                Travail premier = demande == null ? null : new Travail(moteur, null, demande, null);
+                Travail premier = demande == null ? null : new Travail(programme, demande);
                 if (premier != null) {
                     // le dessin n'attend pas la fenêtre, plus longue à ouvrir que le brouillon à dessiner
                     premier.version = version;
                     premier.execute();
                 }
-                ouverte[0] = new Fenetre(moteur, LecteurSections.nomsDesVariantes(), fin);
+                ouverte[0] = new Fenetre(programme, options, LecteurSections.nomsDesVariantes(), fin);
                 new Commandes(ouverte[0]);
                 ouverte[0].montrer(premier);
             });
+        } catch (ExecutionException e) {
+            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + Pile.cause(e)
+                    + " ; attendu : les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png");
         } catch (InvocationTargetException e) {
             throw Echec.machine(Messages.message(e.getCause()));
         } catch (InterruptedException e) {
             throw Echec.machine("interrompu");
         }
         if (demande != null) {
-            Messages.avertir(demande.lecture.lue.avertissements, erreur);
+            Messages.avertir(demande.lue.avertissements, erreur);
         }
         return ouverte[0];
     }
@@ -109,8 +112,9 @@ public final class Ouverture {
     private static String getManqueDeJava() {
         try {
             // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-            Toolkit.getDefaultToolkit();
-            return null;
+            int bits = Toolkit.getDefaultToolkit().getColorModel().getPixelSize();
+            return bits == BITS_DE_TROP ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits"
+                    : null;
         } catch (AWTError e) {
             // une classe d'accessibilité que nomme accessibility.properties, et qui manque
             return "ce Java ne sait pas ouvrir de fenêtre : " + Texte.echappe(e.getMessage())

@@ -6,12 +6,16 @@ import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseEvent;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -22,14 +26,12 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
-import lancer.commande.Etape;
-import lancer.commande.Aide;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.fenetre.Bandeau.Sujet;
-import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
 /** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres. Un changement redessine l'image. */
@@ -40,7 +42,6 @@ final class PanneauReglages extends JScrollPane {
     /** Largeur d'une glissière là où la place manque. */
     private static final int LARGEUR = 60;
     private static final int COLONNES = 6;
-    private static final String[] COULEURS = {"rouge", "vert", "bleu"};
 
     private final Controleur controleur;
     private final JPanel grille = new JPanel(new GridBagLayout());
@@ -52,15 +53,7 @@ final class PanneauReglages extends JScrollPane {
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
-        JComboBox<Etape> etapes = choix(Etape.values(), etape -> changer(reglages().avecEtape(etape)));
-        etapes.setToolTipText("F6 à F9");
-        poser("étape du cours", etapes, null, () -> etapes.setSelectedItem(reglages().getEtape()));
-        saisir("réflexions", "un entier de 0 à " + Aide.REFLETS_MAX + ", ou les touches + et −",
-                n -> n >= 0 && n <= Aide.REFLETS_MAX && n == Math.rint(n),
-                n -> changer(reglages().avecReflets(n.intValue())), () -> (double) reglages().getReflets());
-        saisir("seuil des reflets", "un nombre positif ou nul, par exemple 0.001",
-                n -> n >= 0 && n < Double.POSITIVE_INFINITY,
-                n -> changer(reglages().avecSeuil(n)), () -> reglages().getSeuil());
+        Option.enFenetre().forEach(this::ajouter);
         for (Variante presente : reglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
             Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
@@ -70,7 +63,9 @@ final class PanneauReglages extends JScrollPane {
             ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
-                ajouter(variante, parametre);
+                ajouter(presente.getSection() + ".", parametre, () -> reglages().getValeur(variante.get(), parametre),
+                        voulue -> regler(variante.get(), parametre, voulue),
+                        () -> reglages().estBranchee(variante.get()));
             }
         }
         // la grille est placée en haut de l'onglet
@@ -86,49 +81,100 @@ final class PanneauReglages extends JScrollPane {
         return controleur.demande.reglages;
     }
 
-    /** Ajoute un nombre à taper. Une valeur impossible est dite, et laissée à corriger. */
-    private void saisir(String nom, String attendu, DoublePredicate possible, Consumer<Double> siChange,
-            Supplier<Double> present) {
+    private <T> void ajouter(Option<T> option) {
+        ajouter("", option, () -> option.ecrire(reglages().get(option)),
+                voulue -> changer(reglages().avec(option, option.lire(voulue))), () -> true);
+    }
+
+    /**
+     * Ajoute un réglage.
+     *
+     * @param prefixe précède le titre dans le nom du composant
+     * @param present sa valeur, ou {@code null} si une autre la remplace
+     * @param possible dit s'il a un effet
+     */
+    private void ajouter(String prefixe, Parametre reglage, Supplier<String> present, Consumer<String> siChange,
+            BooleanSupplier possible) {
+        JLabel valeur = reglage.estUnNombre() ? new JLabel() : null;
+        final JComponent composant;
+        final Runnable ajustement;
+        if (reglage.estUnNombre()) {
+            JSlider glissiere = glissiere(reglage, siChange);
+            composant = glissiere;
+            ajustement = () -> {
+                valeur.setText(present.get() == null ? "—" : present.get());
+                if (!glissiere.getValueIsAdjusting()) {
+                    glissiere.setValue(reglage.getRang(valeur.getText()));
+                }
+            };
+        } else if (reglage.valeurs.isEmpty()) {
+            JFormattedTextField champ = champ(reglage, siChange);
+            composant = champ;
+            ajustement = () -> {
+                // un texte que l'on écrit reste, tant que la valeur est la même
+                if (!Objects.equals(present.get(), champ.getValue())) {
+                    champ.setValue(present.get());
+                }
+            };
+        } else {
+            JComboBox<String> mots = new JComboBox<>(reglage.valeurs.toArray(new String[0]));
+            mots.addActionListener(e -> siChange.accept(mots.getItemAt(mots.getSelectedIndex())));
+            composant = mots;
+            ajustement = () -> mots.setSelectedItem(present.get());
+        }
+        composant.setToolTipText(reglage.attendu);
+        composant.setName(prefixe + reglage.getTitre());
+        composant.getAccessibleContext().setAccessibleName(composant.getName());
+        composant.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent e) {
+                composant.scrollRectToVisible(new Rectangle(composant.getSize()));
+            }
+        });
+        poser(reglage.getTitre(), composant, valeur);
+        ajustements.add(() -> {
+            ajustement.run();
+            composant.setEnabled(possible.getAsBoolean());
+        });
+    }
+
+    /** Un texte à taper. Une valeur impossible est dite, et laissée à corriger. */
+    private JFormattedTextField champ(Parametre reglage, Consumer<String> siChange) {
         JFormattedTextField champ = new JFormattedTextField(new JFormattedTextField.AbstractFormatter() {
             @Override
             public Object stringToValue(String texte) throws ParseException {
-                double lu = Nombre.lire(texte.trim());
-                if (!possible.test(lu)) {
-                    controleur.panneau.bandeau.dire(Sujet.AVIS, nom + " : valeur impossible, " + Texte.cite(texte)
-                            + " ; attendu : " + attendu);
+                if (!reglage.accepte(texte.trim())) {
+                    controleur.panneau.bandeau.dire(Sujet.AVIS, reglage.getTitre() + " : valeur impossible, "
+                            + Texte.cite(texte) + " ; attendu : " + reglage.attendu);
                     throw new ParseException(texte, 0);
                 }
-                return lu;
+                return texte.trim();
             }
 
             @Override
             public String valueToString(Object valeur) {
-                return valeur == null ? "" : Nombre.ecrire((Double) valeur);
+                return valeur == null ? "" : valeur.toString();
             }
         });
         champ.setColumns(COLONNES);
-        champ.setToolTipText(attendu);
-        champ.addPropertyChangeListener("value", e -> siChange.accept((Double) champ.getValue()));
-        poser(nom, champ, null, () -> {
-            // un texte que l'on écrit reste, tant que la valeur est la même
-            if (!present.get().equals(champ.getValue())) {
-                champ.setValue(present.get());
-            }
-        });
+        champ.addPropertyChangeListener("value", e -> siChange.accept((String) champ.getValue()));
+        return champ;
     }
 
-    private <T> JComboBox<T> choix(T[] valeurs, Consumer<T> siChoisie) {
-        JComboBox<T> choix = new JComboBox<>(valeurs);
-        choix.addActionListener(e -> siChoisie.accept(choix.getItemAt(choix.getSelectedIndex())));
-        return choix;
+    private static JSlider glissiere(Parametre reglage, Consumer<String> siChange) {
+        JSlider glissiere = new JSlider(0, reglage.valeurs.size() - 1, 0);
+        glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
+        // sans cet écart, les flèches du clavier n'auraient pas d'effet
+        glissiere.setMinorTickSpacing(1);
+        glissiere.setSnapToTicks(true);
+        glissiere.addChangeListener(e -> siChange.accept(reglage.valeurs.get(glissiere.getValue())));
+        return glissiere;
     }
 
     /** Ajoute une ligne. @param valeur composant de droite, ou {@code null} */
-    private void poser(String nom, JComponent composant, JLabel valeur, Runnable ajustement) {
+    private void poser(String nom, JComponent composant, JLabel valeur) {
         JLabel etiquette = new JLabel(nom);
         etiquette.setLabelFor(composant);
-        composant.setName(composant.getName() == null ? nom : composant.getName());
-        ajustements.add(ajustement);
         poser(etiquette, 0, 1);
         poser(composant, 1, valeur == null ? GridBagConstraints.REMAINDER : 1);
         if (valeur != null) {
@@ -140,54 +186,6 @@ final class PanneauReglages extends JScrollPane {
         grille.add(composant, new GridBagConstraints(GridBagConstraints.RELATIVE, GridBagConstraints.RELATIVE, colonnes,
                 1, part, 0, GridBagConstraints.LINE_START, GridBagConstraints.HORIZONTAL,
                 new Insets(0, colonnes == 1 && part == 0 ? 3 * MARGE : 0, 0, MARGE), 0, 0));
-    }
-
-    private void ajouter(Supplier<Variante> variante, Parametre parametre) {
-        String section = variante.get().getSection() + ".";
-        if (parametre.estUneCouleur()) {
-            Parametre composante = Parametre.nombre(parametre.cle, null, 0, 1, 0.01);
-            for (int k = 0; k < COULEURS.length; k++) {
-                glisser(section, parametre.cle + ", " + COULEURS[k], variante, parametre, composante, k);
-            }
-        } else if (parametre.estUnNombre()) {
-            glisser(section, parametre.cle, variante, parametre, parametre, 0);
-        } else {
-            JComboBox<String> mots = choix(parametre.valeurs.toArray(new String[0]),
-                    mot -> regler(variante.get(), parametre, mot));
-            mots.setName(section + parametre.cle);
-            poser(parametre.cle, mots, null, () -> {
-                mots.setSelectedItem(reglages().getValeur(variante.get(), parametre));
-                mots.setEnabled(reglages().estBranchee(variante.get()));
-            });
-        }
-    }
-
-    /** Ajoute une glissière pour le nombre de ce rang d'une valeur. */
-    private void glisser(String section, String nom, Supplier<Variante> variante, Parametre parametre,
-            Parametre echelle, int rang) {
-        Supplier<String[]> nombres = () -> {
-            String valeur = reglages().getValeur(variante.get(), parametre);
-            return valeur == null ? new String[] {"—"} : valeur.trim().split("[ \t]+");
-        };
-        JLabel nombre = new JLabel();
-        JSlider glissiere = new JSlider(0, echelle.valeurs.size() - 1, 0);
-        glissiere.setName(section + nom);
-        glissiere.setPreferredSize(new Dimension(LARGEUR, glissiere.getPreferredSize().height));
-        // sans cet écart, les flèches du clavier n'auraient pas d'effet
-        glissiere.setMinorTickSpacing(1);
-        glissiere.setSnapToTicks(true);
-        glissiere.addChangeListener(e -> {
-            String[] voulus = nombres.get();
-            voulus[rang] = echelle.valeurs.get(glissiere.getValue());
-            regler(variante.get(), parametre, String.join(" ", voulus));
-        });
-        poser(nom, glissiere, nombre, () -> {
-            nombre.setText(nombres.get()[rang]);
-            glissiere.setEnabled(reglages().estBranchee(variante.get()));
-            if (!glissiere.getValueIsAdjusting()) {
-                glissiere.setValue(echelle.getRang(nombres.get()[rang]));
-            }
-        });
     }
 
     private void regler(Variante variante, Parametre parametre, String voulue) {

@@ -15,7 +15,6 @@ import javax.swing.JTextArea;
 import javax.swing.SwingWorker;
 import lancer.Constantes;
 import lancer.Couleur;
-import lancer.Lancer;
 import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
@@ -86,13 +85,12 @@ final class PanneauVitesse extends JPanel {
             IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
                     : rang -> Constantes.CIEL;
             Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), dessinee, VOULUE,
-                    Long.MAX_VALUE, new SplittableRandom(1));
+                    Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
-                Lancer lancer = prepare.lancer.avec(moins.reglages.getModele());
-                lancer.TracerPixels(prepare.image, moins.reglages.getProfondeur(), controleur.getFils());
+                long dureeNs = prepare.tracer(moins.reglages, prepare.image);
                 Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
-                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(lancer.getAtelier().getDureeNs()),
+                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(dureeNs),
                         mesure.erreur, mesure.incertitude));
                 publish(new ArrayList<>(siens));
                 moins = suivant();

@@ -94,7 +94,7 @@ final class Prise extends MouseAdapter {
     void ecrire() {
         SceneLue celle = lue;
         SceneLue voulue = deplacee;
-        String fichier = controleur.demande.lecture.fichier;
+        String fichier = controleur.demande.lue.nom;
         disque.confier(() -> new Ecriture<SceneLue>(LecteurScene.trouver(fichier).toString(),
                 (scene, sortie) -> sortie.write(celle.deplacer(scene))).ecrire(voulue),
                 () -> {

@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
+import lancer.commande.Options;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.image.ImageMemoire;
+import lancer.dessin.Programme;
+import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
@@ -31,13 +33,14 @@ final class Travail extends SwingWorker<Void, Runnable> {
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
 
+    private final Programme programme;
+    private final Options options;
+    /** Le fichier de la scène à lire ; {@code null} si elle est lue. */
     final String aLire;
-    private final Moteur moteur;
     /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
     volatile Demande demande;
     /** Le dessin ; {@code null} avant la préparation. */
     volatile Dessin dessin;
-    private final ImageMemoire reference;
     private volatile double partLue;
     /** Vrai quand la scène est lue. */
     volatile boolean lue;
@@ -49,18 +52,17 @@ final class Travail extends SwingWorker<Void, Runnable> {
     /** Donnée dans le fil des événements : le premier travail commence avant que la fenêtre soit faite. */
     Suite suite;
 
-    /**
-     * @param aLire le fichier de la scène à lire, ou {@code null} si elle est lue
-     * @param demande ce qui est à dessiner ; d'une scène à lire, les réglages à garder, ou {@code null}
-     * @param reference l'image à laquelle une vue se compare, ou {@code null}
-     */
-    Travail(Moteur moteur, String aLire, Demande demande, ImageMemoire reference) {
-        this.moteur = moteur;
+    /** Le dessin d'une scène lue. */
+    Travail(Programme programme, Demande demande) {
+        this(programme, demande.reglages.getOptions(), null, demande);
+    }
+
+    /** Le dessin d'une scène à lire. @param avant la demande dont les réglages restent, ou {@code null} */
+    Travail(Programme programme, Options options, String aLire, Demande avant) {
+        this.programme = programme;
+        this.options = options;
         this.aLire = aLire;
-        this.demande = demande;
-        boolean comparable = reference != null && reference.largeur == demande.largeur
-                && reference.hauteur == demande.hauteur;
-        this.reference = comparable ? reference : null;
+        demande = avant;
         lue = aLire == null;
     }
 
@@ -68,21 +70,17 @@ final class Travail extends SwingWorker<Void, Runnable> {
     protected Void doInBackground() {
         if (aLire != null) {
             version = Surveillance.version(aLire);
-            Demande initiale = moteur.lire(aLire, part -> partLue = part);
-            demande = demande == null ? initiale : demande.avecLecture(initiale.lecture);
+            SceneLue scene = programme.lire(aLire, part -> partLue = part);
+            demande = demande == null ? new Demande(scene, options) : demande.avecLecture(scene);
             lue = true;
             publish(() -> suite.lue(this));
         }
-        if (demande.vue == null) {
-            moteur.programme.accept(demande, this::suivre);
-        } else {
-            suivre(new Dessin(demande));
-            dessin.dessinerLaVue(reference, moteur.options.fils, () -> suivre(dessin));
-        }
+        programme.dessiner(demande, this::suivre);
         return null;
     }
 
     private void suivre(Dessin celui) {
+        celui.lancer.getAtelier().getFautes().tolerer();
         dessin = celui;
         debutDuDessin = System.nanoTime();
         publish(() -> suite.montrer(this));

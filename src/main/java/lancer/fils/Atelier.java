@@ -21,7 +21,7 @@ public final class Atelier {
 
     private final int largeur;
     private final int hauteur;
-    private final Equipe equipe = new Equipe("lancer");
+    private final Equipe equipe = new Equipe();
     private final Fautes fautes;
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;

@@ -22,16 +22,10 @@ public final class Equipe {
     /** Taille de la pile d'un fil, en octets : mille réflexions sont permises, et chacune demande deux appels. */
     private static final long PILE = 16 << 20;
 
-    private final String nom;
     private final AtomicInteger suivante = new AtomicInteger();
     private final AtomicInteger faites = new AtomicInteger();
     private volatile int nombre = 1;
     private volatile boolean arretee;
-
-    /** @param nom le début du nom de ses fils */
-    public Equipe(String nom) {
-        this.nom = nom;
-    }
 
     /** Exécute ce travail dans un fil. Voir {@link #faire(int, List)}. */
     public void faire(Runnable travail) {
@@ -51,7 +45,7 @@ public final class Equipe {
         faites.set(0);
         AtomicInteger crees = new AtomicInteger();
         ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(),
-                travail -> demon(nom + "-" + crees.incrementAndGet(), travail));
+                travail -> demon("lancer-" + crees.incrementAndGet(), travail));
         CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {

@@ -70,11 +70,6 @@ public final class Comparaison {
                 : 255.0 * Math.min(1, Math.max(0, image.lineaire[3 * p + k]));
     }
 
-    /** Le plus grand écart d'une composante, en niveaux. */
-    public double getPire() {
-        return pire;
-    }
-
     /** Dit si la part des pixels qui passent la tolérance est permise. */
     public boolean sontPareilles() {
         return (double) auDela / pixels <= part;

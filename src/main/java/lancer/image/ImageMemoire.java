@@ -55,54 +55,17 @@ public final class ImageMemoire implements Toile {
         }
     }
 
+    @Override
+    public boolean montreUnBrouillon() {
+        return false;
+    }
+
     /** La couleur de ce pixel, arrondie si l'image n'a que des codes. @param k son rang, ligne par ligne */
     public Couleur getCouleur(int k) {
         if (lineaire != null) {
             return new Couleur(lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
         }
         return new Couleur((codes[k] >> 16 & 0xFF) / 255.0, (codes[k] >> 8 & 0xFF) / 255.0, (codes[k] & 0xFF) / 255.0);
-    }
-
-    /** Le plus isolé des pixels de ces rangs : le voisin qui lui ressemble le plus en diffère. @param fin rang exclu */
-    public int plusIsole(int debut, int fin) {
-        int choisi = debut;
-        int plusGrand = -1;
-        for (int k = debut; k < fin; k++) {
-            // le premier voisin suffit le plus souvent
-            if (ecart(k, k - 1) > plusGrand && isolement(k) > plusGrand) {
-                choisi = k;
-                plusGrand = isolement(k);
-            }
-        }
-        return choisi;
-    }
-
-    private int isolement(int k) {
-        return Math.min(Math.min(ecart(k, k - 1), ecart(k, k + 1)),
-                Math.min(ecart(k, k - largeur), ecart(k, k + largeur)));
-    }
-
-    /** La plus grande différence des composantes, en niveaux ; la plus grande de toutes, s'il n'y a pas de voisin. */
-    private int ecart(int k, int voisin) {
-        if (voisin < 0 || voisin >= largeur * hauteur) {
-            return 255;
-        }
-        int a = getCode(k);
-        int b = getCode(voisin);
-        return Math.max(Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF)),
-                Math.max(Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF)), Math.abs((a & 0xFF) - (b & 0xFF))));
-    }
-
-    private int getCode(int k) {
-        return codes != null ? codes[k] : getCouleur(k).getCode();
-    }
-
-    /** Dit si ce pixel est celui que cette couleur dessinerait. */
-    public boolean contient(Couleur coul, int xe, int ye) {
-        int k = ye * largeur + xe;
-        boolean memesNombres = lineaire == null || lineaire[3 * k] == (float) coul.r
-                && lineaire[3 * k + 1] == (float) coul.v && lineaire[3 * k + 2] == (float) coul.b;
-        return memesNombres && (codes == null || codes[k] == coul.getCode());
     }
 
     /** Peint le pixel de cette teinte, et garde {@code valeur} comme couleur non limitée. */

@@ -64,7 +64,7 @@ public final class FaussesCouleurs {
     /**
      * Dessine une vue.
      *
-     * @param nom un de ceux d'{@link lancer.commande.Options#VUES}
+     * @param nom une de celles d'{@link lancer.commande.Option#VUE}
      * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
      */
     public void dessiner(String nom, ImageMemoire image) {
@@ -180,8 +180,7 @@ public final class FaussesCouleurs {
             return couleur;
         };
         Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
-        int raffines = choisi.pour(lancer.getScene().getObjets(), camera)
-                .tracer(pave, voulus, comptee, (c, i, j) -> { });
+        int raffines = choisi.tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }

@@ -32,7 +32,7 @@ public final class Inspection {
     public final int profondeur;
     public final int x;
     public final int y;
-    private final Equipe equipe = new Equipe("lancer");
+    private final Equipe equipe = new Equipe();
     private final Lancer lancer;
     private Couleur couleur;
     private PixelFautif faute;
@@ -92,7 +92,7 @@ public final class Inspection {
     private void dessiner() {
         Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        echantillonnage.pour(scene.getObjets(), camera).tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
+        echantillonnage.tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
                 (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
         echantillons.sort(Comparator.<PointVu>comparingDouble(point -> point.ye)
                 .thenComparingDouble(point -> point.xe));

@@ -125,13 +125,14 @@ public final class Recit {
             return "";
         }
         List<String> termes = new ArrayList<>();
-        List<Eclairage> visibles = segment.lampes.stream().filter(Eclairage::eclaire).collect(Collectors.toList());
+        List<Eclairage> visibles = segment.eclairages.stream().filter(Eclairage::eclaire)
+                .collect(Collectors.toList());
         if (!visibles.isEmpty()) {
             List<String> parts = new ArrayList<>();
-            if (visibles.stream().anyMatch(lampe -> !lampe.diffus.estNoire())) {
+            if (visibles.stream().anyMatch(eclairage -> !eclairage.diffus.estNoire())) {
                 parts.add("diffus");
             }
-            if (visibles.stream().anyMatch(lampe -> !lampe.reflet.estNoire())) {
+            if (visibles.stream().anyMatch(eclairage -> !eclairage.reflet.estNoire())) {
                 parts.add("reflet");
             }
             termes.add(String.join(" + ", parts) + (visibles.size() > 1 ? " de " + visibles.size() + " lampes" : ""));
@@ -156,7 +157,7 @@ public final class Recit {
         if (segment.N != null && pixel.scene.getLampes().isEmpty()) {
             lignes.add(ligne("aucune lampe dans la scène : rien ne l'éclaire"));
         }
-        segment.lampes.forEach(lampe -> lignes.add(direLaLampe(segment, lampe)));
+        segment.eclairages.forEach(eclairage -> lignes.add(direLaLampe(segment, eclairage)));
         if (segment.reflet != null) {
             lignes.add(ligne("Ks (%s) ⊗ %s = %s", ecrireCommeLeFichier(segment.contact.objet.getKs()),
                     nommerLaVue(segment.suite), segment.reflet).avec(Arrays.asList(
@@ -170,29 +171,31 @@ public final class Recit {
         }
     }
 
-    private Noeud direLaLampe(Segment segment, Eclairage e) {
-        String nom = pixel.nom(e.lampe);
-        if (!(e.devant > 0)) {
-            return ligne("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", nom, e.devant);
+    private Noeud direLaLampe(Segment segment, Eclairage eclairage) {
+        String nom = pixel.nom(eclairage.lampe);
+        if (!(eclairage.devant > 0)) {
+            return ligne("%s  N·(lampe − contact) = %s  dans le dos : pas de rayon d'ombre", nom, eclairage.devant);
         }
-        if (e.apport.estNoire()) {
-            return ligne("%s  N·L = %s  sans effet sur cette matière : pas de rayon d'ombre", nom, e.cosinus);
+        if (eclairage.apport.estNoire()) {
+            return ligne("%s  N·L = %s  sans effet sur cette matière : pas de rayon d'ombre", nom, eclairage.cosinus);
         }
-        if (e.cachee) {
-            return ligne("%s  N·L = %s  %s", nom, e.cosinus, e.obstacle == null ? "cachée, le récit ne sait par quoi"
-                    : "cachée par " + pixel.nom(e.obstacle.objet)).avec(
-                    Arrays.asList(ligne("L = %s", e.L)), true);
+        List<Noeud> facteurs = new ArrayList<>();
+        facteurs.add(ligne("L = %s", eclairage.L));
+        if (eclairage.cachee) {
+            String obstacle = eclairage.obstacle == null ? "cachée, le récit ne sait par quoi"
+                    : "cachée par " + pixel.nom(eclairage.obstacle.objet);
+            return ligne("%s  N·L = %s  %s", nom, eclairage.cosinus, obstacle).avec(facteurs, true);
         }
         Objet3D objet = segment.contact.objet;
-        String couleur = ecrireCommeLeFichier(e.lampe.getCouleur());
+        String KL = ecrireCommeLeFichier(eclairage.lampe.getCouleur());
         String eclat = pixel.scene.getModele().getSpecularite()
-                .dire(segment.rayon.getV(), segment.N, e.L, segment.R, objet.getNs(), nombre);
-        return ligne("%s  N·L = %s  éclairée : diffus + reflet = %s", nom, e.cosinus, e.apport).avec(
-                Arrays.asList(ligne("L = %s", e.L),
-                        ligne("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", ecrireCommeLeFichier(segment.Kd), couleur,
-                                e.cosinus, e.diffus),
-                        ligne("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", ecrireCommeLeFichier(objet.getKs()), couleur,
-                                eclat, e.reflet)), true);
+                .dire(segment.rayon.getV(), segment.N, eclairage.L, segment.R, objet.getNs(), nombre);
+        facteurs.add(ligne("diffus = Kd (%s) ⊗ lampe (%s) × N·L %s = %s", ecrireCommeLeFichier(segment.Kd), KL,
+                eclairage.cosinus, eclairage.diffus));
+        facteurs.add(ligne("reflet = Ks (%s) ⊗ lampe (%s) × %s = %s", ecrireCommeLeFichier(objet.getKs()), KL, eclat,
+                eclairage.reflet));
+        return ligne("%s  N·L = %s  éclairée : diffus + reflet = %s", nom, eclairage.cosinus, eclairage.apport)
+                .avec(facteurs, true);
     }
 
     /** Le contact, la demi-corde d'une sphère, et les deux autres objets les plus proches, par les boucles du cours. */

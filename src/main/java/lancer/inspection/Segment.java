@@ -32,7 +32,7 @@ public final class Segment {
     final int profondeur;
 
     /** Un terme pour chaque lampe de la scène, dans leur ordre. */
-    public final List<Eclairage> lampes = new ArrayList<>();
+    public final List<Eclairage> eclairages = new ArrayList<>();
 
     /** Normale, direction réfléchie, couleur de diffusion ; {@code null} si elles ne sont pas connues. */
     Vecteur N;
@@ -76,7 +76,7 @@ public final class Segment {
         Kd = contact.objet.getKd(contact);
         N = normale;
         for (Lampe lampe : scene.getLampes()) {
-            lampes.add(new Eclairage(lampe, this, scene));
+            eclairages.add(new Eclairage(lampe, this, scene));
         }
         Rayon libre = Rayon.norme(rayon.getP(), rayon.getV());
         rivaux = scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart)
@@ -102,8 +102,8 @@ public final class Segment {
     /** Demande sa couleur au contact, et la compare à la somme des termes, ajoutés dans le même ordre. */
     void sommer(Scene scene) {
         Couleur connue = new Couleur();
-        for (Eclairage lampe : lampes) {
-            connue = lampe.eclaire() ? ajouter(connue, lampe.apport) : connue;
+        for (Eclairage eclairage : eclairages) {
+            connue = eclairage.eclaire() ? ajouter(connue, eclairage.apport) : connue;
         }
         if (suite != null && suite.vue != null) {
             reflet = contact.objet.getKs().mul(suite.vue);

@@ -20,6 +20,9 @@ final class Foule implements Recherche {
     /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
     private int lampe;
 
+    /** Rang du dernier contact ; en général, un rayon d'ombre ou réfléchi vient ensuite de lui. */
+    private int contact = -1;
+
     Foule(Preparation preparation, Compteurs compteurs) {
         this.preparation = preparation;
         this.compteurs = compteurs;
@@ -36,6 +39,15 @@ final class Foule implements Recherche {
 
     void reprendre(Question question) {
         courante = question;
+    }
+
+    void retenir(int rang) {
+        contact = rang;
+    }
+
+    /** Le rang de cet objet s'il est le dernier contact, sinon −1. */
+    int rangDe(Objet3D objet) {
+        return contact >= 0 && structures.enveloppes.objets[contact] == objet ? contact : -1;
     }
 
     /** D'où part ce rayon d'ombre : le point de vue de la lampe ; {@code null} s'il n'y en a pas. */

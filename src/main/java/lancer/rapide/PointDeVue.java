@@ -21,14 +21,11 @@ final class PointDeVue {
     /** Plus petite distance dont le carré garde ses chiffres. */
     private static final double LOIN_MIN = 1e-120;
 
-    final double x;
-    final double y;
-    final double z;
+    private final double x;
+    private final double y;
+    private final double z;
     private final double ecart;
     final Cellules cellules;
-
-    /** Une borne inférieure de la distance du point à chaque enveloppe. */
-    final float[] pres;
 
     /**
      * @param depart un point d'où part un rayon qui passe par p : une lampe elle-même, ou un point de l'écran
@@ -40,21 +37,24 @@ final class PointDeVue {
         z = p.z;
         ecart = p == depart ? 0 : ECART * Math.max(Enveloppes.plusGrande(x, y, z),
                 Enveloppes.plusGrande(depart.x, depart.y, depart.z));
-        pres = new float[enveloppes.objets.length];
         double[] cones = new double[enveloppes.geometrie.length];
         long[] cles = new long[enveloppes.petits.length];
+        // les derniers chiffres d'une distance font place au rang : il en reste 2^-26 jusqu'à trente millions d'objets
+        long rangs = (Long.highestOneBit(enveloppes.objets.length) << 1) - 1;
         for (int o = 0; o < cles.length; o++) {
             int k = enveloppes.petits[o];
-            viser(enveloppes.geometrie, cones, k);
-            // la moitié haute, positive, donne l'ordre
-            cles[o] = (long) Float.floatToRawIntBits(pres[k]) << Integer.SIZE | k;
+            cles[o] = Double.doubleToRawLongBits(viser(enveloppes.geometrie, cones, k)) & ~rangs | k;
         }
         Arrays.sort(cles);
-        cellules = Cellules.de(cones, Arrays.stream(cles).mapToInt(cle -> (int) cle).toArray(), MARGE, true, cubes);
+        cellules = Cellules.de(cones, Arrays.stream(cles).mapToInt(cle -> (int) (cle & rangs)).toArray(), MARGE, true, cubes);
     }
 
-    /** Note le cône de l'enveloppe k, et sa distance. Le demi-angle d'un cône de sinus s a pour corde 2 sin(a/2). */
-    private void viser(double[] g, double[] cones, int k) {
+    /**
+     * Note le cône de l'enveloppe k. Le demi-angle a d'un cône a pour corde 2 sin(a/2).
+     *
+     * @return la distance de l'enveloppe, 0 si elle contient le point
+     */
+    private double viser(double[] g, double[] cones, int k) {
         int s = Enveloppes.PAS * k;
         double dx = g[s] - x;
         double dy = g[s + 1] - y;
@@ -67,10 +67,15 @@ final class PointDeVue {
             cones[s + 1] = dy / loin;
             cones[s + 2] = dz / loin;
             cones[s + 3] = sinus * Math.sqrt(2 / (1 + Math.sqrt(1 - sinus * sinus)));
-            pres[k] = Math.max(0, Math.nextDown((float) (loin - r - Enveloppes.MARGE * loin)));
-        } else {
-            cones[s + 3] = 2;
+            return loin - r;
         }
+        cones[s + 3] = 2;
+        return 0;
+    }
+
+    /** La distance de ce point à P. */
+    double avance(double px, double py, double pz) {
+        return Math.sqrt((px - x) * (px - x) + (py - y) * (py - y) + (pz - z) * (pz - z));
     }
 
     /** Dit si ce rayon passe par ce point, puis s'en éloigne. */

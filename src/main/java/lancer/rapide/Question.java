@@ -23,6 +23,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
 
+    /** Ce qui couvre de plus l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
+    private static final double ARRONDI_DU_TRI = 0x1p-26;
+
     /** Plus petite composante de la direction dans les cellules : une autre serait nulle. */
     private static final double COMPOSANTE_MIN = 1e-300;
 
@@ -57,13 +60,16 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int[] liste;
     private int place;
     private int fin;
-    /** Distances à un point de vue de ceux de la liste, {@code null} ailleurs, et ce que le rayon a parcouru avant P. */
-    private float[] pres;
-    private double avance;
+    /** Dit si la liste va de l'enveloppe la plus proche d'un point de vue à la plus lointaine. */
+    private boolean triee;
+    /** Ce que l'arrondi du tri ajoute à la limite : il est proportionnel à la distance du point de vue. */
+    private double lache;
 
     /** L'objet proposé, s'il est prêt ; −1 à la fin. */
-    private int propose = -1;
+    private int propose;
     private boolean pret;
+    /** Le rang de {@link #depart}, proposé d'abord ; −1 s'il n'est pas connu. */
+    private final int rangDepart;
     /** Le premier proposé des plus proches, le premier d'entre eux dans la scène, et leur distance. */
     private int proche = -1;
     private int premier = -1;
@@ -107,6 +113,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
                 && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
         px = mesure ? x : Double.NaN;
+        rangDepart = foule.rangDe(depart);
+        propose = rangDepart;
+        pret = rangDepart >= 0;
         liste = structures.enveloppes.dAbord;
         fin = liste.length;
     }
@@ -165,60 +174,54 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     Objet3D aEgalite(Objet3D plusProche) {
         Objet3D[] objets = structures.enveloppes.objets;
-        return proche >= 0 && objets[proche] == plusProche ? objets[premier] : plusProche;
-    }
-
-    /** Le rang de l'objet suivant, −1 à la fin. */
-    private int chercher() {
-        int avant = examens;
-        int trouve = lireLaListe();
-        while (trouve < 0 && ouvrir()) {
-            trouve = lireLaListe();
+        if (proche < 0 || objets[proche] != plusProche) {
+            return plusProche;
         }
-        compteurs.noeudsVisites += examens - avant - (trouve < 0 ? 0 : 1);
-        return trouve;
+        foule.retenir(premier);
+        return objets[premier];
     }
 
     /**
-     * Le premier objet de la liste dont le rayon peut toucher l'enveloppe ; −1 s'il n'y en a plus. L'erreur sur f² − b²
-     * est au plus 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
+     * Le rang de l'objet suivant dont le rayon peut toucher l'enveloppe, −1 à la fin. L'erreur sur f² − b² est au plus
+     * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
      */
-    private int lireLaListe() {
-        int[] rangs = liste;
-        int jusque = pres == null ? fin : finProche();
-        for (int p = place; p < jusque; p++) {
-            int k = rangs[p];
-            int s = Enveloppes.PAS * k;
-            double fx = g[s] - px;
-            double fy = g[s + 1] - py;
-            double fz = g[s + 2] - pz;
-            double r = g[s + 3];
-            double b = fx * vx + fy * vy + fz * vz;
-            if (!((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r || b * PRESQUE_UN - r > limite)
-                    && k != proche && k != propose) {
-                examens += p + 1 - place;
-                place = p + 1;
-                return k;
+    private int chercher() {
+        // d'un seul tenant : plus de 325 octets (FreqInlineSize de HotSpot) ne sont pas recopiés dans chaque boucle
+        int avant = examens;
+        do {
+            int[] rangs = liste;
+            double auPlus = limite + lache;
+            examens += fin - place;
+            for (int p = place; p < fin; p++) {
+                int k = rangs[p];
+                int s = Enveloppes.PAS * k;
+                double fx = g[s] - px;
+                double fy = g[s + 1] - py;
+                double fz = g[s + 2] - pz;
+                double r = g[s + 3];
+                double b = fx * vx + fy * vy + fz * vz;
+                if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
+                    if (triee) {
+                        // les suivants sont encore plus loin
+                        examens -= fin - p - 1;
+                        break;
+                    }
+                } else if (k != rangDepart && k != proche && k != propose
+                        && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
+                    examens -= fin - p - 1;
+                    place = p + 1;
+                    compteurs.noeudsVisites += examens - avant - 1;
+                    return k;
+                }
             }
-        }
-        examens += jusque - place;
-        place = fin;
+            place = fin;
+        } while (ouvrir());
+        compteurs.noeudsVisites += examens - avant;
         return -1;
-    }
-
-    /** La fin de ceux de la liste que la limite laisse utiles : ils vont du plus proche au plus lointain. */
-    private int finProche() {
-        double loin = limite + avance;
-        int jusque = place;
-        while (jusque < fin && pres[liste[jusque]] <= loin) {
-            jusque++;
-        }
-        return jusque;
     }
 
     /** Ouvre la liste suivante. @return faux s'il n'y en a plus */
     private boolean ouvrir() {
-        pres = null;
         examens++;
         if (etape == DEBUT) {
             choisir();
@@ -261,8 +264,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             if (direction >= 0 && c.debut[direction + 1] - c.debut[direction] > PLEINE) {
                 etape = ARBRE;
             } else if (direction >= 0) {
-                pres = vue.pres;
-                avance = ((px - vue.x) * vx + (py - vue.y) * vy + (pz - vue.z) * vz) * (1 + 1e-12);
+                triee = true;
+                lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
                 lire(c.objets, c.debut[direction], c.debut[direction + 1]);
             }
         } else {

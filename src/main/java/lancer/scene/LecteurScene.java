@@ -36,9 +36,9 @@ public final class LecteurScene {
     private LecteurSections.Type type;
     private SectionLue courante;
 
-    private LecteurScene(Path chemin) {
+    private LecteurScene(String nom, Path chemin) {
         fichier = chemin.toString();
-        lue = new SceneLue(chemin);
+        lue = new SceneLue(nom, chemin);
         for (Variante variante : sections.variantes) {
             lue.variantes.put(variante, new SectionLue(fichier, variante.getSection(), 0, null));
         }
@@ -84,7 +84,10 @@ public final class LecteurScene {
      * @throws java.util.concurrent.CancellationException si le fil appelant est interrompu
      */
     public static SceneLue lire(String nomFichier, DoubleConsumer suivi) {
-        return new LecteurScene(trouver(nomFichier)).lire(suivi);
+        long debut = System.nanoTime();
+        SceneLue lue = new LecteurScene(nomFichier, trouver(nomFichier)).lire(suivi);
+        lue.dureeNs = System.nanoTime() - debut;
+        return lue;
     }
 
     private SceneLue lire(DoubleConsumer suivi) {

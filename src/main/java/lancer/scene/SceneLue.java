@@ -44,9 +44,12 @@ public final class SceneLue {
     /** La caméra, selon la largeur et la hauteur de l'image. */
     BiFunction<Integer, Integer, Camera> cadrage = Camera::new;
 
+    /** Le nom du fichier, tel qu'il est demandé. */
+    public final String nom;
     final Path chemin;
     /** La {@link #version} du fichier avant sa lecture. */
     String version;
+    long dureeNs;
     /** Les objets et les lampes, dans l'ordre du fichier. */
     private final List<Origine> origines = new ArrayList<>();
 
@@ -65,7 +68,8 @@ public final class SceneLue {
         }
     }
 
-    SceneLue(Path chemin) {
+    SceneLue(String nom, Path chemin) {
+        this.nom = nom;
         this.chemin = chemin;
     }
 
@@ -102,8 +106,9 @@ public final class SceneLue {
 
     /** La même scène, où cette lampe, ou cette sphère qui n'est pas d'une autre classe, a cette place. */
     public SceneLue avec(Object chose, Point place) {
-        SceneLue faite = new SceneLue(chemin);
+        SceneLue faite = new SceneLue(nom, chemin);
         faite.version = version;
+        faite.dureeNs = dureeNs;
         faite.cadrage = cadrage;
         faite.variantes.putAll(variantes);
         faite.avertissements.addAll(avertissements);
@@ -121,6 +126,11 @@ public final class SceneLue {
         Sphere sphere = new Sphere(place, ((Sphere) chose).getRayon());
         sphere.setMatiere((Sphere) chose);
         return sphere;
+    }
+
+    /** Le temps de la lecture, en nanosecondes. */
+    public long getDureeNs() {
+        return dureeNs;
     }
 
     public BiFunction<Integer, Integer, Camera> getCadrage() {

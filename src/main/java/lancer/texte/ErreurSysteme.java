@@ -8,16 +8,11 @@ import java.nio.file.InvalidPathException;
 /** Erreurs du système et de Java à propos d'un fichier, dites en français. */
 public final class ErreurSysteme {
 
-    /** Traduction des messages du système et de Java. */
+    /** Ce que Java ou le système disent en anglais, et qui arrive dans une salle de cours. */
     private static final String[][] CONNUES = {{"No space left on device", "disque plein"},
-        {"Aucun espace disponible sur le périphérique", "disque plein"},
-        {"There is not enough space on the disk", "disque plein"}, {"Espace insuffisant sur le disque", "disque plein"},
-        {"Disk quota exceeded", "quota de disque dépassé"}, {"File too large", "fichier trop grand"},
-        {"File name too long", "nom de fichier trop long"}, {"Not a directory", "le dossier n'existe pas"},
-        {"Read-only file system", "système de fichiers en lecture seule"}, {"Is a directory", "c'est un dossier"},
-        {"Device or resource busy", "c'est un point de montage, que rien ne remplace"},
-        {"Too many levels of symbolic links", "trop de liens symboliques"}, {"Broken pipe", "plus personne ne lit"},
-        {"NoSuchFileException", "fichier introuvable"}, {"AccessDeniedException", "accès interdit"}};
+        {"Disk quota exceeded", "quota de disque dépassé"}, {"Not a directory", "le dossier n'existe pas"},
+        {"Is a directory", "c'est un dossier"}, {"NoSuchFileException", "fichier introuvable"},
+        {"AccessDeniedException", "accès interdit"}};
 
     private ErreurSysteme() {
     }
@@ -30,7 +25,7 @@ public final class ErreurSysteme {
                         + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
-    /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, son nom en Java. */
+    /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, telle que le système la dit. */
     public static String raison(Exception e) {
         if (e instanceof InvalidPathException) {
             return "nom de fichier impossible";

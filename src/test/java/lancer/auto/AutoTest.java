@@ -29,6 +29,8 @@ import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Etape;
+import lancer.commande.Option;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
@@ -54,7 +56,7 @@ class AutoTest {
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Reglages reglages(Map<Variante, Section> variantes) {
-        return new Reglages().pour(variantes);
+        return new Reglages(Options.lire()).pour(variantes);
     }
 
     private static List<Reglages> echelle(Map<Variante, Section> variantes) {
@@ -132,14 +134,14 @@ class AutoTest {
     @Test
     void ceQuiEstFixeResteEtLeResteSeChoisit() {
         assertEquals(Collections.singletonList("un rayon par pixel, --reflets 7 --seuil 0.0009765625"),
-                dites(Echelle.de(reglages(SANS).avecReflets(7).avecSeuil(0.5), true, false)));
-        List<Reglages> echelle = Echelle.de(reglages(SANS).avecSeuil(0.25), false, true);
-        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(Reglages::getReflets).collect(Collectors.toList()).toString());
-        assertTrue(echelle.stream().allMatch(e -> e.getSeuil() == 0.25));
+                dites(Echelle.de(reglages(SANS).avec(Option.REFLETS, 7).avec(Option.SEUIL, 0.5), true, false)));
+        List<Reglages> echelle = Echelle.de(reglages(SANS).avec(Option.SEUIL, 0.25), false, true);
+        assertEquals("[0, 1, 2, 5, 1000]", echelle.stream().map(e -> e.get(Option.REFLETS)).collect(Collectors.toList()).toString());
+        assertTrue(echelle.stream().allMatch(e -> e.get(Option.SEUIL) == 0.25));
         assertEquals(Collections.singletonList("[Grille] n=2, --reflets 3 --seuil 0.125"),
-                dites(Echelle.de(reglages(GrilleDEssai.seule("2")).avecReflets(3).avecSeuil(0.125), true, true)));
+                dites(Echelle.de(reglages(GrilleDEssai.seule("2")).avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.125), true, true)));
         assertEquals(Collections.singletonList("un rayon par pixel, --reflets 0 --seuil 0.0009765625"),
-                dites(Echelle.de(reglages(SANS).avecEtape(Etape.OMBRES), false, false)), "une étape sans reflets n'en essaie pas");
+                dites(Echelle.de(reglages(SANS).avec(Option.ETAPE, Etape.OMBRES), false, false)), "une étape sans reflets n'en essaie pas");
     }
 
     private static List<String> dites(List<Reglages> echelle) {
@@ -171,7 +173,7 @@ class AutoTest {
         assertEquals("erreur voulue dépassée", auto.getVerdict());
     }
 
-    /** Juste sur les pixels essayés un à un, faux sur un pavé entier : seule l'image dessinée le montre. */
+    /** Juste sur les pixels essayés, faux sur un pavé entier : seule l'image dessinée le montre. */
     @Test
     void uneImagePlusFausseQueLesEssaisEstRepriseUneFois() {
         Lancer prepare = Dessin.lancer(CIEL, 100, 80, false);
@@ -179,7 +181,7 @@ class AutoTest {
             @Override
             public void installer(Section valeurs, Modele modele) {
                 modele.setEchantillonnage((pave, voulus, vue, toile) -> {
-                    Couleur ecart = new Couleur(voulus.i1 - voulus.i0 > 1 ? 0.1 : 0);
+                    Couleur ecart = new Couleur(voulus == pave ? 0.1 : 0);
                     return grille(1).tracer(pave, voulus, (xe, ye) -> vue.couleur(xe, ye).add(ecart), toile);
                 });
             }
@@ -190,8 +192,8 @@ class AutoTest {
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
         assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
-        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun
-        assertEquals(8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
+        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et leurs pavés, deux fois
+        assertEquals(3 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
         Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, juste), 1, 2);
         dessiner(depasse);
         assertEquals(faux, depasse.getChoisi());
@@ -199,7 +201,7 @@ class AutoTest {
     }
 
     private static Echantillon echantillon(Lancer prepare, IntFunction<Couleur> dessinee, long graine) {
-        return new Echantillon(prepare, 2, dessinee, 1, 1_000_000, new SplittableRandom(graine));
+        return new Echantillon(prepare, 2, dessinee, 1, 1_000_000, Integer.MAX_VALUE, new SplittableRandom(graine));
     }
 
     /** À un demi d'une composante, dans [0, 1], quel que soit le ciel. */

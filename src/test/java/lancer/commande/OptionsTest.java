@@ -16,7 +16,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lancer.Constantes;
 import org.junit.jupiter.api.Test;
@@ -52,7 +51,7 @@ class OptionsTest {
     /** La console d'un Windows français, où « œ » n'existe pas. */
     @Test
     void lAideSEcritDansUneConsoleCp850() {
-        assertTrue(Charset.forName("IBM850").newEncoder().canEncode(Aide.getTexte()));
+        assertTrue(Charset.forName("IBM850").newEncoder().canEncode(Options.getAide()));
     }
 
     @Test
@@ -60,23 +59,23 @@ class OptionsTest {
         Options o = Options.lire();
         assertNull(o.scene);
         assertFalse(o.sansFenetre());
-        assertEquals(Constantes.LARGEUR_IMAGE, o.largeur);
-        assertEquals(Constantes.HAUTEUR_IMAGE, o.hauteur);
-        assertEquals(Constantes.MAX_REFLETS, o.reglages.getReflets());
-        assertEquals(1.0 / 1024, o.reglages.getSeuil());
-        assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.fils);
-        assertEquals(1, o.repeter);
-        assertFalse(o.statistiques || o.unPixel() || o.auto() || o.estDonnee("--reflets") || o.estDonnee("--seuil"));
+        assertEquals(Constantes.LARGEUR_IMAGE, o.get(Option.TAILLE).x);
+        assertEquals(Constantes.HAUTEUR_IMAGE, o.get(Option.TAILLE).y);
+        assertEquals(Constantes.MAX_REFLETS, o.get(Option.REFLETS));
+        assertEquals(1.0 / 1024, o.get(Option.SEUIL));
+        assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.get(Option.FILS));
+        assertEquals(1, o.get(Option.REPETER));
+        assertFalse(o.get(Option.STATISTIQUES) || o.estDonnee(Option.PIXEL) || o.estDonnee(Option.AUTO) || o.estDonnee(Option.REFLETS) || o.estDonnee(Option.SEUIL));
         o = Options.lire("--reflets", "5", "--seuil=0.0009765625");
-        assertTrue(o.estDonnee("--reflets") && o.estDonnee("--seuil"), "ce qui est fixé à la main se sait");
+        assertTrue(o.estDonnee(Option.REFLETS) && o.estDonnee(Option.SEUIL), "ce qui est fixé à la main se sait");
     }
 
     @Test
     void lOrdreEtLaFormeDesOptionsNImportentPas() {
         String[][] paires = {{"--image", "a.png"}, {"--lineaire", "b.pfm"}, {"--taille", "30x20"}, {"--reflets", "7"},
             {"--seuil", ".25"}, {"--fils", "3"}, {"--repeter", "2"}, {"--statistiques"}, {"s.ini"}};
-        assertEquals("a=b.png", Options.lire("--image=a=b.png", "s.ini").image, "le signe égal ne coupe qu'une fois");
-        assertEquals("--x.png", Options.lire("--image=--x.png", "s.ini").image);
+        assertEquals("a=b.png", Options.lire("--image=a=b.png", "s.ini").get(Option.IMAGE), "le signe égal ne coupe qu'une fois");
+        assertEquals("--x.png", Options.lire("--image=--x.png", "s.ini").get(Option.IMAGE));
         Random hasard = new Random(6);
         for (int essai = 0; essai < 200; essai++) {
             List<String[]> melange = new ArrayList<>(Arrays.asList(paires));
@@ -90,8 +89,8 @@ class OptionsTest {
                 }
             }
             Options o = Options.lire(arguments.toArray(new String[0]));
-            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.image + " " + o.lineaire + " " + o.largeur + " " + o.hauteur
-                    + " " + o.reglages.getReflets() + " " + o.reglages.getSeuil() + " " + o.fils + " " + o.repeter + " " + o.statistiques
+            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.get(Option.IMAGE) + " " + o.get(Option.LINEAIRE) + " " + o.get(Option.TAILLE).x + " " + o.get(Option.TAILLE).y
+                    + " " + o.get(Option.REFLETS) + " " + o.get(Option.SEUIL) + " " + o.get(Option.FILS) + " " + o.get(Option.REPETER) + " " + o.get(Option.STATISTIQUES)
                     + " " + o.scene, arguments.toString());
         }
     }
@@ -169,7 +168,7 @@ class OptionsTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', value = {
         "--vue rayons s.ini | --vue ne sert pas seule ; attendu : avec elle, --image FICHIER.png",
-        "--vue rayons --image a.png s.ini --comparer b.png | --vue ne va pas avec --comparer ; attendu : l'une ou l'autre",
+        "--vue rayons --image a.png s.ini --comparer b.png | --comparer ne va pas avec --vue ; attendu : l'une ou l'autre",
         "--auto erreur=1 " + FENETRE, "--auto erreur=1 s.ini " + FENETRE,
         "--pixel 7,7 --taille=9x7 s.ini | valeur impossible pour --pixel : « 7,7 » ; attendu : un pixel de l'image, de 0,0 à 8,6",
         "--pixel 1,1 " + SANS_SCENE, "--image a.png " + SANS_SCENE, "--lineaire=a.pfm " + SANS_SCENE,
@@ -184,9 +183,9 @@ class OptionsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--pixel 1;1, --image a.png", "--pixel 1;1, --image=a.png", "--pixel 1;1, --lineaire a.pfm", "--pixel 1;1, --auto erreur=1",
-        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--vue rayons, --pixel 1;1",
-        "--vue rayons --image a.png, --lineaire a.pfm", "--vue rayons --image a.png, --auto erreur=1"})
+    @CsvSource({"--pixel 1;1, --image a.png", "--pixel 1;1, --image=a.png", "--pixel 1;1, --lineaire a.pfm", "--auto erreur=1, --pixel 1;1",
+        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--pixel 1;1, --vue rayons",
+        "--vue rayons --image a.png, --lineaire a.pfm", "--auto erreur=1 --image a.png, --vue rayons"})
     void deuxOptionsQuiNeVontPasEnsembleSontRefusees(String une, String autre) {
         String message = une.replaceAll("[ =].*", "") + " ne va pas avec " + autre.replaceAll("[ =].*", "")
                 + " ; attendu : l'une ou l'autre";
@@ -197,8 +196,8 @@ class OptionsTest {
     @ParameterizedTest
     @CsvSource({"erreur=1, 1", "erreur=0.01, 0.01", "erreur=255, 255", "erreur=.5, 0.5"})
     void uneErreurPeutEtreVoulue(String souhait, double erreur) {
-        assertEquals(erreur, Options.lire("--auto", souhait, "--image=a.png", "s.ini").erreurVoulue);
-        assertEquals(erreur, Options.lire("--lineaire=a.pfm", "s.ini", "--auto=" + souhait).erreurVoulue);
+        assertEquals(erreur, Options.lire("--auto", souhait, "--image=a.png", "s.ini").get(Option.AUTO));
+        assertEquals(erreur, Options.lire("--lineaire=a.pfm", "s.ini", "--auto=" + souhait).get(Option.AUTO));
     }
 
     @ParameterizedTest
@@ -206,20 +205,20 @@ class OptionsTest {
         "--taille=16384x1 --pixel=016383;0, 16383, 0"})
     void unPixelDeLImagePeutEtreDemande(String ligne, int x, int y) {
         Options o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
-        assertTrue(o.unPixel());
-        assertEquals(x, o.pixelX);
-        assertEquals(y, o.pixelY);
+        assertTrue(o.estDonnee(Option.PIXEL));
+        assertEquals(x, o.get(Option.PIXEL).x);
+        assertEquals(y, o.get(Option.PIXEL).y);
         assertTrue(o.sansFenetre());
     }
 
     @Test
     void laDemandeDAideLEmporteSurLaSuite() {
         for (String demande : new String[] {"--aide", "--help", "-h"}) {
-            assertTrue(Options.lire("--image", "a.png", demande, "--bidule").aide);
+            assertTrue(Options.lire("--image", "a.png", demande, "--bidule").get(Option.AIDE));
         }
-        assertTrue(Options.lire("--version").version);
-        assertTrue(Options.lire("--auto", "erreur=1", "--aide").aide);
-        assertTrue(Options.lire("--pixel", "9999,1", "--aide").aide);
+        assertTrue(Options.lire("--version").get(Option.VERSION));
+        assertTrue(Options.lire("--auto", "erreur=1", "--aide").get(Option.AIDE));
+        assertTrue(Options.lire("--pixel", "9999,1", "--aide").get(Option.AIDE));
     }
 
     @Test
@@ -235,16 +234,12 @@ class OptionsTest {
 
     @Test
     void chaqueOptionEstDansLAideEtDansSaPage() throws IOException {
-        String source = new String(Files.readAllBytes(Paths.get("src/main/java/lancer/commande/Aide.java")), StandardCharsets.UTF_8);
         String page = new String(Files.readAllBytes(Paths.get("docs/options.md")), StandardCharsets.UTF_8);
-        Matcher m = Pattern.compile("\"(--?[a-z][\\w-]*)\"").matcher(source);
-        int options = 0;
-        while (m.find()) {
-            Pattern mot = Pattern.compile("(?<![\\w-])" + m.group(1) + "(?![\\w-])");
-            assertTrue(mot.matcher(Aide.getTexte()).find(), m.group(1) + " n'est pas dans l'aide");
-            assertTrue(mot.matcher(page).find(), m.group(1) + " n'est pas dans docs/options.md");
-            options++;
+        for (Option<?> option : Option.TABLE) {
+            Pattern mot = Pattern.compile("(?<![\\w-])" + option.nom + "(?![\\w-])");
+            assertTrue(mot.matcher(Options.getAide()).find(), option.nom + " n'est pas dans l'aide");
+            assertTrue(mot.matcher(page).find(), option.nom + " n'est pas dans docs/options.md");
         }
-        assertTrue(options > 20, options + " options");
+        assertTrue(Option.TABLE.size() > 18, Option.TABLE.size() + " options");
     }
 }

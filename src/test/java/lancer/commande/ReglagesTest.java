@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Map;
 import lancer.contrat.Modele;
@@ -30,7 +29,7 @@ class ReglagesTest {
     }
 
     private final Variante gris = new Gris();
-    private final Reglages lus = new Reglages().pour(lues(gris, "part", "0.5"));
+    private final Reglages lus = new Reglages(Options.lire()).pour(lues(gris, "part", "0.5"));
 
     private static Map<Variante, Section> lues(Variante variante, String... clesEtValeurs) {
         return Collections.singletonMap(variante, new SectionLue("Gris", clesEtValeurs));
@@ -39,34 +38,34 @@ class ReglagesTest {
     @Test
     void deuxReglagesSontEgauxSiChacunDeLeursReglagesLEst() {
         Section autre = new SectionLue("Gris", "part", "0.25");
-        Reglages[] changes = {lus.avecEtape(Etape.OMBRES), lus.avecReflets(2), lus.avecSeuil(0), lus.avecLesBoucles(),
+        Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0.0), lus.avec(Option.SIMPLE, true),
             lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
         for (Reglages change : changes) {
             assertNotEquals(lus, change);
         }
-        assertEquals(lus, lus.avecEtape(Etape.OMBRES).avecEtape(Etape.REFLETS));
+        assertEquals(lus, lus.avec(Option.ETAPE, Etape.OMBRES).avec(Option.ETAPE, Etape.REFLETS));
         assertEquals(lus, lus.avecVariante(gris, false).avecVariante(gris, true));
         assertEquals(lus, lus.avecSection(gris, autre).avecSection(gris, new SectionLue("Gris", "part", "0.5")));
-        assertEquals(lus.sans(Collections.singleton("gris")), lus.avecVariante(gris, false), "quelle que soit la casse");
-        assertEquals(lus.sans(Collections.singleton("gris")).hashCode(), lus.avecVariante(gris, false).hashCode());
+        assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")), lus.avecVariante(gris, false), "quelle que soit la casse");
+        assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")).hashCode(), lus.avecVariante(gris, false).hashCode());
         // une autre lecture du même fichier crée d'autres variantes
-        assertEquals(lus, new Reglages().pour(lues(new Gris(), "part", "0.5")));
+        assertEquals(lus, new Reglages(Options.lire()).pour(lues(new Gris(), "part", "0.5")));
     }
 
     @Test
     void lesOptionsEcritesRedonnentLesReglages() {
-        Reglages[] tous = {new Reglages(), new Reglages().avecEtape(Etape.PHONG).avecReflets(7),
-            new Reglages().avecSeuil(0.25).avecLesBoucles(), new Reglages().sans(Arrays.asList("Brume", "Blinn"))};
+        Reglages[] tous = {new Reglages(Options.lire()), new Reglages(Options.lire()).avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
+            new Reglages(Options.lire()).avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true), new Reglages(Options.lire()).avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
         for (Reglages ecrits : tous) {
-            String options = ecrits.getOptions().trim();
-            assertEquals(ecrits, Options.lire(options.isEmpty() ? new String[0] : options.split(" ")).reglages, options);
+            String options = ecrits.getOptions().getReglages().trim();
+            assertEquals(ecrits, new Reglages(Options.lire(options.isEmpty() ? new String[0] : options.split(" "))), options);
         }
     }
 
     @Test
     void aUneRelectureUneSectionChangeeResteSiLeFichierNAPasChangeLaSienne() {
         Section changee = new SectionLue("Gris", "part", "0.75");
-        Reglages changes = lus.avecSection(gris, changee).avecReflets(2);
+        Reglages changes = lus.avecSection(gris, changee).avec(Option.REFLETS, 2);
         Variante relue = new Gris();
         Reglages gardes = changes.pour(lues(relue, "part", "0.5"));
         assertEquals("[[Gris] part=0.75]", gardes.getSectionsChangees().toString());
@@ -74,7 +73,7 @@ class ReglagesTest {
         Reglages perdus = changes.pour(lues(relue, "part", "0.1"));
         assertEquals("[Gris] part=0.1", perdus.getSection(relue).toString());
         assertTrue(perdus.getSectionsChangees().isEmpty());
-        assertEquals(2, perdus.getReflets());
+        assertEquals(2, perdus.get(Option.REFLETS));
     }
 
     @Test
@@ -95,7 +94,7 @@ class ReglagesTest {
                 return Collections.singletonMap(sienne.sansFichier("n", "2"), 0.5);
             }
         };
-        Reglages absente = new Reglages().pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
+        Reglages absente = new Reglages(Options.lire()).pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
         assertEquals(proposeuse, absente.getEssayee());
         assertNull(absente.avecVariante(proposeuse, false).getEssayee());
     }

@@ -1,21 +1,31 @@
 package lancer.dessin;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import lancer.Constantes;
+import lancer.Couleur;
 import lancer.Scene;
 import lancer.commande.Echec;
+import lancer.commande.Option;
 import lancer.commande.Options;
-import lancer.contrat.Compteurs;
+import lancer.contrat.Toile;
 import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
+import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,10 +36,10 @@ class DemandeTest {
 
     private static final String SCENE = "scenes/scene1.ini";
 
-    private final Lecture lecture = Lecture.lire(SCENE, part -> { });
+    private final SceneLue lue = LecteurScene.lire(SCENE, part -> { });
 
     private Demande demande(String... options) {
-        return new Demande(lecture, Options.lire(options));
+        return new Demande(lue, Options.lire(options));
     }
 
     @Test
@@ -38,7 +48,7 @@ class DemandeTest {
         assertEquals(demande, demande("--reflets", "2", "--taille", "40x30"));
         assertEquals(demande.hashCode(), demande("--reflets", "2", "--taille", "40x30").hashCode());
         Demande[] autres = {demande.avecTaille(30, 40), demande.avecVue("normales"),
-            demande.avecReglages(demande.reglages.avecReflets(3)), demande.avecLecture(Lecture.lire(SCENE, part -> { }))};
+            demande.avecReglages(demande.reglages.avec(Option.REFLETS, 3)), demande.avecLecture(LecteurScene.lire(SCENE, part -> { }))};
         for (Demande autre : autres) {
             assertNotEquals(demande, autre);
         }
@@ -61,17 +71,51 @@ class DemandeTest {
     void deuxDessinsDUneDemandeOntLaMemeImageEtDAutresReglagesNeRepreparentPas() {
         Demande demande = demande("--taille=40x30");
         Dessin un = new Dessin(demande);
-        Dessin deux = new Dessin(demande);
-        un.lancer.TracerPixels(un.image, 5, 2);
-        deux.lancer.TracerPixels(deux.image, 5, 1);
+        Dessin deux = new Dessin(demande.avecReglages(demande.reglages.avec(Option.FILS, 1)));
+        un.tracer(un.image);
+        deux.tracer(deux.image);
         assertNotSame(un.image, deux.image);
-        assertEquals(java.nio.IntBuffer.wrap(un.image.codes), java.nio.IntBuffer.wrap(deux.image.codes));
-        Dessin mat = un.avecReglages(demande.reglages.avecReflets(0));
-        assertEquals(un.lancer.getScene().getObjets(), mat.lancer.getScene().getObjets());
-        mat.lancer.TracerPixels(mat.image, mat.demande.reglages.getProfondeur(), 2);
-        Compteurs comptes = mat.lancer.getAtelier().getCompteurs();
-        assertEquals(0, comptes.reflechis);
-        assertEquals(40 * 30, comptes.primaires);
+        assertArrayEquals(un.image.codes, deux.image.codes);
+        int[] avecReflets = un.image.codes.clone();
+        un.tracer(demande.reglages.avec(Option.REFLETS, 0), un.image);
+        Dessin mat = new Dessin(demande("--taille=40x30", "--reflets=0"));
+        mat.tracer(mat.image);
+        assertArrayEquals(mat.image.codes, un.image.codes);
+        assertFalse(Arrays.equals(avecReflets, un.image.codes), "l'image a changé");
+    }
+
+    /** Un fichier ne montre rien avant d'être écrit : ses rayons sont ceux de l'image. */
+    @Test
+    void seuleUneToileQuiMontreUnBrouillonEnADessine() {
+        for (boolean montre : new boolean[] {false, true}) {
+            Demande demande = demande("--taille=40x30", "--fils=1");
+            int[] pixels = new int[1];
+            List<Integer> fini = new ArrayList<>();
+            new Dessin(demande).tracer(new Toile() {
+                @Override
+                public void drawPixel(Couleur coul, int xe, int ye) {
+                    pixels[0]++;
+                }
+
+                @Override
+                public boolean montreUnBrouillon() {
+                    return montre;
+                }
+
+                @Override
+                public void finirBrouillon() {
+                    fini.add(pixels[0]);
+                }
+            });
+            assertEquals(montre ? "[1200]" : "[]", fini.toString());
+            assertEquals(montre ? 2400 : 1200, pixels[0]);
+        }
+    }
+
+    @Test
+    void leModeleEstFaitUneFoisParReglage() {
+        Demande demande = demande("--reflets=2");
+        assertSame(demande.getScene().getModele(), demande.avecTaille(30, 40).avecVue("normales").getScene().getModele());
     }
 
     /** Qui mesure un dessin préparé à la main mesure celui du programme. */

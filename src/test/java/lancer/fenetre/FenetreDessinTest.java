@@ -69,9 +69,9 @@ class FenetreDessinTest extends EssaiFenetre {
             }
 
             @Override
-            protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+            public SceneLue lire(String fichier, DoubleConsumer suivi) {
                 premiere = getDessin() == null;
-                return super.lireScene(fichier, suivi);
+                return super.lire(fichier, suivi);
             }
         });
         banc.imageAchevee();

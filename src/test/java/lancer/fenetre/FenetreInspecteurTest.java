@@ -28,6 +28,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.commande.Option;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -144,7 +145,7 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.getReflets() == 2);
+        attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.get(Option.REFLETS) == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.enCours));
         banc.main.lent = false;

@@ -14,7 +14,8 @@ import java.awt.geom.Point2D;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import lancer.Sphere;
-import lancer.commande.Options;
+import lancer.commande.Option;
+import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
@@ -36,7 +37,7 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.controleur.demande.lecture.lue.objets.get(rang);
+        return (Sphere) banc.controleur.demande.lue.objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -98,7 +99,7 @@ class FenetreLeconTest extends EssaiFenetre {
         int[] deplacee = banc.imageAchevee().codes;
         banc.frapperCtrl('e');
         attendre("écrite, la scène est relue", () -> !banc.cadre.getTitle().endsWith("•") && !banc.controleur.enCours
-                && banc.controleur.montre.demande.lecture.lue.objets.get(0) == sphere(0));
+                && banc.controleur.montre.demande.lue.objets.get(0) == sphere(0));
         String ecrit = fichier();
         String valeur = ecrit.substring(ecrit.indexOf("Centre = ") + 9, ecrit.indexOf(" \r\nrayon=1\r"));
         assertEquals(ini.replace("0 0.2 6", valeur), ecrit);
@@ -165,8 +166,8 @@ class FenetreLeconTest extends EssaiFenetre {
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.controleur.demande.lecture.lue.lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.controleur.demande.lecture.lue.lampes.get(0).getPosition().x < -0.2);
+        tirer(surFilEvenements(() -> place(banc.controleur.demande.lue.lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.demande.lue.lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test
@@ -174,7 +175,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ouvrir();
         String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "marge : \\d+ décimales .*"};
         for (int k = 0; k < dits.length; k++) {
-            String nom = Options.VUES.get(k);
+            String nom = Option.VUE.valeurs.get(k);
             int rang = k;
             faire(article(1, "Vue : " + nom)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));

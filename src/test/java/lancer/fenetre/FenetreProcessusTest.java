@@ -2,11 +2,13 @@ package lancer.fenetre;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.event.WindowEvent;
 import java.io.File;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import lancer.Main;
@@ -46,6 +48,29 @@ class FenetreProcessusTest extends EssaiProcessus {
         assertEquals(1, statut(preparer(java("-Djavax.accessibility.assistive_technologies=absente.Classe", SCENE))));
         assertTrue(erreur().contains("absente.Classe") && !erreur().contains("pas d'écran"), erreur());
         assertEquals(1, erreur().split("\n").length, erreur());
+    }
+
+    /** Aucune fenêtre n'est faite : rien d'autre ne s'écrit que cette ligne, et le statut est 1. */
+    @Test
+    void sansPolicesUneLigneNommeLesPaquets() throws Exception {
+        BancFenetre.exigerEcran();
+        File polices = new File("/usr/lib/x86_64-linux-gnu/libfontconfig.so.1");
+        assumeTrue(polices.exists() && new File("/usr/bin/bwrap").exists(), "ni fontconfig à cacher, ni bwrap");
+        List<String> commande = new ArrayList<>(Arrays.asList("bwrap", "--dev-bind", "/", "/", "--bind", "/dev/null",
+                polices.getCanonicalPath()));
+        commande.addAll(java("", SCENE));
+        assertEquals(1, statut(preparer(commande)));
+        assertTrue(erreur().matches("lancer : pas de polices .* les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png\n"),
+                erreur());
+    }
+
+    @Test
+    void unEcranDeTrenteBitsEstDitTel() throws Exception {
+        assumeTrue(new File("/usr/bin/Xvfb").exists() && new File("/usr/bin/xvfb-run").exists(), "pas de Xvfb");
+        List<String> commande = new ArrayList<>(Arrays.asList("xvfb-run", "-a", "-s", "-screen 0 640x480x30"));
+        commande.addAll(java("", SCENE));
+        assertEquals(1, statut(preparer(commande)));
+        assertTrue(erreur().matches("lancer : écran de 30 bits, .* attendu : un écran de 24 bits, ou --image FICHIER.png\n"), erreur());
     }
 
     @Test

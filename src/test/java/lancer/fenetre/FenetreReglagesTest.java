@@ -11,6 +11,7 @@ import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import javax.swing.JTextField;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import org.junit.jupiter.api.Test;
 
@@ -54,7 +55,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         assertEquals("40", surFilEvenements(reflexions::getText));
         assertEquals("0.01", surFilEvenements(seuil::getText));
         Reglages presents = banc.controleur.demande.reglages;
-        faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(0.25)));
+        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
         faire(() -> {
@@ -80,14 +81,14 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.getReflets()), "− était un signe");
+        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.get(Option.REFLETS)), "− était un signe");
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.demande.reglages.getReflets() == 10 && !banc.controleur.enCours);
+        attendre("dix réflexions", () -> banc.controleur.demande.reglages.get(Option.REFLETS) == 10 && !banc.controleur.enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

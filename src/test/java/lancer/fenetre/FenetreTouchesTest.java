@@ -26,6 +26,7 @@ import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
 import lancer.commande.Etape;
+import lancer.commande.Option;
 import org.junit.jupiter.api.Test;
 
 /** Les touches de la table, sur un clavier anglais et sur un français : ce que chacune fait, et à qui elle va. */
@@ -42,11 +43,11 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     private void attendreEtape(String quoi, Etape etape) throws Exception {
-        attendre(quoi, () -> banc.controleur.demande.reglages.getEtape() == etape && !banc.controleur.enCours);
+        attendre(quoi, () -> banc.controleur.demande.reglages.get(Option.ETAPE) == etape && !banc.controleur.enCours);
     }
 
     private void attendreReflets(String quoi, int reflets) throws Exception {
-        attendre(quoi, () -> banc.controleur.demande.reglages.getReflets() == reflets && !banc.controleur.enCours);
+        attendre(quoi, () -> banc.controleur.demande.reglages.get(Option.REFLETS) == reflets && !banc.controleur.enCours);
     }
 
     @Test
@@ -138,8 +139,8 @@ class FenetreTouchesTest extends EssaiInspecteur {
         for (int touche : new int[] {KeyEvent.VK_1, KeyEvent.VK_E, KeyEvent.VK_MINUS, KeyEvent.VK_3, KeyEvent.VK_ENTER}) {
             banc.frapper(touche);
         }
-        attendre("le seuil est celui de l'image", () -> banc.controleur.demande.reglages.getSeuil() == 0.001);
-        assertEquals(5, banc.controleur.demande.reglages.getReflets());
+        attendre("le seuil est celui de l'image", () -> banc.controleur.demande.reglages.get(Option.SEUIL) == 0.001);
+        assertEquals(5, banc.controleur.demande.reglages.get(Option.REFLETS));
         assertFalse(surFilEvenements(BancFenetre.chercher("pixel", Inspecteur.class)::isShowing), "Entrée n'a pas ouvert l'onglet Pixel");
     }
 

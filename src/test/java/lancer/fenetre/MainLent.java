@@ -10,12 +10,12 @@ import lancer.Main;
 import lancer.commande.Options;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.dessin.Lecture;
+import lancer.dessin.Programme;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
 /** Le programme, avec un dessin qu'on peut ralentir après le brouillon. */
-class MainLent {
+class MainLent implements Programme {
 
     private static final long PAUSE_NS = 1_000_000;
     final Options options;
@@ -52,7 +52,8 @@ class MainLent {
         return this;
     }
 
-    protected SceneLue lireScene(String fichier, DoubleConsumer suivi) {
+    @Override
+    public SceneLue lire(String fichier, DoubleConsumer suivi) {
         avantLecture.accept(fichier, suivi);
         SceneLue lue = LecteurScene.lire(fichier, suivi);
         apresLecture.accept(lue);
@@ -72,9 +73,10 @@ class MainLent {
         }
     }
 
-    private void dessiner(Demande demande, Consumer<Dessin> suivi) {
+    @Override
+    public Dessin dessiner(Demande demande, Consumer<Dessin> suivi) {
         dernier = null;
-        new Main(options, BancFenetre.flux(sortie), BancFenetre.flux(erreur), demande, dessin -> {
+        new Main(demande, dessin -> {
             dernier = dessin;
             suivi.accept(dessin);
         }) {
@@ -88,6 +90,7 @@ class MainLent {
                 peindre(ye, () -> super.drawPixel(coul, xe, ye));
             }
         }.doTracerImage(demande.largeur, demande.hauteur);
+        return dernier.rapporter(BancFenetre.flux(sortie), BancFenetre.flux(erreur));
     }
 
     /** Le dernier dessin commencé, {@code null} s'il se prépare. */
@@ -97,7 +100,6 @@ class MainLent {
 
     /** Ouvre la fenêtre de ce programme. */
     Fenetre ouvrir(Runnable fin) {
-        return Ouverture.ouvrir(options, (fichier, suivi) -> new Lecture(fichier, lireScene(fichier, suivi), 0), this::dessiner,
-                BancFenetre.flux(erreur), fin);
+        return Ouverture.ouvrir(options, this, BancFenetre.flux(erreur), fin);
     }
 }

@@ -21,7 +21,7 @@ class EquipeTest {
     void unFilQuiNeSArretePasEstAbandonneEtLaCauseDeLArretEstDite() {
         CountDownLatch fin = new CountDownLatch(1);
         try {
-            Equipe equipe = new Equipe("sourd");
+            Equipe equipe = new Equipe();
             assertThrows(IllegalStateException.class, () -> equipe.faire(2, Arrays.asList(k -> attendreSourd(fin), k -> {
                 throw new IllegalStateException("la cause");
             })));
@@ -37,7 +37,7 @@ class EquipeTest {
         CountDownLatch rendue = new CountDownLatch(1);
         AtomicInteger prises = new AtomicInteger();
         Thread appelant = Thread.currentThread();
-        Equipe equipe = new Equipe("sourd");
+        Equipe equipe = new Equipe();
         assertThrows(CancellationException.class, () -> equipe.faire(3, Collections.singletonList(k -> {
             prises.incrementAndGet();
             appelant.interrupt();
@@ -55,7 +55,7 @@ class EquipeTest {
     @Test
     void chaqueTacheEstFaiteUneFoisEtLAvancementFinitAUn() {
         AtomicInteger somme = new AtomicInteger();
-        Equipe equipe = new Equipe("somme");
+        Equipe equipe = new Equipe();
         equipe.faire(1000, Collections.nCopies(3, somme::addAndGet));
         assertEquals(999 * 1000 / 2, somme.get());
         assertEquals(1, equipe.getAvancement());

@@ -86,7 +86,7 @@ class EchecsTest extends EssaiProcessus {
     void unDisqueEnLectureSeuleEstRefuseAvantDeDessiner() throws Exception {
         // un dessin si long que le test n'en verrait pas la fin
         assertEquals(1, surUnDisque("ro", "--lineaire=disque/a.pfm", "--repeter=100000", "--taille=4000x3000", SCENE), erreur());
-        assertEquals("lancer : disque/a.pfm : écriture impossible, système de fichiers en lecture seule (dossier "
+        assertEquals("lancer : disque/a.pfm : écriture impossible, Read-only file system (dossier "
                 + dossier.toRealPath() + "/disque)\n", erreur());
         verifierReste("a.pfm");
     }
@@ -151,7 +151,7 @@ class EchecsTest extends EssaiProcessus {
         statut(preparer(commande));
         attendre(() -> new String(Files.readAllBytes(dossier.resolve("flux/statut")), StandardCharsets.US_ASCII).equals("1\n"));
         Files.delete(dossier.resolve("flux/tube.pfm"));
-        assertTrue(erreur().matches("lancer : flux/tube.pfm : .+, plus personne ne lit\n"), erreur());
+        assertTrue(erreur().matches("lancer : flux/tube.pfm : .+, Broken pipe\n"), erreur());
     }
 
     // Ctrl+C

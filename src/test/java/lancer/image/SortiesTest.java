@@ -59,7 +59,9 @@ class SortiesTest extends EssaiCommande {
     @Test
     void desLiensSansFinSontUnePanne() throws IOException {
         Path boucle = lien("boucle.png", Paths.get("boucle.png"));
-        verifierRefus(1, boucle + " : écriture impossible, trop de liens symboliques", executer("--image", boucle.toString()));
+        Essai e = executer("--image", boucle.toString());
+        assertEquals(1, e.code);
+        assertTrue(e.erreur.matches("lancer : \\Q" + boucle + "\\E : écriture impossible, .+\\R"), e.erreur);
     }
 
     @Test

@@ -84,9 +84,9 @@ class SommesDitesTest {
         "couleur = couleur.add(apport) | if (apport.r > 1) couleur = couleur.add(apport)",
         "&& !scene.estCachee(lampe, contact, L, versLampe.norme(), this) | ",
         "N.dot(versLampe) > 0 | N.dot(versLampe) < 0",
-        "Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)) | scene.getCouleurVue(reflechi, this, profondeur - 1)",
+        "Ks.mul(vue) | vue",
         "scene.getCouleurVue(reflechi, this, profondeur - 1) | scene.getCouleurVue(reflechi, this, 0)",
-        "Ks.mul(scene.getCouleurVue(reflechi, this, profondeur - 1)) | Ks",
+        "Ks.mul(vue) | Ks",
         "profondeur > 0 && | profondeur > 9 &&",
         "return couleur; | return new Couleur(couleur.b, couleur.v, couleur.r);"})
     void unFacteurOuUnTermeOublieEstCeQueLeRecitNeConnaitPas(String ancienne, String nouvelle) throws IOException {

@@ -72,8 +72,9 @@ class DependancesTest {
 
     @Test
     void leChoixDesReglagesNeSaitRienDesSortiesNiDesVariantes() {
-        verifier("lancer\\.auto\\..*", COURS + "lancer\\.contrat\\..*|lancer\\.fils\\.Atelier|lancer\\.commande\\.(Reglages|Etape)");
-        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.SansFenetre|fenetre\\.PanneauVitesse).*";
+        verifier("lancer\\.auto\\..*",
+                COURS + "lancer\\.contrat\\..*|lancer\\.fils\\.Atelier|lancer\\.commande\\.(Reglages|Option|Etape)");
+        String saufCeuxQuiLeDemandent = "(?!Main|dessin\\.Dessin|fenetre\\.PanneauVitesse).*";
         verifier("lancer\\." + saufCeuxQuiLeDemandent, "(?!lancer\\.auto\\.).*");
     }
 

@@ -1,5 +1,6 @@
 package lancer.antialias;
 
+import java.util.Arrays;
 import lancer.Couleur;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
@@ -13,72 +14,133 @@ import lancer.contrat.Vue;
 final class Cases {
 
     /** Contraste supposé entre quatre couleurs égales : si le seuil est inférieur, toute case est divisée. */
-    static final double PRUDENCE = 0.05;
+    static final double PRUDENCE = 0.01;
+    /** Surprise moyenne tolérée dans des cases d'un pixel de côté, en seuils. */
+    private static final double SURPRISE = 0.125;
+    /** Divisions permises de toutes les cases d'un pavé, dont les sous-pixels occupent la mémoire ensemble. */
+    private static final int DIVISIONS = 4;
 
     private final int n;
     private final double seuil;
-    private final Petites petites;
     private final Pave pave;
-    private final Vue vue;
     private final SousPixels sousPixels;
-    private final int largeur;
-    private final int hauteur;
-
+    /** Les bords des cases de tout le pavé, en sous-pixels. */
+    private int[] bordsX;
+    private int[] bordsY;
     /** Vrai si la case d'un pixel, ou d'un voisin, dépasse le seuil ; les indices sont décalés de un. */
     private final boolean[][] suspects;
-
-    /** Le pixel en cours, dans le pavé ; ses derniers sous-pixels ; la somme des sous-pixels déjà peints. */
-    private int i;
-    private int j;
-    private int finX;
-    private int finY;
+    /** La somme des sous-pixels déjà peints du pixel en cours. */
     private Couleur somme;
 
-    Cases(int n, double seuil, Petites petites, Pave pave, Vue vue) {
+    Cases(int n, double seuil, Pave pave, Vue vue) {
         this.n = n;
         this.seuil = seuil;
-        this.petites = petites;
         this.pave = pave;
-        this.vue = vue;
         sousPixels = new SousPixels(n, pave, vue);
-        largeur = pave.i1 - pave.i0;
-        hauteur = pave.j1 - pave.j0;
-        suspects = new boolean[hauteur + 2][largeur + 2];
+        bordsX = bords(pave.i1 - pave.i0);
+        bordsY = bords(pave.j1 - pave.j0);
+        suspects = new boolean[bordsY.length + 1][bordsX.length + 1];
+    }
+
+    private int[] bords(int pixels) {
+        int[] bords = new int[pixels + 1];
+        Arrays.setAll(bords, i -> Math.min(i * n, pixels * n - 1));
+        return bords;
     }
 
     /** Dessine ces pixels du pavé. @return le nombre de pixels dont la case a été divisée */
     int tracer(Pave voulus, Toile toile) {
-        chercherLesSuspects(voulus);
+        int[] departsX = bordsX;
+        int[] departsY = bordsY;
+        chercherLesSuspects();
+        int divisions = 0;
+        for (double limite = SURPRISE * seuil; divisions < DIVISIONS && 1 << divisions < n
+                && surprise() > limite * limite; limite *= 2) {
+            bordsX = couper(bordsX);
+            bordsY = couper(bordsY);
+            divisions++;
+        }
         int raffines = 0;
-        for (int y = voulus.j0 - pave.j0; y < voulus.j1 - pave.j0; y++) {
-            for (int x = voulus.i0 - pave.i0; x < voulus.i1 - pave.i0; x++) {
-                commencer(x, y);
-                raffines += peindre(0, 0, finX, finY) ? 1 : 0;
-                toile.drawPixel(somme.div(n * n), pave.i0 + x, pave.j0 + y);
+        for (int j = voulus.j0 - pave.j0; j < voulus.j1 - pave.j0; j++) {
+            for (int i = voulus.i0 - pave.i0; i < voulus.i1 - pave.i0; i++) {
+                somme = new Couleur();
+                raffines += peindre(departsX[i], departsY[j], departsX[i + 1], departsY[j + 1],
+                        suspects[j + 1][i + 1] ? Math.max(1, divisions) : divisions) ? 1 : 0;
+                toile.drawPixel(somme.div(n * n), pave.i0 + i, pave.j0 + j);
             }
-            sousPixels.oublier(y);
+            sousPixels.oublier(j);
         }
         return raffines;
     }
 
-    private void commencer(int x, int y) {
-        i = x;
-        j = y;
-        finX = i + 1 < largeur ? n : n - 1;
-        finY = j + 1 < hauteur ? n : n - 1;
-        somme = new Couleur();
-    }
-
-    private void chercherLesSuspects(Pave voulus) {
-        for (int y = Math.max(0, voulus.j0 - pave.j0 - 1); y < Math.min(hauteur, voulus.j1 - pave.j0 + 1); y++) {
-            for (int x = Math.max(0, voulus.i0 - pave.i0 - 1); x < Math.min(largeur, voulus.i1 - pave.i0 + 1); x++) {
-                commencer(x, y);
-                boolean suspect = depasse(0, 0, finX, finY);
+    private void chercherLesSuspects() {
+        for (int j = 0; j + 1 < bordsY.length; j++) {
+            for (int i = 0; i + 1 < bordsX.length; i++) {
+                boolean suspect = depasse(bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
                 for (int k = 0; k < 9 && suspect; k++) {
-                    suspects[y + k / 3][x + k % 3] = true;
+                    suspects[j + k / 3][i + k % 3] = true;
                 }
             }
         }
+    }
+
+    /** Ces bords et les milieux, là où il reste des sous-pixels entre deux. */
+    private static int[] couper(int... bords) {
+        int[] coupes = new int[2 * bords.length];
+        int nombre = 0;
+        for (int k = 0; k + 1 < bords.length; k++) {
+            coupes[nombre++] = bords[k];
+            if (bords[k + 1] - bords[k] > 1) {
+                coupes[nombre++] = (bords[k] + bords[k + 1]) / 2;
+            }
+        }
+        coupes[nombre++] = bords[bords.length - 1];
+        return Arrays.copyOf(coupes, nombre);
+    }
+
+    /**
+     * Le carré moyen de ce dont une couleur sort de l'étendue de quatre autres : un coin, de ses quatre voisins ; le
+     * milieu d'une case sur deux, de ses coins. Un bord ou un dégradé, même courbe, n'y est presque rien ; un détail
+     * plus petit qu'une case surprend, et en laisse deviner d'autres, que personne n'a vus.
+     */
+    private double surprise() {
+        double carres = 0;
+        int nombre = 0;
+        for (int j = 0; j + 1 < bordsY.length; j++) {
+            for (int i = 0; i + 1 < bordsX.length; i++) {
+                int x0 = bordsX[i];
+                int y0 = bordsY[j];
+                int x1 = bordsX[i + 1];
+                int y1 = bordsY[j + 1];
+                if (i > 0 && j > 0) {
+                    carres += surprise(voir(x0, y0), voir(bordsX[i - 1], y0), voir(x1, y0), voir(x0, bordsY[j - 1]),
+                            voir(x0, y1));
+                    nombre++;
+                }
+                if ((i + j) % 2 == 0 && estDivisible(x0, y0, x1, y1)) {
+                    carres += surprise(voir((x0 + x1) / 2, (y0 + y1) / 2), voir(x0, y0), voir(x1, y0), voir(x0, y1),
+                            voir(x1, y1));
+                    nombre++;
+                }
+            }
+        }
+        return carres / Math.max(1, nombre);
+    }
+
+    private static double surprise(Couleur vue, Couleur a, Couleur b, Couleur c, Couleur d) {
+        return (carre(vue.r, a.r, b.r, c.r, d.r) + carre(vue.v, a.v, b.v, c.v, d.v)
+                + carre(vue.b, a.b, b.b, c.b, d.b)) / 3;
+    }
+
+    private static double carre(double vue, double a, double b, double c, double d) {
+        double min = Math.min(Math.min(a, b), Math.min(c, d));
+        double max = Math.max(Math.max(a, b), Math.max(c, d));
+        double dehors = Coins.limite(vue) - Coins.limite(Math.max(min, Math.min(max, vue)));
+        return dehors * dehors;
+    }
+
+    private Couleur voir(int x, int y) {
+        return sousPixels.voir(x, y);
     }
 
     /** Dit si contraste × côté dépasse le seuil : une petite case change peu la couleur du pixel. */
@@ -87,36 +149,29 @@ final class Cases {
         return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 
-    /** Dit si une petite sphère peut être dans la case sans toucher ses coins. */
-    private boolean peutEchapper(int x0, int y0, int x1, int y1) {
-        double x = pave.i0 + i + 0.5 / n;
-        double y = pave.j0 + j + 0.5 / n;
-        return petites != null && petites.peutEchapper(x + (double) x0 / n, y + (double) y0 / n, x + (double) x1 / n,
-                y + (double) y1 / n);
+    private static boolean estDivisible(int x0, int y0, int x1, int y1) {
+        return x1 - x0 > 1 || y1 - y0 > 1;
     }
 
-    private Couleur voir(int x, int y) {
-        return sousPixels.voir(i, j, x, y);
-    }
-
-    /** Peint une case, divisée en quatre si besoin, ou en deux si elle n'a qu'un sous-pixel de large ou de haut. */
-    private boolean peindre(int x0, int y0, int x1, int y1) {
+    /**
+     * Peint une case, divisée en quatre si besoin, ou en deux si elle n'a qu'un sous-pixel de large ou de haut.
+     *
+     * @param divisions nombre de divisions imposées
+     */
+    private boolean peindre(int x0, int y0, int x1, int y1, int divisions) {
         if (x0 == x1 || y0 == y1) {
             return false;
         }
-        boolean divisible = x1 - x0 > 1 || y1 - y0 > 1;
-        boolean duPixel = x1 - x0 == finX && y1 - y0 == finY;
-        if (!divisible || !(duPixel ? suspects[j + 1][i + 1] : depasse(x0, y0, x1, y1))
-                && !peutEchapper(x0, y0, x1, y1)) {
+        if (!estDivisible(x0, y0, x1, y1) || divisions <= 0 && !depasse(x0, y0, x1, y1)) {
             interpoler(x0, y0, x1, y1);
             return false;
         }
         int xm = (x0 + x1) / 2;
         int ym = (y0 + y1) / 2;
-        peindre(x0, y0, xm, ym);
-        peindre(xm, y0, x1, ym);
-        peindre(x0, ym, xm, y1);
-        peindre(xm, ym, x1, y1);
+        peindre(x0, y0, xm, ym, divisions - 1);
+        peindre(xm, y0, x1, ym, divisions - 1);
+        peindre(x0, ym, xm, y1, divisions - 1);
+        peindre(xm, ym, x1, y1, divisions - 1);
         return true;
     }
 
@@ -125,8 +180,8 @@ final class Cases {
      * bilinéaire sur un rectangle est sa valeur au milieu : il suffit d'un poids pour chaque coin.
      */
     private void interpoler(int x0, int y0, int x1, int y1) {
-        int suivantX = x1 == n - 1 && x1 == finX ? n : x1;
-        int suivantY = y1 == n - 1 && y1 == finY ? n : y1;
+        int suivantX = x1 == bordsX[bordsX.length - 1] ? x1 + 1 : x1;
+        int suivantY = y1 == bordsY[bordsY.length - 1] ? y1 + 1 : y1;
         double nombre = (suivantX - x0) * (suivantY - y0);
         double fx = (suivantX - x0 - 1) / (2.0 * (x1 - x0));
         double fy = (suivantY - y0 - 1) / (2.0 * (y1 - y0));
@@ -139,9 +194,7 @@ final class Cases {
     /** Ajoute un coin, sauf si son poids est nul : sa couleur n'est alors pas calculée. */
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
-            Couleur couleur = voir(x, y);
-            Couleur terme = couleur.mul(poids);
-            somme = somme.add(terme);
+            somme = somme.add(voir(x, y).mul(poids));
         }
     }
 }

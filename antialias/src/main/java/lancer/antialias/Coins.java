@@ -25,19 +25,22 @@ final class Coins implements Echantillonnage {
     @Override
     public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         SousPixels sousPixels = new SousPixels(n, voulus, vue);
+        int dernier = n - 1;
         int raffines = 0;
         for (int j = 0; j < voulus.j1 - voulus.j0; j++) {
             for (int i = 0; i < voulus.i1 - voulus.i0; i++) {
+                int x = i * n;
+                int y = j * n;
                 // si n vaut 1 ou 2, les coins sont tous les sous-pixels
-                boolean complet = n > 2 && (seuil == 0 || contraste(sousPixels.voir(i, j, 0, 0),
-                        sousPixels.voir(i, j, n - 1, 0), sousPixels.voir(i, j, 0, n - 1),
-                        sousPixels.voir(i, j, n - 1, n - 1)) > seuil);
-                int pas = complet ? 1 : Math.max(1, n - 1);
+                boolean complet = n > 2 && (seuil == 0 || contraste(sousPixels.voir(x, y),
+                        sousPixels.voir(x + dernier, y), sousPixels.voir(x, y + dernier),
+                        sousPixels.voir(x + dernier, y + dernier)) > seuil);
+                int pas = complet ? 1 : Math.max(1, dernier);
                 int nombre = 0;
                 Couleur somme = new Couleur();
                 for (int dy = 0; dy < n; dy += pas) {
                     for (int dx = 0; dx < n; dx += pas) {
-                        somme = somme.add(sousPixels.voir(i, j, dx, dy));
+                        somme = somme.add(sousPixels.voir(x + dx, y + dy));
                         nombre++;
                     }
                 }
@@ -64,7 +67,7 @@ final class Coins implements Echantillonnage {
         return limite(maxAB < maxCD ? maxCD : maxAB) - limite(minAB < minCD ? minAB : minCD);
     }
 
-    private static double limite(double x) {
+    static double limite(double x) {
         return x < 0 ? 0 : x > 1 ? 1 : x;
     }
 }

@@ -16,11 +16,14 @@ import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.scene.SectionLue;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Les comptes et les bornes que les mutations de cette variante ont montré que personne ne vérifiait. */
 class CasesTest {
 
     private static final Toile SANS_TOILE = (couleur, i, j) -> { };
+    private static final Pave TRENTE_DEUX = new Pave(0, 0, 32, 32);
 
     private int rayons;
 
@@ -79,19 +82,48 @@ class CasesTest {
         }
     }
 
-    /** Un coin dont le poids est nul n'a pas à être vu : autour d'un point clair, seuls les pixels coupés coûtent. */
+    /** Un coin dont le poids est nul n'a pas à être vu : hors des milieux d'une case sur deux, seuls les pixels coupés coûtent. */
     @Test
     void deDeuxSurDeuxUnPixelCoupeCouteTroisRayonsDePlus() {
-        Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 ? 1 : 0));
-        int coupes = new Partage(2, 0.1).tracer(new Pave(0, 0, 32, 32), new Pave(0, 0, 32, 32), vue, SANS_TOILE);
-        assertEquals(16, coupes, "les quatre cases qui touchent le pixel, et leurs voisines");
-        assertEquals(33 * 33 + 3 * coupes, rayons);
+        Vue vue = comptee((xe, ye) -> new Couleur(xe >= 16 && xe < 19 && ye >= 16 && ye < 19 ? 1 : 0));
+        int coupes = new Partage(2, 0.1).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE);
+        assertEquals(36, coupes, "les cases qui touchent le carré clair, et leurs voisines");
+        // un milieu par case coupée sur deux est un de ses trois rayons ; la dernière case, d'un seul sous-pixel, n'a pas de milieu
+        assertEquals(33 * 33 + 511 + 3 * coupes - coupes / 2, rayons);
+    }
+
+    /** Un seul point qui ne ressemble à aucun de ses voisins ne suffit que s'il surprend assez, en moyenne, pour un pavé et un seuil. */
+    @Test
+    void unPaveOuLesPointsSurprennentEstDiviseEnEntier() {
+        int points = 31 * 31 + 512;
+        for (int n : new int[] {4, 8}) {
+            for (double seuil : new double[] {0.06, 0.18}) {
+                double juste = 0.125 * seuil * Math.sqrt(points);
+                for (double gris : new double[] {0.99 * juste, 1.01 * juste}) {
+                    Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 && xe < 16 + 1.0 / n && ye < 16 + 1.0 / n
+                            ? gris : 0));
+                    int coupes = new Partage(n, seuil).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE);
+                    assertEquals(gris > juste ? 32 * 32 : 16, coupes, n + ", " + seuil + ", " + gris);
+                }
+            }
+        }
+    }
+
+    /** Un pavé de détails où que l'on regarde a tous ses sous-pixels, au plus seize par côté, quel que soit n. */
+    @ParameterizedTest
+    @CsvSource({"2, 2", "3, 3", "5, 5", "7, 7", "12, 12", "16, 16", "24, 16", "64, 16"})
+    void unPaveDeDetailsEstDiviseAuPlusSeizeFoisParCote(int n, int cote) {
+        Pave pave = new Pave(0, 0, 8, 8);
+        Random hasard = new Random(68);
+        // le contraste d'une case d'un huitième de pixel ne la fait plus diviser : la surprise, si
+        new Partage(n, 0.06).tracer(pave, pave, comptee((xe, ye) -> new Couleur(hasard.nextBoolean() ? 0.3 : 0)), SANS_TOILE);
+        assertTrue(rayons >= cote * cote * 64 && rayons <= Math.min(n * n, 17 * 17) * 64, n + " : " + rayons / 64.0);
     }
 
     @Test
     void laMemoireDUnPaveNeDependPasDeSaPlaceDansLImage() {
         int loin = 1 << 29;
-        new SousPixels(2, new Pave(loin, loin, loin + 2, loin + 2), (xe, ye) -> new Couleur(1)).voir(1, 1, 1, 1);
+        new SousPixels(2, new Pave(loin, loin, loin + 2, loin + 2), (xe, ye) -> new Couleur(1)).voir(3, 3);
     }
 
     /** --auto n'a que ceux-là entre quoi choisir : la lecture les accepte tous, et chacun donne un autre échantillonnage que la base. */

@@ -14,9 +14,7 @@ import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Point;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Compteurs;
@@ -24,7 +22,6 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
-import lancer.essai.CameraDeplacee;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -94,7 +91,7 @@ class PartageTest {
             assertEquals(0.5, pixel.v, 1e-15);
             assertEquals(3, pixel.b, 1e-14, "non limitée");
         }
-        assertEquals(33 * 33, rayons[0]);
+        assertEquals(33 * 33 + 512, rayons[0], "et le milieu d'une case sur deux");
     }
 
     /** Là où la couleur est une fonction affine de la position, l'interpolation ne perd rien. */
@@ -123,7 +120,7 @@ class PartageTest {
                 rayons[rang]++;
                 return new Couleur(bord(xe, ye));
             });
-            rayons[k] -= 33 * 33;
+            rayons[k] -= 33 * 33 + 512;
         }
         assertTrue(rayons[1] < 2.3 * rayons[0], () -> Arrays.toString(rayons));
     }
@@ -168,18 +165,14 @@ class PartageTest {
 
     /** Des boules noires d'un même rayon, en pixels, au hasard sur un ciel ; le pixel central en est à 1 de l'écran à z = 0. */
     private static Scene poussiere(double rayon) {
-        return poussiere(new Camera(L, H), 40, rayon);
-    }
-
-    /** @param rayons tour à tour ; le petit demi-axe de ce que l'œil en voit */
-    private static Scene poussiere(Camera camera, int nombre, double... rayons) {
+        Camera camera = new Camera(L, H);
         Random hasard = new Random(5);
         List<Sphere> boules = new ArrayList<>();
         double loin = (8 + Camera.FOCALE) / Camera.FOCALE;
-        for (int k = 0; k < nombre; k++) {
+        for (int k = 0; k < 40; k++) {
             boules.add(new Sphere(new Point(camera.getX(camera.getLargeur() * hasard.nextDouble()) * loin,
                     camera.getY(camera.getHauteur() * hasard.nextDouble()) * loin, 8),
-                    rayons[k % rayons.length] * 2 / camera.getLargeur() * loin));
+                    rayon * 2 / camera.getLargeur() * loin));
         }
         return new Scene(boules, Collections.emptyList());
     }
@@ -188,55 +181,31 @@ class PartageTest {
     private static final int H = 48;
 
     private static double[] rouges(Scene scene, Echantillonnage echantillonnage, long[] rayons) {
-        return rouges(scene, new Camera(L, H), echantillonnage, rayons);
-    }
-
-    private static double[] rouges(Scene scene, Camera camera, Echantillonnage echantillonnage, long[] rayons) {
-        int largeur = camera.getLargeur();
-        double[] rouges = new double[largeur * camera.getHauteur()];
-        Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), camera);
-        traceur.TracerPixels((couleur, i, j) -> rouges[largeur * j + i] = Math.min(1, couleur.r), 0, 2);
+        double[] rouges = new double[L * H];
+        Lancer traceur = new Lancer(scene.avec(scene.getModele().avec(echantillonnage, 0)), new Camera(L, H));
+        traceur.TracerPixels((couleur, i, j) -> rouges[L * j + i] = Math.min(1, couleur.r), 0, 2);
         rayons[0] = traceur.getAtelier().getCompteurs().primaires;
         return rouges;
     }
 
-    /** Le remède : une boule plus petite qu'un pixel se cherche là où elle est, et pour bien moins de rayons que la grille. */
+    /** Le remède : là où des boules plus petites qu'un pixel sont semées, quelques-unes, vues, font chercher les autres. */
     @ParameterizedTest
-    @ValueSource(doubles = {0.2, 0.4, 0.6})
-    void desBoulesPlusPetitesQuUnPixelSontVuesCommeParLaGrilleComplete(double rayon) {
+    @ValueSource(doubles = {0.4, 0.6})
+    void desBoulesPlusPetitesQuUnPixelSontMieuxVuesQueParUneGrilleDeuxFoisPlusChere(double rayon) {
         Scene scene = poussiere(rayon);
         long[] rayons = new long[1];
-        double[] juste = rouges(scene, new Coins(16, 0), rayons);
-        double grille = rms(juste, rouges(scene, new Coins(8, 0), rayons));
-        double aveugle = rms(juste, rouges(scene, (pave, voulus, vue, toile) -> new Partage(8, 0.06).tracer(pave, pave, vue, toile),
-                rayons));
-        double partage = rms(juste, rouges(scene, new Partage(8, 0.06), rayons));
-        assertTrue(partage < 1.4 * grille, () -> partage + " contre " + grille);
-        assertTrue(rayon > 0.5 || aveugle > 3 * partage, () -> "sans savoir où elles sont : " + aveugle);
-        assertTrue(rayons[0] < 4 * L * H, () -> rayons[0] + " rayons");
-    }
-
-    /** Loin de l'axe, une boule se voit comme une ellipse, dont le bout passe entre des points que son milieu ne manque pas. */
-    @ParameterizedTest
-    @CsvSource({"20, 800", "800, 20", "40, 480"})
-    void dansUneImageToutEnLongueurLesPetitesBoulesSontVuesCommeParLaGrilleComplete(int largeur, int hauteur) {
-        Camera camera = new Camera(largeur, hauteur);
-        Scene scene = poussiere(camera, largeur * hauteur / 150, 0.2, 0.4, 0.6);
-        long[] rayons = new long[1];
-        double[] juste = rouges(scene, camera, new Coins(16, 0), rayons);
-        for (int n : new int[] {3, 4, 8}) {
-            double grille = rms(juste, rouges(scene, camera, new Coins(n, 0), rayons));
-            double partage = rms(juste, rouges(scene, camera, new Partage(n, 0.06), rayons));
-            assertTrue(partage < 1.3 * grille, () -> partage + " contre " + grille + ", n = " + n);
-            assertTrue(rayons[0] < 0.6 * n * n * largeur * hauteur, () -> rayons[0] + " rayons, n = " + n);
-        }
+        double[] juste = rouges(scene, new Coins(32, 0), rayons);
+        double grille = rms(juste, rouges(scene, new Coins(5, 0), rayons));
+        double partage = rms(juste, rouges(scene, new Partage(16, 0.055), rayons));
+        assertTrue(partage < grille, () -> partage + " contre " + grille);
+        assertTrue(rayons[0] < 12 * L * H, () -> (double) rayons[0] / (L * H) + " rayons par pixel");
     }
 
     @Test
     void unPixelDUnePoussiereADemandeSeulLesBitsDeLImageEntiere() {
         Scene scene = poussiere(0.3);
         Camera camera = new Camera(L, H);
-        Echantillonnage partage = new Partage(8, 0.06).pour(scene.getObjets(), camera);
+        Echantillonnage partage = new Partage(8, 0.06);
         Scene prete = scene.avec(scene.getModele().avec(partage, 0));
         Couleur[] entiere = new Couleur[L * H];
         new Lancer(prete, camera).TracerPixels((couleur, i, j) -> entiere[L * j + i] = couleur, 0, 2);
@@ -250,22 +219,21 @@ class PartageTest {
     }
 
     /**
-     * Là où elle échoue, si rien ne lui dit où sont les objets : au-dessus de {@link Cases#PRUDENCE}, il n'y a qu'un point par pixel, et
-     * un disque de rayon ρ ≤ 1/2 est manqué avec la probabilité 1 − πρ² ; juste au-dessous, quatre points par pixel, séparés d'au moins
-     * ⌊n/2⌋/n, et 1 − 4πρ²
-     * pour ρ ≤ ⌊n/2⌋/(2n) : 1/4 si n est pair, 1/6 si n = 3.
+     * Là où elle échoue : un détail seul. Au-dessus de {@link Cases#PRUDENCE}, il y a trois points pour deux pixels, dont les plus proches
+     * sont séparés de √2·⌊n/2⌋/n : un disque de rayon ρ ≤ ⌊n/2⌋/(√2·n) est manqué avec la probabilité 1 − 3πρ²/2. Juste au-dessous, quatre
+     * points par pixel, séparés d'au moins ⌊n/2⌋/n, et 1 − 4πρ² pour ρ ≤ ⌊n/2⌋/(2n) : 1/4 si n est pair, 1/6 si n = 3.
      */
     @ParameterizedTest
-    @CsvSource({"8, 0.06, 0.2, 1", "8, 0.06, 0.45, 1", "8, 0.04, 0.1, 4", "8, 0.04, 0.24, 4", "3, 0.06, 0.45, 1", "3, 0.04, 0.16, 4",
-        "5, 0.04, 0.19, 4"})
-    void laProbabiliteDeManquerUnDisqueAUneFormeClose(int n, double seuil, double rho, int points) {
+    @CsvSource({"8, 0.06, 0.2, 1.5", "8, 0.06, 0.35, 1.5", "3, 0.06, 0.23, 1.5", "8, 0.008, 0.1, 4", "8, 0.008, 0.24, 4",
+        "3, 0.008, 0.16, 4", "5, 0.008, 0.19, 4"})
+    void laProbabiliteDeManquerUnDisqueAUneFormeClose(int n, double seuil, double rho, double points) {
         Random hasard = new Random(39);
-        Pave voisinage = new Pave(0, 0, 4, 4);
+        Pave voisinage = new Pave(0, 0, 6, 6);
         int essais = 5_000;
         int manques = 0;
         for (int essai = 0; essai < essais; essai++) {
-            double x = 1.5 + hasard.nextDouble();
-            double y = 1.5 + hasard.nextDouble();
+            double x = 2 + 2 * hasard.nextDouble();
+            double y = 2 + 2 * hasard.nextDouble();
             boolean[] vu = new boolean[1];
             new Partage(n, seuil).tracer(voisinage, voisinage, (xe, ye) -> {
                 boolean dedans = (xe - x) * (xe - x) + (ye - y) * (ye - y) < rho * rho;
@@ -276,34 +244,5 @@ class PartageTest {
         }
         double attendue = 1 - points * Math.PI * rho * rho;
         assertEquals(attendue, (double) manques / essais, 4 * Math.sqrt(attendue * (1 - attendue) / essais));
-    }
-
-    /** Là où l'œil de la caméra les voit. */
-    @Test
-    void touteBouleQuiPasseEntreLesCoinsDUnPixelPeutYEchapper() {
-        Camera camera = new CameraDeplacee(L, H, new Point(0.3, 0.2, -4.2), 0.1);
-        Random hasard = new Random(3);
-        List<Objet3D> boules = new ArrayList<>();
-        for (int k = 0; k < 40; k++) {
-            Rayon rayon = camera.getRayon(L * hasard.nextDouble(), H * hasard.nextDouble());
-            boules.add(new Sphere(rayon.getP().add(3 + 2 * hasard.nextDouble(), rayon.getV()), 0.02));
-        }
-        Scene scene = new Scene(boules, Collections.emptyList());
-        Petites petites = new Petites(boules, camera);
-        int vus = 0;
-        int pixels = 0;
-        for (int p = 0; p < L * H; p++) {
-            int i = p % L;
-            int j = p / L;
-            pixels += petites.peutEchapper(i, j, i + 1, j + 1) ? 1 : 0;
-            for (int k = 0; k < 64; k++) {
-                if (scene.getClosestIntersection(camera.getRayon(i + (k % 8 + 0.5) / 8, j + (k / 8 + 0.5) / 8)) != null) {
-                    vus++;
-                    assertTrue(petites.peutEchapper(i, j, i + 1, j + 1), "pixel " + i + ", " + j);
-                }
-            }
-        }
-        assertTrue(vus > 100, vus + " points");
-        assertTrue(pixels < L * H / 10, pixels + " pixels");
     }
 }

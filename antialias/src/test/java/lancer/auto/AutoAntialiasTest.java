@@ -19,6 +19,7 @@ import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.antialias.Antialias;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.essai.Essai;
@@ -59,10 +60,10 @@ class AutoAntialiasTest {
         Scene lue = new Scene(scene.toString());
         // sans la brume, que ce chemin des classes y installe
         Lancer prepare = Dessin.lancer(new Scene(lue.getObjets(), lue.getLampes()), 80, 50, false);
-        List<Reglages> echelle = Echelle.de(new Reglages().pour(
+        List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
-        assertEquals(9, echelle.size());
-        Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, new SplittableRandom(1));
+        assertEquals(10, echelle.size());
+        Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
         Couleur[] image = new Couleur[80 * 50];
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;

@@ -14,6 +14,7 @@ import javax.swing.JComboBox;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
+import lancer.commande.Option;
 import lancer.contrat.Section;
 import lancer.commande.Reglages;
 import lancer.contrat.Variante;
@@ -101,7 +102,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         Reglages presents = banc.controleur.demande.reglages;
         Variante antialias = presents.getEssayee();
         Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.regler(presents.avecReflets(1000).avecSeuil(1.0 / 256).avecSection(antialias, section)));
+        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias, section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }

@@ -24,7 +24,9 @@ import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JSlider;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.essai.Essai;
 import org.junit.jupiter.api.Test;
@@ -107,7 +109,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            Reglages reglages = banc.controleur.demande.reglages.avecReflets(3).avecSeuil(0.01);
+            Reglages reglages = banc.controleur.demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
             banc.controleur.regler(reglages.avecVariante(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
@@ -199,18 +201,30 @@ class FenetreVariantesTest extends EssaiFenetre {
     }
 
     @Test
-    void laCouleurSeRegleParComposanteDeZeroAUnCommeDansLesScenes() throws Exception {
+    void laCouleurSeTapeCommeDansLesScenes() throws Exception {
         ecrire(ROUGE + "[Brume]\nfin=12\n");
         ouvrir();
         glissiere("Brume.fin");
-        assertEquals("couleur, rouge", composant("Brume.couleur, rouge", JSlider.class).getAccessibleContext().getAccessibleName());
-        placer(composant("Brume.couleur, rouge", JSlider.class), 100);
-        placer(composant("Brume.couleur, vert", JSlider.class), 20);
-        placer(composant("Brume.couleur, bleu", JSlider.class), 0);
+        JTextField couleur = composant("Brume.couleur", JTextField.class);
+        assertEquals("0.8 0.8 0.8", surFilEvenements(couleur::getText));
+        for (String impossible : new String[] {"1 0.2", "1 0.2 2", "rouge"}) {
+            taper(couleur, impossible);
+            banc.attendreMessage("couleur : valeur impossible, « " + impossible + " » ; attendu : trois nombres de 0 à 1");
+        }
+        taper(couleur, "1 0.2 0");
         attendre("elle s'écrit", () -> {
             Reglages reglages = banc.controleur.demande.reglages;
             return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
         });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
+    }
+
+    private void taper(JTextField champ, String texte) throws Exception {
+        faire(() -> {
+            champ.setText(texte);
+            champ.requestFocusInWindow();
+        });
+        attendre("le clavier y est", champ::isFocusOwner);
+        banc.frapper(KeyEvent.VK_ENTER);
     }
 }

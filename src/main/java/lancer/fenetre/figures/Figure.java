@@ -64,18 +64,18 @@ public final class Figure {
             if (depart != null) {
                 double[] ou = projeter(depart);
                 anneaux.add(new double[] {ou[0], ou[1], segment.numero});
-                segment.lampes.forEach(lampe -> tracer(segment.contact, lampe));
+                segment.eclairages.forEach(eclairage -> tracer(segment.contact, eclairage));
             }
         }
     }
 
-    private void tracer(Point contact, Eclairage lampe) {
-        Point position = lampe.lampe.getPosition();
-        if (lampe.eclaire()) {
+    private void tracer(Point contact, Eclairage eclairage) {
+        Point position = eclairage.lampe.getPosition();
+        if (eclairage.eclaire()) {
             tracer(contact, position, LAMPE, false);
-        } else if (lampe.obstacle != null) {
-            tracer(lampe.obstacle, position, Color.BLACK, false);
-            tracer(contact, lampe.obstacle, OMBRE, false);
+        } else if (eclairage.obstacle != null) {
+            tracer(eclairage.obstacle, position, Color.BLACK, false);
+            tracer(contact, eclairage.obstacle, OMBRE, false);
         }
     }
 

@@ -99,7 +99,7 @@ public final class VueDeCote extends JPanel {
             Point bout = segment.contact != null ? segment.contact
                     : depart.add(2 * getWidth() / echelle, segment.rayon.getV());
             entourer(g, segment.contact);
-            segment.lampes.forEach(lampe -> eclairer(g, bout, lampe));
+            segment.eclairages.forEach(eclairage -> eclairer(g, bout, eclairage));
             g.setColor(RAYON);
             g.draw(ligne(depart, bout));
             if (segment.contact != null) {
@@ -111,11 +111,11 @@ public final class VueDeCote extends JPanel {
     }
 
     /** Peint le rayon d'une lampe, ou l'objet qui la cache. */
-    private void eclairer(Graphics2D g, Point contact, Eclairage lampe) {
-        entourer(g, lampe.obstacle);
-        if (lampe.eclaire()) {
+    private void eclairer(Graphics2D g, Point contact, Eclairage eclairage) {
+        entourer(g, eclairage.obstacle);
+        if (eclairage.eclaire()) {
             g.setColor(LAMPE);
-            g.draw(ligne(contact, lampe.lampe.getPosition()));
+            g.draw(ligne(contact, eclairage.lampe.getPosition()));
         }
     }
 

@@ -42,7 +42,7 @@ class FiguresTest {
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), chose -> null, camera, 0, x, y);
         pixel.faire();
-        assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).lampes.get(0).eclaire());
+        assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).eclairages.get(0).eclaire());
         return pixel;
     }
 

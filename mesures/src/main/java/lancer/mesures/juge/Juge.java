@@ -15,6 +15,7 @@ import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
+import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
@@ -85,36 +86,36 @@ public final class Juge {
     }
 
     private void juger(PovRay juge) throws IOException {
-        sortie.println("Le juge est " + juge.nom() + " ; " + dessin.largeur + " × " + dessin.hauteur
+        sortie.println("Le juge est " + juge.nom() + " ; " + dessin.get(Option.TAILLE).x + " × " + dessin.get(Option.TAILLE).y
                 + " ; écarts en niveaux");
         sortie.printf(LIGNE, "scène", "sphères", "reflets", "dessins", "> 1 pas", "> 1/257", "pire", "moyen", "verdict");
         csv.add("scene,largeur,hauteur,spheres,reflets,dessins,au_dela_pas_8,au_dela_pas_16,pire_pas_8,moyen_pas_8,accord,commit,date");
         if (dessin.scene != null) {
-            juger(Paths.get(dessin.scene), dessin.reglages.getReflets(), juge);
+            juger(Paths.get(dessin.scene), dessin.get(Option.REFLETS), juge);
             return;
         }
         for (Path livree : Scenes.livrees()) {
-            juger(livree, dessin.reglages.getReflets(), juge);
+            juger(livree, dessin.get(Option.REFLETS), juge);
         }
         // miroirs avec le nombre de reflets que son commentaire conseille, puis une foule dont quelques pixels sont sur un bord
         juger(Scenes.fichier("miroirs", DOSSIER), 40, juge);
-        juger(Scenes.fichier("foule-10000", DOSSIER), dessin.reglages.getReflets(), juge);
+        juger(Scenes.fichier("foule-10000", DOSSIER), dessin.get(Option.REFLETS), juge);
     }
 
     private void juger(Path fichier, int reflets, PovRay juge) throws IOException {
         String nom = fichier.getFileName().toString().replaceFirst("\\.ini$", "");
         Scene scene = Scenes.lire(fichier);
         try {
-            SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.largeur, dessin.hauteur);
+            SceneJugee jugee = new SceneJugee(juge, nom, scene, reflets, dessin.get(Option.TAILLE).x, dessin.get(Option.TAILLE).y);
             ImageLineaire nous = ImageLineaire.de(jugee.lancer, reflets, Runtime.getRuntime().availableProcessors());
             Accord a = new Accord(nous, jugee.image());
             accord &= a.estLa();
-            String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.largeur + ", "
-                    + a.pirePixel / dessin.largeur + ") : lancer " + nous.getCouleur(a.pirePixel);
+            String verdict = a.estLa() ? "d'accord" : "DÉSACCORD, le pire au pixel (" + a.pirePixel % dessin.get(Option.TAILLE).x + ", "
+                    + a.pirePixel / dessin.get(Option.TAILLE).x + ") : lancer " + nous.getCouleur(a.pirePixel);
             int spheres = scene.getObjets().size();
             sortie.printf(LIGNE, nom, spheres, reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
                     ecart(a.moyen), verdict);
-            csv.add(FichierCsv.ligne(nom, dessin.largeur, dessin.hauteur, spheres, reflets, jugee.dessins, a.auDela8,
+            csv.add(FichierCsv.ligne(nom, dessin.get(Option.TAILLE).x, dessin.get(Option.TAILLE).y, spheres, reflets, jugee.dessins, a.auDela8,
                     a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non", circonstances.commit, circonstances.date));
         } catch (Echec e) {
             // POV-Ray ne sait pas faire le même calcul

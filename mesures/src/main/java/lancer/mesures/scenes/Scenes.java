@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.Scene;
+import lancer.contrat.Modele;
 import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
 
@@ -38,7 +39,7 @@ public final class Scenes {
     /** Une scène, sans variante. @throws lancer.SceneFautive si le fichier ne peut être utilisé */
     public static Scene lire(Path fichier) {
         SceneLue lue = LecteurScene.lire(fichier.toString(), part -> { });
-        return new Scene(lue.objets, lue.lampes, lue.getCadrage());
+        return new Scene(lue.objets, lue.lampes, lue.getCadrage(), new Modele());
     }
 
     /**

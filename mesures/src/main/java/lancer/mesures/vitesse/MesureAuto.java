@@ -18,6 +18,7 @@ import lancer.Scene;
 import lancer.antialias.Antialias;
 import lancer.auto.Auto;
 import lancer.auto.Echelle;
+import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.mesures.Circonstances;
@@ -129,7 +130,7 @@ public final class MesureAuto {
         boolean tous = Scenes.RARES.contains(nom);
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        List<Reglages> echelle = Echelle.de(new Reglages().pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))),
+        List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))),
                 false, false);
         // le prix du moins cher des échelons qui tiennent chaque erreur
         NavigableMap<Double, Double> prix = new TreeMap<>();
