@@ -2,6 +2,8 @@ package lancer.mesures.stabilite;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.mesures.Nombres;
@@ -25,13 +27,15 @@ public final class Figures {
         this.bilan = bilan;
     }
 
-    /** Dessine les figures des mesures de ce dossier. */
-    public static void ecrire(Path dossier) throws IOException {
+    /** Les figures des mesures de ce dossier, par leurs noms de fichier. */
+    public static Map<String, Planche> planches(Path dossier) throws IOException {
         Figures figures = new Figures(new Bilan(dossier));
-        figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
-        figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
-        figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
-        figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
+        Map<String, Planche> planches = new TreeMap<>();
+        planches.put("stabilite-loin.png", figures.loin());
+        planches.put("stabilite-ras.png", figures.ras());
+        planches.put("stabilite-sol.png", figures.sol());
+        planches.put("stabilite-reflets.png", figures.reflets());
+        return planches;
     }
 
     private Planche loin() {
@@ -47,9 +51,9 @@ public final class Figures {
     private Volet rasant(String figure, double distance) {
         Volet volet = new Volet("À " + Nombres.nombre(distance) + " r du centre", "1 − l/r, vers la tangente",
                 "erreur relative de t, la pire").versZero();
-        courbes(volet, figure, r -> r.erreurRelative, true);
         guide(volet, "8 u (1 + r/h), la borne promise", figure, Bilan.PROMESSE);
-        return guide(volet, "u (1 + r/h), l'effet d'un arrondi", figure, 1);
+        guide(volet, "u (1 + r/h), l'effet d'un arrondi", figure, 1);
+        return courbes(volet, figure, r -> r.erreurRelative, true);
     }
 
     private Volet guide(Volet volet, String nom, String figure, double facteur) {
@@ -82,10 +86,11 @@ public final class Figures {
     }
 
     /** Ajoute la courbe de chaque méthode. @param juste vrai pour ne garder que les abscisses bien classées */
-    private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
+    private Volet courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
         for (Formule methode : Formule.values()) {
             volet.serie(methode.nom, true, bilan.de(figure, methode).stream().filter(r -> !juste || Bilan.estClasse(r))
                     .map(r -> new Volet.Point(r.x, y.applyAsDouble(r))).filter(Volet.Point::seMontre).collect(Collectors.toList()));
         }
+        return volet;
     }
 }

@@ -125,6 +125,9 @@ public final class Volet {
         theme.setRangeGridlinePaint(GRILLE);
         theme.setDrawingSupplier(plot.getDrawingSupplier());
         theme.apply(graphique);
+        if (series.getSeriesCount() == 1) {
+            graphique.removeLegend();
+        }
         for (int k = 0; k < series.getSeriesCount(); k++) {
             plot.getRenderer().setSeriesStroke(k, new BasicStroke(TRAIT + SURPLUS * (series.getSeriesCount() - 1 - k)));
         }
@@ -172,6 +175,19 @@ public final class Volet {
     public Volet versZero() {
         plot.getDomainAxis().setInverted(true);
         return this;
+    }
+
+    /** Dit si un point d'une série est entre les axes. */
+    boolean aUnPoint() {
+        for (int s = 0; s < series.getSeriesCount(); s++) {
+            for (int k = 0; k < series.getItemCount(s); k++) {
+                if (plot.getDomainAxis().getRange().contains(series.getXValue(s, k))
+                        && plot.getRangeAxis().getRange().contains(series.getYValue(s, k))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Donne les mêmes axes à ces volets. */
