@@ -2,6 +2,7 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
@@ -25,6 +26,8 @@ final class Catalogue {
 
     /** Ce que coûte chaque chose, et chaque scène livrée. */
     static final String COUTS = "couts";
+
+    static final List<String> VOLETS = Arrays.asList(CHOIX, REFLETS, LAMPES, PIXELS, FILS, SPHERES, COUTS);
 
     static final String COURS = "scene1";
     static final String PROGRAMME = "programme";

@@ -120,7 +120,7 @@ final class Mesureur {
         return image;
     }
 
-    private Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
+    Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
         Path scene = fichier;
         if (!reglage.section.isEmpty()) {
             scene = dossier.resolve("changee.ini");
