@@ -33,7 +33,7 @@ final class Catalogue {
     static final String PROGRAMME = "programme";
 
     /** Réglages de « partage » : n, puis le seuil. */
-    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.055}, {16, 0.04}, {16, 0.02}};
+    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.055}, {16, 0.04}, {16, 0.02}, {16, 0.0125}};
 
     /** Plus grand n des grilles de n × n rayons par pixel. */
     private static final int GRILLE_MAX = 5;

@@ -83,10 +83,10 @@ final class Resultats {
                 : siennes.stream().max(Comparator.comparingDouble(a -> a.erreur.valeur));
     }
 
-    /** Le moins cher, sur cette scène, des réglages dont l'erreur, intervalle compris, ne dépasse ce nombre sur aucune. */
+    /** Le moins cher en rayons, sur cette scène, des réglages dont l'erreur, intervalle compris, ne dépasse ce nombre sur aucune. */
     Optional<Mesure> leMoinsCher(String scene, double erreur) {
-        return scene(scene).toutes.stream().filter(m -> m.rapport() > 0 && pire(m).filter(p -> p.erreur.max <= erreur).isPresent())
-                .min(Comparator.comparingDouble(Mesure::rapport));
+        return scene(scene).toutes.stream().filter(m -> pire(m).filter(p -> p.erreur.max <= erreur).isPresent())
+                .min(Comparator.comparingDouble(m -> m.rayons));
     }
 
     /** Le réglage dont la pire erreur est la plus petite, de ceux qui ne prennent pas plus de tant de fois l'unité sur cette scène. */

@@ -92,7 +92,7 @@ public final class Vitesse {
         PovRay povray = povray();
         Catalogue catalogue = new Catalogue(Taille.PUBLIEE);
         Mesureur mesureur = new Mesureur(TRAVAIL, povray, sortie, catalogue.taille, false, r -> Arrays.asList("-jar", r.jar()));
-        Resultats mesures = Resultats.lire(RESULTATS);
+        Resultats mesures = Resultats.lire(RESULTATS).tels(catalogue.demandees());
         // les fils d'abord : rien n'a encore chargé la machine
         if (demande("--temps")) {
             for (Groupe groupe : choisis(catalogue.temps())) {
@@ -112,7 +112,7 @@ public final class Vitesse {
             DeuxProgrammes.dessiner(povray, TRAVAIL);
         }
         if (!options.contains("--dessiner")) {
-            mesures.tels(catalogue.demandees()).ecrire(TRAVAIL);
+            mesures.ecrire(TRAVAIL);
         }
         for (String nom : Arrays.asList(Resultats.CSV, Mesures.CSV, DeuxProgrammes.PNG, Decoupe.PNG)) {
             if (Files.exists(TRAVAIL.resolve(nom))) {
