@@ -51,9 +51,9 @@ public final class Figures {
     private Volet rasant(String figure, double distance) {
         Volet volet = new Volet("À " + Nombres.nombre(distance) + " r du centre", "1 − l/r, vers la tangente",
                 "erreur relative de t, la pire").versZero();
+        courbes(volet, figure, r -> r.erreurRelative, true);
         guide(volet, "8 u (1 + r/h), la borne promise", figure, Bilan.PROMESSE);
-        guide(volet, "u (1 + r/h), l'effet d'un arrondi", figure, 1);
-        return courbes(volet, figure, r -> r.erreurRelative, true);
+        return guide(volet, "u (1 + r/h), l'effet d'un arrondi", figure, 1);
     }
 
     private Volet guide(Volet volet, String nom, String figure, double facteur) {
@@ -86,11 +86,10 @@ public final class Figures {
     }
 
     /** Ajoute la courbe de chaque méthode. @param juste vrai pour ne garder que les abscisses bien classées */
-    private Volet courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
+    private void courbes(Volet volet, String figure, ToDoubleFunction<Exactitude> y, boolean juste) {
         for (Formule methode : Formule.values()) {
             volet.serie(methode.nom, true, bilan.de(figure, methode).stream().filter(r -> !juste || Bilan.estClasse(r))
                     .map(r -> new Volet.Point(r.x, y.applyAsDouble(r))).filter(Volet.Point::seMontre).collect(Collectors.toList()));
         }
-        return volet;
     }
 }

@@ -48,9 +48,17 @@ public final class Volet {
 
     private static final int GRADUATIONS = 8;
 
+    /** Plus petite étendue d'un axe, et celle qu'il a relativement à sa plus grande valeur. */
+    private static final double ETENDUE = 1e-8;
+
+    /** Les courbes descendent vers la droite : les noms de la première sont du côté libre à droite, ceux de la suivante à gauche. */
+    private static final ItemLabelPosition[] COTES = {new ItemLabelPosition(ItemLabelAnchor.OUTSIDE2, TextAnchor.BOTTOM_LEFT),
+        new ItemLabelPosition(ItemLabelAnchor.OUTSIDE8, TextAnchor.TOP_RIGHT),
+        new ItemLabelPosition(ItemLabelAnchor.OUTSIDE4, TextAnchor.TOP_LEFT)};
+
     /** Largeur du trait de la dernière série, en pixels, et ce que chaque série d'avant a de plus. */
     private static final int TRAIT = 3;
-    private static final int SURPLUS = 3;
+    private static final int SURPLUS = 2;
 
     private final XYIntervalSeriesCollection series = new XYIntervalSeriesCollection();
     private final JFreeChart graphique;
@@ -80,20 +88,13 @@ public final class Volet {
     }
 
     public Volet(String titre, String nomX, String nomY) {
-        plot = new XYPlot(series, logarithmique(nomX), logarithmique(nomY), new XYErrorRenderer());
+        plot = new XYPlot(series, new LogAxis(nomX), new LogAxis(nomY), new XYErrorRenderer());
         plot.setDrawingSupplier(new DefaultDrawingSupplier(COULEURS, DefaultDrawingSupplier.DEFAULT_OUTLINE_PAINT_SEQUENCE,
                 new Stroke[] {new BasicStroke(3)}, DefaultDrawingSupplier.DEFAULT_OUTLINE_STROKE_SEQUENCE,
                 DefaultDrawingSupplier.DEFAULT_SHAPE_SEQUENCE));
         // la dernière série est dessinée sur les autres, d'un trait plus fin : aucune ne se cache
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         graphique = new JFreeChart(titre, plot);
-    }
-
-    private static ValueAxis logarithmique(String nom) {
-        LogAxis axe = new LogAxis(nom);
-        // celle de JFreeChart, 1e-8, dépasse toutes les valeurs de certains axes
-        axe.setAutoRangeMinimumSize(Double.MIN_NORMAL);
-        return axe;
     }
 
     /** Remplace l'axe logarithmique des abscisses par un axe ordinaire, qui contient 0. */
@@ -144,15 +145,15 @@ public final class Volet {
         int rang = series.getSeriesCount();
         XYIntervalSeries serie = new XYIntervalSeries(nom, false, true);
         points.forEach(p -> serie.add(p.x.valeur, p.x.min, p.x.max, p.y.valeur, p.y.min, p.y.max));
+        // l'étendue la plus petite que JFreeChart donne à un axe, 1e-8, dépasse toutes les valeurs de certains
+        double max = points.stream().mapToDouble(p -> p.y.valeur).max().getAsDouble();
+        plot.getRangeAxis().setAutoRangeMinimumSize(Math.min(ETENDUE, ETENDUE * max));
         series.addSeries(serie);
         XYErrorRenderer rendu = (XYErrorRenderer) plot.getRenderer();
         XYItemLabelGenerator textes = (donnees, s, k) -> points.get(k).texte;
         rendu.setSeriesItemLabelGenerator(rang, textes);
         rendu.setSeriesItemLabelsVisible(rang, true);
-        // une courbe descend vers la droite : ses noms sont au-dessus à droite, ou au-dessous à gauche
-        rendu.setSeriesPositiveItemLabelPosition(rang, rang % 2 == 0
-                ? new ItemLabelPosition(ItemLabelAnchor.OUTSIDE2, TextAnchor.BOTTOM_LEFT)
-                : new ItemLabelPosition(ItemLabelAnchor.OUTSIDE8, TextAnchor.TOP_RIGHT));
+        rendu.setSeriesPositiveItemLabelPosition(rang, COTES[rang % COTES.length]);
         rendu.setSeriesLinesVisible(rang, Boolean.valueOf(reliee));
         rendu.setSeriesItemLabelPaint(rang, COULEURS[rang % COULEURS.length]);
         return this;

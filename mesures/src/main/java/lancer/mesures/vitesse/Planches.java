@@ -5,8 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Nombres;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Volet;
 
@@ -50,7 +52,7 @@ final class Planches {
 
     /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
     Planche scenes() {
-        return memesAxes(2, 800, tous.volet(Catalogue.CHOIX).tels(m -> m.rapport() > 0).scenes().stream().map(this::choix)
+        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream()).map(this::choix)
                 .collect(Collectors.toList()));
     }
 
