@@ -47,7 +47,7 @@ scene-geante: mesures/target/mesures.jar
 # MESURES=--dessiner refait les courbes des mesures de mesures/resultats, sans mesurer ; MESURES=--comptes mesure tout ce qui ne se
 # chronomètre pas, si chargée que soit la machine, et MESURES=--temps le reste ; MESURES=--stabilite ne mesure que la stabilité.
 mesures: mesures/target/mesures.jar $(BASE) $(foreach v,$(VARIANTES_TOUTES),$(v)/target/$(v).jar) | mesures/target/embree
-	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(if $(filter-out 0 non,$(RAPIDE)),--rapide) $(MESURES)
+	@$(JAVA) -cp mesures/target/mesures.jar lancer.mesures.vitesse.Vitesse $(MESURES)
 
 # Un pair en C++, pour les mesures.
 mesures/target/embree: mesures/src/main/cpp/embree.cpp

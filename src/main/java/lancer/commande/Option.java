@@ -51,9 +51,9 @@ public final class Option<T> extends Parametre {
     public static final Option<Integer> REFLETS = new Option<>(Forme.ENTIER, "reflets", "5", "un entier de 0 à 1000",
             "nombre de réflexions d'un rayon, 0 à 1000", Constantes.MAX_REFLETS).entre(0, 1000).regle("réflexions");
     public static final Option<String> VUE = new Option<String>(Forme.VUE, "vue", "normales",
-            "une vue : normales, distance, lampes ou rayons",
-            "avec --image, en fausses couleurs : normales, distance, lampes\nou rayons", null)
-            .parmi("normales", "distance", "lampes", "rayons").avec(IMAGE).sans(LINEAIRE);
+            "une vue : normales, distance, lampes, rayons ou marge",
+            "avec --image, en fausses couleurs : normales, distance, lampes,\nrayons ou marge", null)
+            .parmi("normales", "distance", "lampes", "rayons", "marge").avec(IMAGE).sans(LINEAIRE);
     public static final Option<Double> SEUIL = new Option<>(Forme.NOMBRE, "seuil", "0.0009765625",
             "un nombre positif ou nul, par exemple 0.001", "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
             Constantes.SEUIL).regle("seuil des reflets");

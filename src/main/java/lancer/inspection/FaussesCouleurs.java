@@ -1,9 +1,11 @@
 package lancer.inspection;
 
 import java.util.Arrays;
+import java.util.SplittableRandom;
 import java.util.function.BiFunction;
 import java.util.function.DoubleFunction;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
@@ -24,6 +26,16 @@ public final class FaussesCouleurs {
 
     /** Les teintes des nombres de rayons, du noir au blanc, de plus en plus claires. */
     private static final int[] ECHELLE = {0x000000, 0x2C115F, 0x721F81, 0xB73779, 0xF1605D, 0xFEB078, 0xFFFFFF};
+
+    /** Déplacements d'un rayon, relatifs, du plus grand au plus petit : 10 puissance moins ces nombres. */
+    private static final int PREMIER = 6;
+    private static final int DERNIER = 16;
+
+    /** Nombre de rayons déplacés au hasard, pour chaque déplacement. */
+    private static final int TIRAGES = 3;
+
+    /** Places, de 0 à 1, des cinq teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
+    private static final double[] MARGES = {0, 2 / 6.0, 4 / 6.0, 5 / 6.0, 1};
 
     private static final Couleur NOIR = new Couleur();
 
@@ -63,6 +75,12 @@ public final class FaussesCouleurs {
         } else if (nom.equals("distance")) {
             image.sens = "d = %.5f";
             image.echelle = debut + mesurer(image);
+        } else if (nom.equals("marge")) {
+            image.sens = "marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)";
+            image.echelle = debut + "décimales que peut perdre le rayon avant que la couleur change d'un niveau, "
+                    + "d'après " + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, "
+                    + "violet : 8 à 10, rouge : 5 à 7, orange : 2 à 4, blanc : l'arrondi suffit";
+            peindre(image, nombrer(this::marger, image), m -> teinte(MARGES[4 - ((int) m + 1) / 3]));
         } else if (nom.equals("normales")) {
             image.sens = "N = %.4f %.4f %.4f";
             image.echelle = debut + "(N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir";
@@ -167,6 +185,49 @@ public final class FaussesCouleurs {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }
         return raffines;
+    }
+
+    /** Donne à chaque pixel d'un pavé sa {@link #marge}. */
+    private int marger(Pave pave, Pave voulus, Vue vue, Toile toile) {
+        for (int j = voulus.j0; j < voulus.j1; j++) {
+            for (int i = voulus.i0; i < voulus.i1; i++) {
+                toile.drawPixel(new Couleur(marge(i, j, vue)), i, j);
+            }
+        }
+        return 0;
+    }
+
+    /** Le nombre de décimales que peut perdre la direction du rayon du centre de ce pixel, de 0 à 11. */
+    private int marge(int i, int j, Vue vue) {
+        SplittableRandom hasard = new SplittableRandom((long) j * camera.getLargeur() + i);
+        Couleur dessinee = vue.couleur(i + 0.5, j + 0.5);
+        // le rayon passe par l'œil : le tourner, c'est déplacer son point de l'écran
+        double tour = new Vecteur(camera.getOeil(), camera.getEcran(i + 0.5, j + 0.5)).norme()
+                * camera.getLargeur() / Constantes.ECHELLE;
+        int dernier = PREMIER - 1;
+        // deux décimales de suite : le hasard redonne parfois la même couleur
+        for (int k = PREMIER; k <= Math.min(DERNIER, dernier + 2); k++) {
+            dernier = change(dessinee, i + 0.5, j + 0.5, tour * Math.pow(10, -k), hasard, vue) ? k : dernier;
+        }
+        return DERNIER - dernier;
+    }
+
+    /** Dit si la couleur change de plus d'un niveau en l'un de quelques points à {@code pixels} de (xe, ye). */
+    private static boolean change(Couleur dessinee, double xe, double ye, double pixels, SplittableRandom hasard,
+            Vue vue) {
+        boolean change = false;
+        for (int k = 0; k < TIRAGES && !change; k++) {
+            double angle = 2 * Math.PI * hasard.nextDouble();
+            Couleur couleur = vue.couleur(xe + pixels * Math.cos(angle), ye + pixels * Math.sin(angle));
+            change = ecart(dessinee.r, couleur.r) > 1 || ecart(dessinee.v, couleur.v) > 1
+                    || ecart(dessinee.b, couleur.b) > 1;
+        }
+        return change;
+    }
+
+    /** L'écart de deux composantes limitées à [0, 1], en niveaux. */
+    private static double ecart(double a, double b) {
+        return 255 * Math.abs(Math.max(0, Math.min(1, a)) - Math.max(0, Math.min(1, b)));
     }
 
     /** La teinte de cette part de l'échelle, de 0 à 1. */

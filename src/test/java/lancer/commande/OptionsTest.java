@@ -156,7 +156,7 @@ class OptionsTest {
         "--pixel | 800,0 0,600 800,600 99999999999999999999,1 4294967296,0 0,18446744073709551616 | un pixel de l'image, de 0,0 à 799,599",
         "--sans | , Brume, ,Brume Brume,,Blinn | des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
         "--etape | P | une étape du cours : lambert, phong, ombres ou reflets",
-        "--vue | x | une vue : normales, distance, lampes ou rayons"})
+        "--vue | x | une vue : normales, distance, lampes, rayons ou marge"})
     void uneValeurImpossibleEstRefusee(String nom, String valeurs, String attendu) {
         for (String valeur : valeurs.split(" ")) {
             String message = "valeur impossible pour " + nom + " : « " + valeur + " » ; attendu : " + attendu;

@@ -173,7 +173,7 @@ class FenetreLeconTest extends EssaiFenetre {
     @Test
     void chaqueVueEstCelleDeLaLigneDeCommandeEtDitSaValeurSousLaSouris() throws Exception {
         ouvrir();
-        String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+"};
+        String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "marge : \\d+ décimales .*"};
         for (int k = 0; k < dits.length; k++) {
             String nom = Option.VUE.valeurs.get(k);
             int rang = k;

@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.function.IntFunction;
 import lancer.Camera;
 import lancer.Couleur;
@@ -15,6 +17,7 @@ import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.PointContact;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
@@ -107,7 +110,8 @@ class FaussesCouleursTest {
         assertEquals("vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir", dessiner(scene, "normales").echelle);
         assertEquals("vue lampes : lampes qui éclairent, noir : aucune, blanc : 2 sur 2 ; ciel noir", dessiner(scene, "lampes").echelle);
         assertTrue(dessiner(scene, "rayons").echelle.matches("vue rayons : noir : 1 rayon, rose : \\d+, blanc : \\d+"));
-
+        assertTrue(dessiner(scene, "marge").echelle.endsWith("noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, orange : 2 à 4, "
+                + "blanc : l'arrondi suffit"));
     }
 
     @Test
@@ -146,6 +150,41 @@ class FaussesCouleursTest {
             }
             assertTrue((codes[k] >> 16 & 255) >= (bas >> 16 & 255), "pixel " + k);
         }
+    }
+
+    /**
+     * Chaque boule de rayon r, rencontrée au quart de r de son centre, à la distance d, multiplie l'écart du rayon par 2d/r environ. Le
+     * ciel change d'un niveau pour un écart de 1/255 environ.
+     */
+    @Test
+    void chaqueRefletCouteLesDecimalesQueDitLaGeometrie() {
+        double r = 0.36;
+        double d = 6;
+        SplittableRandom hasard = new SplittableRandom(2);
+        List<Sphere> chaine = new ArrayList<>();
+        Rayon rayon = new Camera(1, 1).getRayon(0.5, 0.5);
+        for (int n = 1; n <= 12; n++) {
+            Vecteur cote = new Vecteur(hasard.nextDouble() - 0.5, hasard.nextDouble() - 0.5, hasard.nextDouble() - 0.5).normalized();
+            Sphere boule = new Sphere(rayon.getP().add(rayon.getV().mul(d)).add(cote.mul(r / 4)), r);
+            boule.setKs(new Couleur(1));
+            chaine.add(boule);
+            boule.getIntersectionDistance(rayon);
+            PointContact contact = rayon.calcContact();
+            Vecteur N = boule.getNormale(contact);
+            rayon = new Rayon(contact, rayon.getV().sub(N.mul(2 * rayon.getV().dot(N))));
+            ImageMemoire image = new ImageMemoire(1, 1, true);
+            new FaussesCouleurs(new Lancer(new Scene(chaine, Collections.emptyList()), new Camera(1, 1)), n, 1).dessiner("marge", image);
+            double attendue = 16 - Math.log10(255 * Math.pow(2 * d / r, n));
+            assertEquals(Math.max(0, Math.min(11, attendue)), image.lineaire[0], 1.5, n + " boules");
+        }
+    }
+
+    @Test
+    void uneMargeEntiereEstNoire() {
+        Scene lisse = new Scene(Collections.singletonList(new Sphere(new Point(0, 0, 1000), 900)), scene.getLampes());
+        ImageMemoire image = dessiner(lisse, "marge");
+        assertEquals("marge : 11 décimales (11 : rien ne change)", image.dire(L * H / 2 + L / 2));
+        assertEquals(0xFF000000, image.codes[L * H / 2 + L / 2]);
     }
 
     @Test

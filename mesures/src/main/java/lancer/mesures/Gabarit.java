@@ -2,12 +2,14 @@ package lancer.mesures;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.BiPredicate;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Pave;
 import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
 
@@ -28,7 +30,7 @@ public final class Gabarit {
     public static final int VISIBLE = 8;
 
     /** Nombre de sous-pixels par côté ; chacun reçoit un rayon en un point au hasard. */
-    private static final int COTE = 8;
+    public static final int COTE = 8;
 
     /** Nombre de rayons de chaque pixel tiré, pour les deux images. */
     public static final int RAYONS = 2 * COTE * COTE;
@@ -44,15 +46,21 @@ public final class Gabarit {
      * @param pas côté des carrés dont un pixel est tiré ; 1 pour tous les pixels
      */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
-        this(scene, largeur, hauteur, pas, COTE);
+        this(scene, largeur, hauteur, pas, COTE, (i, j) -> true);
     }
 
-    /** @param cote nombre de sous-pixels par côté */
-    public Gabarit(Scene scene, int largeur, int hauteur, int pas, int cote) {
+    /** @param cote nombre de sous-pixels par côté @param parmi les pixels, par colonne et ligne, dont les autres ne sont pas tirés */
+    public Gabarit(Scene scene, int largeur, int hauteur, int pas, int cote, BiPredicate<Integer, Integer> parmi) {
         boolean[] semes = semer(largeur, hauteur, pas);
+        IntStream.range(0, semes.length).forEach(k -> semes[k] &= parmi.test(k % largeur, k / largeur));
         pixels = IntStream.range(0, semes.length).filter(k -> semes[k]).toArray();
         a = image(scene, largeur, hauteur, k -> semes[k], cote, 1).getComposantes();
         b = image(scene, largeur, hauteur, k -> semes[k], cote, 2).getComposantes();
+    }
+
+    /** Un pavé sur quatre, régulièrement espacés : dit si ce pixel en est. */
+    public static boolean dunPaveSurQuatre(int i, int j) {
+        return (i / Pave.COTE + 2 * (j / Pave.COTE)) % 4 == 0;
     }
 
     private static boolean[] semer(int largeur, int hauteur, int pas) {

@@ -5,14 +5,8 @@ import java.util.Arrays;
 /** Une valeur mesurée et son intervalle de confiance à 95 %. Immuable. */
 public final class Intervalle {
 
-    /** Nombre de rapports au-dessous duquel deux d'entre eux n'encadrent pas assez souvent la médiane. */
-    private static final int ASSEZ = 6;
-
     /** Quantile de la loi normale. */
     private static final double NORMALE = 1.96;
-
-    /** Probabilité laissée au-delà de chaque borne. */
-    private static final double DEHORS = 0.025;
 
     public final double valeur;
     public final double min;
@@ -27,26 +21,6 @@ public final class Intervalle {
     /** Une valeur connue exactement. */
     public static Intervalle exact(double valeur) {
         return new Intervalle(valeur, valeur, valeur);
-    }
-
-    /**
-     * Intervalle de la médiane de ces rapports, entre deux rangs que donne la loi binomiale : une valeur aberrante ne compte que pour une.
-     * Il est infini pour moins de six rapports.
-     */
-    public static Intervalle desRapports(double... rapports) {
-        double[] tries = Arrays.stream(rapports).sorted().toArray();
-        int n = tries.length;
-        if (n < ASSEZ) {
-            return new Intervalle(mediane(tries), 0, Double.POSITIVE_INFINITY);
-        }
-        // nombre de rapports à laisser de chaque côté, pour que la médiane soit rarement au-delà
-        int laisses = 0;
-        double tant = n * Math.pow(0.5, n);
-        for (double moins = Math.pow(0.5, n); moins + tant <= DEHORS; tant *= (n - laisses) / (laisses + 1.0)) {
-            moins += tant;
-            laisses++;
-        }
-        return new Intervalle(mediane(tries), tries[laisses], tries[n - 1 - laisses]);
     }
 
     /** Intervalle de la racine de la moyenne de ces carrés, indépendants. */
@@ -70,14 +44,5 @@ public final class Intervalle {
     /** Cet intervalle, ou sa valeur seule si une borne n'est pas connue ou ne se place pas sur un axe logarithmique. */
     public Intervalle montrable() {
         return min > 0 && max < Double.POSITIVE_INFINITY ? this : exact(valeur);
-    }
-
-    public Intervalle fois(double facteur) {
-        return new Intervalle(valeur * facteur, min * facteur, max * facteur);
-    }
-
-    /** Dit si cet intervalle est tout entier sous l'autre. Les titres et les phrases n'affirment une différence que dans ce cas. */
-    public boolean nettementSous(Intervalle autre) {
-        return max < autre.min;
     }
 }

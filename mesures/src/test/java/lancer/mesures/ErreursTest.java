@@ -179,7 +179,7 @@ class ErreursTest {
         "bowling, 2, -1, 5, 1024", "bowling, 3, 0.05, 5, 1024"})
     void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
         Scene scene = lire(nom);
-        Echantillonnage grille = n == 1 ? null : Antialias.coins(n, Math.max(0, contraste));
+        Echantillonnage grille = n == 1 ? Echantillonnage.CENTRES : Antialias.coins(n, Math.max(0, contraste));
         Gabarit gabarit = new Gabarit(scene, L, H, 1);
         ImageLineaire image = ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);

@@ -2,6 +2,8 @@ package lancer.mesures.stabilite;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import lancer.mesures.Nombres;
@@ -25,13 +27,15 @@ public final class Figures {
         this.bilan = bilan;
     }
 
-    /** Dessine les figures des mesures de ce dossier. */
-    public static void ecrire(Path dossier) throws IOException {
+    /** Les figures des mesures de ce dossier, par leurs noms de fichier. */
+    public static Map<String, Planche> planches(Path dossier) throws IOException {
         Figures figures = new Figures(new Bilan(dossier));
-        figures.loin().ecrire(dossier.resolve("stabilite-loin.png"));
-        figures.ras().ecrire(dossier.resolve("stabilite-ras.png"));
-        figures.sol().ecrire(dossier.resolve("stabilite-sol.png"));
-        figures.reflets().ecrire(dossier.resolve("stabilite-reflets.png"));
+        Map<String, Planche> planches = new TreeMap<>();
+        planches.put("stabilite-loin.png", figures.loin());
+        planches.put("stabilite-ras.png", figures.ras());
+        planches.put("stabilite-sol.png", figures.sol());
+        planches.put("stabilite-reflets.png", figures.reflets());
+        return planches;
     }
 
     private Planche loin() {

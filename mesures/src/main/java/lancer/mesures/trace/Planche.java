@@ -37,15 +37,23 @@ public final class Planche {
     /** Ce qui dessine chaque case dans un rectangle. */
     private final List<BiConsumer<Graphics2D, Rectangle2D>> cases = new ArrayList<>();
 
+    private final List<Volet> volets = new ArrayList<>();
+
     public Planche(int colonnes, int hauteurDUneCase) {
         this.colonnes = colonnes;
         this.hauteurDUneCase = hauteurDUneCase;
     }
 
     public Planche volet(Volet volet) {
+        volets.add(volet);
         JFreeChart graphique = volet.graphique();
         cases.add(graphique::draw);
         return this;
+    }
+
+    /** Faux si l'un des graphiques n'a aucun point entre ses axes. */
+    public boolean seVoit() {
+        return volets.stream().allMatch(Volet::aUnPoint);
     }
 
     /** Ajoute une image, agrandie sans lissage, sous un nom et un détail d'une ligne chacun. */

@@ -19,6 +19,7 @@ import org.jfree.chart.labels.ItemLabelAnchor;
 import org.jfree.chart.labels.ItemLabelPosition;
 import org.jfree.chart.labels.XYItemLabelGenerator;
 import org.jfree.chart.plot.DefaultDrawingSupplier;
+import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
@@ -46,6 +47,18 @@ public final class Volet {
     private static final double LONG = 1000;
 
     private static final int GRADUATIONS = 8;
+
+    /** Plus petite étendue d'un axe, et celle qu'il a relativement à sa plus grande valeur. */
+    private static final double ETENDUE = 1e-8;
+
+    /** Les courbes descendent vers la droite : les noms de la première sont du côté libre à droite, ceux de la suivante à gauche. */
+    private static final ItemLabelPosition[] COTES = {new ItemLabelPosition(ItemLabelAnchor.OUTSIDE2, TextAnchor.BOTTOM_LEFT),
+        new ItemLabelPosition(ItemLabelAnchor.OUTSIDE8, TextAnchor.TOP_RIGHT),
+        new ItemLabelPosition(ItemLabelAnchor.OUTSIDE4, TextAnchor.TOP_LEFT)};
+
+    /** Largeur du trait de la dernière série, en pixels, et ce que chaque série d'avant a de plus. */
+    private static final int TRAIT = 3;
+    private static final int SURPLUS = 2;
 
     private final XYIntervalSeriesCollection series = new XYIntervalSeriesCollection();
     private final JFreeChart graphique;
@@ -79,6 +92,8 @@ public final class Volet {
         plot.setDrawingSupplier(new DefaultDrawingSupplier(COULEURS, DefaultDrawingSupplier.DEFAULT_OUTLINE_PAINT_SEQUENCE,
                 new Stroke[] {new BasicStroke(3)}, DefaultDrawingSupplier.DEFAULT_OUTLINE_STROKE_SEQUENCE,
                 DefaultDrawingSupplier.DEFAULT_SHAPE_SEQUENCE));
+        // la dernière série est dessinée sur les autres, d'un trait plus fin : aucune ne se cache
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);
         graphique = new JFreeChart(titre, plot);
     }
 
@@ -111,6 +126,12 @@ public final class Volet {
         theme.setRangeGridlinePaint(GRILLE);
         theme.setDrawingSupplier(plot.getDrawingSupplier());
         theme.apply(graphique);
+        if (series.getSeriesCount() == 1) {
+            graphique.removeLegend();
+        }
+        for (int k = 0; k < series.getSeriesCount(); k++) {
+            plot.getRenderer().setSeriesStroke(k, new BasicStroke(TRAIT + SURPLUS * (series.getSeriesCount() - 1 - k)));
+        }
         graduer(plot.getDomainAxis());
         graduer(plot.getRangeAxis());
         return graphique;
@@ -124,14 +145,15 @@ public final class Volet {
         int rang = series.getSeriesCount();
         XYIntervalSeries serie = new XYIntervalSeries(nom, false, true);
         points.forEach(p -> serie.add(p.x.valeur, p.x.min, p.x.max, p.y.valeur, p.y.min, p.y.max));
+        // l'étendue la plus petite que JFreeChart donne à un axe, 1e-8, dépasse toutes les valeurs de certains
+        double max = points.stream().mapToDouble(p -> p.y.valeur).max().getAsDouble();
+        plot.getRangeAxis().setAutoRangeMinimumSize(Math.min(ETENDUE, ETENDUE * max));
         series.addSeries(serie);
         XYErrorRenderer rendu = (XYErrorRenderer) plot.getRenderer();
         XYItemLabelGenerator textes = (donnees, s, k) -> points.get(k).texte;
         rendu.setSeriesItemLabelGenerator(rang, textes);
         rendu.setSeriesItemLabelsVisible(rang, true);
-        // deux séries voisines sont souvent proches : leurs noms ne sont pas du même côté de leurs points
-        rendu.setSeriesPositiveItemLabelPosition(rang, rang % 2 == 0 ? new ItemLabelPosition()
-                : new ItemLabelPosition(ItemLabelAnchor.OUTSIDE6, TextAnchor.TOP_CENTER));
+        rendu.setSeriesPositiveItemLabelPosition(rang, COTES[rang % COTES.length]);
         rendu.setSeriesLinesVisible(rang, Boolean.valueOf(reliee));
         rendu.setSeriesItemLabelPaint(rang, COULEURS[rang % COULEURS.length]);
         return this;
@@ -154,6 +176,19 @@ public final class Volet {
     public Volet versZero() {
         plot.getDomainAxis().setInverted(true);
         return this;
+    }
+
+    /** Dit si un point d'une série est entre les axes. */
+    boolean aUnPoint() {
+        for (int s = 0; s < series.getSeriesCount(); s++) {
+            for (int k = 0; k < series.getItemCount(s); k++) {
+                if (plot.getDomainAxis().getRange().contains(series.getXValue(s, k))
+                        && plot.getRangeAxis().getRange().contains(series.getYValue(s, k))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Donne les mêmes axes à ces volets. */

@@ -3,9 +3,10 @@ package lancer.mesures.vitesse;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import lancer.Constantes;
 import lancer.mesures.scenes.Scenes;
 
 /** La liste de toutes les mesures. */
@@ -26,37 +27,34 @@ final class Catalogue {
     /** Ce que coûte chaque chose, et chaque scène livrée. */
     static final String COUTS = "couts";
 
+    static final List<String> VOLETS = Arrays.asList(CHOIX, REFLETS, LAMPES, PIXELS, FILS, SPHERES, COUTS);
+
     static final String COURS = "scene1";
     static final String PROGRAMME = "programme";
 
-    private static final List<String> CHRONOMETREES = Arrays.asList(COURS, "bowling", "miroirs", "tournesol");
-
-    /** Ceux des réglages qui sont chronométrés aussi hors de la scène du cours : les autres y prendraient dix minutes. */
-    private static final List<String> PARTOUT = Arrays.asList(Reglage.UN_RAYON.nom(), Reglage.grille(2).nom(),
-            Reglage.coins(3, 0.05).nom(), Reglage.partage(4, 0.2).nom(), Reglage.partage(8, 0.06).nom(), Reglage.auto(1).nom());
-
     /** Réglages de « partage » : n, puis le seuil. */
-    private static final double[][] PARTAGES = {{4, 0.2}, {8, 0.1}, {8, 0.06}, {16, 0.03}, {16, 0.01}};
+    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.055}, {16, 0.04}, {16, 0.02}, {16, 0.0125}};
+
+    /** Plus grand n des grilles de n × n rayons par pixel. */
+    private static final int GRILLE_MAX = 5;
 
     private static final int[] PROFONDEURS = {0, 1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 40};
 
     /** Nombre de sphères jusqu'auquel les boucles du cours, puis POV-Ray, sont mesurés : au-delà, il y faudrait des minutes. */
     private static final int BOUCLES_MAX = 1000;
     private static final int POVRAY_MAX = 100_000;
+    private static final int SPHERES_MAX = 1_000_000;
 
-    private final boolean court;
     final Taille taille;
 
-    /** @param court vrai pour de petites images et de petites foules */
-    Catalogue(boolean court) {
-        this.court = court;
-        taille = court ? new Taille(200, 150) : new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
+    Catalogue(Taille taille) {
+        this.taille = taille;
     }
 
     /** Ce dont l'erreur et les rayons sont mesurés. */
     List<Groupe> comptes() throws IOException {
         List<Groupe> groupes = new ArrayList<>();
-        for (String scene : CHRONOMETREES) {
+        for (String scene : livrees()) {
             groupes.add(choix(scene));
         }
         for (String scene : Scenes.DIFFICILES) {
@@ -65,7 +63,7 @@ final class Catalogue {
         for (String scene : livrees()) {
             Groupe reflets = new Groupe(REFLETS, scene, scene);
             for (int p : PROFONDEURS) {
-                reflets.avec(Reglage.partage(8, 0.06).par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
+                reflets.avec(Reglage.partage(16, 0.055).par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
                         p, taille);
             }
             groupes.add(reflets);
@@ -75,16 +73,24 @@ final class Catalogue {
 
     /** Ce qui est chronométré. */
     List<Groupe> temps() throws IOException {
-        List<Groupe> groupes = CHRONOMETREES.stream().map(this::choix).collect(Collectors.toList());
-        groupes.stream().filter(g -> !g.scene.equals(COURS)).forEach(g -> g.essais.removeIf(e -> !PARTOUT.contains(e.reglage.nom())));
+        List<Groupe> groupes = new ArrayList<>(Collections.singletonList(fils()));
+        groupes.add(choix(COURS));
+        Scenes.DIFFICILES.forEach(scene -> groupes.add(choix(scene)));
         groupes.add(couts());
         groupes.add(lampes());
         groupes.add(pixels());
-        groupes.add(fils());
-        for (int n = 1; n <= (court ? 100 : 1_000_000); n *= 10) {
+        for (int n = 1; n <= SPHERES_MAX; n *= 10) {
             groupes.add(spheres(n));
         }
         return groupes;
+    }
+
+    /** Dit d'une mesure si elle est encore demandée. */
+    Predicate<Mesure> demandees() throws IOException {
+        List<Groupe> tous = new ArrayList<>(comptes());
+        tous.addAll(temps());
+        return m -> tous.stream().anyMatch(g -> g.volet.equals(m.volet) && g.scene.equals(m.scene)
+                && g.essais.stream().anyMatch(e -> m.estDe(e.reglage)));
     }
 
     static List<String> livrees() throws IOException {
@@ -92,15 +98,15 @@ final class Catalogue {
     }
 
     private Groupe choix(String scene) {
-        Groupe choix = new Groupe(CHOIX, scene, scene).avec(Reglage.UN_RAYON, 0, taille).avec(Reglage.COINS_PAR_DEFAUT, 0, taille);
-        for (int n = 2; n <= 4; n++) {
+        Groupe choix = new Groupe(CHOIX, scene, scene).avec(Reglage.UN_RAYON, 0, taille);
+        for (int n = 2; n <= GRILLE_MAX; n++) {
             choix.avec(Reglage.grille(n), 0, taille);
         }
         choix.avec(Reglage.coins(3, 0.05), 0, taille).avec(Reglage.coins(4, 0.05), 0, taille);
         for (double[] p : PARTAGES) {
             choix.avec(Reglage.partage((int) p[0], p[1]), 0, taille);
         }
-        return choix.avec(Reglage.auto(1), 0, taille);
+        return choix;
     }
 
     private Groupe couts() {
@@ -157,7 +163,7 @@ final class Catalogue {
 
     /** Le réglage d'une mesure de {@link #CHOIX}. */
     static Reglage reglage(Mesure mesure) {
-        return new Catalogue(false).choix(mesure.scene).essais.stream().map(e -> e.reglage).filter(mesure::estDe).findFirst()
+        return new Catalogue(Taille.PUBLIEE).choix(mesure.scene).essais.stream().map(e -> e.reglage).filter(mesure::estDe).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("le catalogue n'a plus " + mesure.nom()));
     }
 }

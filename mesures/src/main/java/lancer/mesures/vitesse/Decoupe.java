@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import lancer.Constantes;
+import lancer.Scene;
+import lancer.dessin.Dessin;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.Nombres;
@@ -33,30 +35,32 @@ final class Decoupe {
     private Decoupe() {
     }
 
-    /** Les réglages de chaque méthode dont le temps est le plus proche de celui de l'anticrénelage sans réglage. */
+    /** Les réglages de chaque méthode dont le temps est le plus proche de celui de l'anticrénelage du cours. */
     private static List<Mesure> montres(Resultats siens) {
-        double temps = siens.de(Reglage.COINS_PAR_DEFAUT).map(m -> m.rapport.valeur).orElse(1.0);
+        double temps = siens.de(Reglage.coins(3, 0.05)).map(m -> m.processeurs).orElse(1.0);
         List<Mesure> montres = new ArrayList<>();
         for (String methode : new String[] {Reglage.GRILLE, Reglage.COINS, Reglage.PARTAGE}) {
-            siens.methode(methode).toutes.stream().filter(m -> m.rapport.valeur > 0)
-                    .min(Comparator.comparingDouble(m -> Math.abs(Math.log(m.rapport.valeur / temps)))).ifPresent(montres::add);
+            siens.methode(methode).toutes.stream().filter(m -> m.processeurs > 0)
+                    .min(Comparator.comparingDouble(m -> Math.abs(Math.log(m.processeurs / temps)))).ifPresent(montres::add);
         }
         return montres;
     }
 
-    /** @param mesureur dessine les réglages montrés */
-    static void dessiner(Resultats tous, Mesureur mesureur, Path dossier) throws IOException {
+    static void dessiner(Resultats tous, Path dossier) throws IOException {
         Resultats siens = tous.volet(Catalogue.CHOIX).scene(Catalogue.COURS);
         Path fichier = Scenes.fichier(Catalogue.COURS, dossier);
         int largeur = Constantes.LARGEUR_IMAGE;
-        ImageLineaire verite = Gabarit.image(Scenes.lire(fichier), largeur, Constantes.HAUTEUR_IMAGE,
+        Scene scene = Scenes.lire(fichier);
+        ImageLineaire verite = Gabarit.image(scene, largeur, Constantes.HAUTEUR_IMAGE,
                 k -> k % largeur >= X && k % largeur < X + LARGEUR && k / largeur >= Y && k / largeur < Y + HAUTEUR, COTE, 1);
         Planche planche = new Planche(4, 420);
         List<ImageLineaire> images = new ArrayList<>();
         for (Mesure m : montres(siens)) {
-            ImageLineaire image = mesureur.image(Catalogue.reglage(m), fichier);
+            Reglage reglage = Catalogue.reglage(m);
+            ImageLineaire image = ImageLineaire.de(reglage.lancer(Dessin.lancer(scene, largeur, Constantes.HAUTEUR_IMAGE, false)),
+                    reglage.profondeur(), Runtime.getRuntime().availableProcessors());
             images.add(image);
-            planche.vignette(couper(image.image()), m.nom(), Nombres.arrondi(siens.unite() * m.rapport.valeur) + " s, "
+            planche.vignette(couper(image.image()), m.nom(), Nombres.arrondi(m.processeurs) + " s de processeur, "
                     + Nombres.niveaux(m.erreur.valeur));
         }
         planche.vignette(couper(verite.image()), "la vérité", Nombres.nombre(COTE * COTE) + " rayons par pixel");

@@ -8,7 +8,7 @@ import lancer.mesures.Nombres;
 final class Mesure {
 
     static final String COLONNES = "volet,scene,methode,parametres,x,rayons,examens,erreur,erreur_min,erreur_max,visibles,compte,"
-            + "unite_s,rapport,rapport_min,rapport_max,processeurs_s,memoire_mo,chronometre,machine";
+            + "unite_s,processeurs_s,mur_s,memoire_mo,chronometre,machine";
 
     /** Ce que la mesure compare, et où. */
     final String volet;
@@ -27,15 +27,15 @@ final class Mesure {
     Intervalle erreur = Intervalle.exact(Double.NaN);
     double visibles = Double.NaN;
 
-    /** Temps de l'unité du volet, en secondes ; temps de la commande, divisé par celui de l'unité lancée dans la même manche. */
+    /** Secondes de tous les cœurs, les moindres de plusieurs manches, de l'unité du groupe et de cette commande. */
     double unite = Double.NaN;
-    Intervalle rapport = Intervalle.exact(Double.NaN);
-
-    /** Secondes de tous les cœurs, et plus grande mémoire résidente, en Mo. */
     double processeurs = Double.NaN;
+
+    /** Secondes écoulées, les moindres, et plus grande mémoire résidente, en Mo. */
+    double mur = Double.NaN;
     double memoire = Double.NaN;
 
-    /** Commit et jour des comptes, puis des temps ; machine des temps. Vides si rien n'est mesuré. */
+    /** Commit et jour des comptes, puis des temps ; machine des temps, et ce qui l'occupait. Vides si rien n'est mesuré. */
     String compte = "";
     String chronometre = "";
     String machine = "";
@@ -56,11 +56,15 @@ final class Mesure {
         return methode.equals(reglage.methode) && parametres.equals(reglage.parametres);
     }
 
+    /** Les secondes de processeur de la commande, divisées par celles de l'unité ; NaN si elle n'est pas chronométrée. */
+    double rapport() {
+        return processeurs / unite;
+    }
+
     String ligne() {
         return FichierCsv.ligne(volet, scene, methode, parametres, Nombres.champ(x), Nombres.champ(rayons), Nombres.champ(examens),
                 Nombres.champ(erreur.valeur), Nombres.champ(erreur.min), Nombres.champ(erreur.max), Nombres.champ(visibles), compte,
-                Nombres.champ(unite), Nombres.champ(rapport.valeur), Nombres.champ(rapport.min), Nombres.champ(rapport.max),
-                Nombres.champ(processeurs), Nombres.champ(memoire), chronometre, machine);
+                Nombres.champ(unite), Nombres.champ(processeurs), Nombres.champ(mur), Nombres.champ(memoire), chronometre, machine);
     }
 
     static Mesure lire(String... c) {
@@ -71,11 +75,11 @@ final class Mesure {
         m.visibles = Nombres.champ(c[10]);
         m.compte = c[11];
         m.unite = Nombres.champ(c[12]);
-        m.rapport = new Intervalle(Nombres.champ(c[13]), Nombres.champ(c[14]), Nombres.champ(c[15]));
-        m.processeurs = Nombres.champ(c[16]);
-        m.memoire = Nombres.champ(c[17]);
-        m.chronometre = c[18];
-        m.machine = c[19];
+        m.processeurs = Nombres.champ(c[13]);
+        m.mur = Nombres.champ(c[14]);
+        m.memoire = Nombres.champ(c[15]);
+        m.chronometre = c[16];
+        m.machine = c[17];
         return m;
     }
 }

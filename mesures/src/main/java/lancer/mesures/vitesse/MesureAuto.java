@@ -7,6 +7,7 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.NavigableMap;
 import java.util.TreeMap;
@@ -128,7 +129,8 @@ public final class MesureAuto {
     /** Choix, mesure et verdict du programme pour chaque erreur voulue ; l'erreur vraie ; le moins cher des échelons qui la tiennent. */
     static List<Reponse> repondre(String nom, Scene scene, Taille taille, double... voulues) {
         boolean tous = Scenes.RARES.contains(nom);
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE);
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE,
+                (i, j) -> true);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
         List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))),
                 false, false);
@@ -178,12 +180,12 @@ public final class MesureAuto {
                 "rayons, au pire");
         return Tableaux.table(titres, reponses.stream().map(r -> r.taille).distinct().map(taille -> bilan(taille,
                 reponses.stream().filter(r -> r.taille.equals(taille)).collect(Collectors.toList()))).collect(Collectors.toList()))
-                + Tableaux.source(reponses.stream().map(r -> r.commit + " " + r.date).distinct().collect(Collectors.toList()));
+                + Tableaux.source(reponses.stream().min(Comparator.comparing(r -> r.date)).map(r -> r.commit + " " + r.date).orElse(""));
     }
 
     private static List<String> bilan(String taille, List<Reponse> reponses) {
         double[] prix = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.moinsCher).filter(p -> !Double.isNaN(p)).toArray();
-        double pire = reponses.stream().mapToDouble(r -> (r.rayons + r.essais) / r.rayons).max().orElse(Double.NaN);
+        double pire = Arrays.stream(prix).max().orElse(Double.NaN);
         return Arrays.asList(taille.replace("x", " × "),
                 compte(reponses, Reponse::aUnIntervalle, r -> Math.abs(r.mesuree - r.vraie) <= r.incertitude),
                 compte(reponses, r -> true, r -> r.verdict.equals("tenue")),

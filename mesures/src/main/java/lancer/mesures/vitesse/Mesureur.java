@@ -2,6 +2,7 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,10 +13,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import lancer.Constantes;
+import lancer.Lancer;
+import lancer.Scene;
+import lancer.contrat.Compteurs;
+import lancer.contrat.Echantillonnage;
+import lancer.dessin.Dessin;
 import lancer.mesures.Circonstances;
 import lancer.mesures.Gabarit;
 import lancer.mesures.ImageLineaire;
@@ -25,23 +29,21 @@ import lancer.mesures.juge.PovRay;
 import lancer.mesures.juge.SceneJugee;
 import lancer.mesures.scenes.Scenes;
 
-/** Mesure les groupes du {@link Catalogue}, par les commandes mêmes d'un utilisateur. */
+/** Mesure les groupes du {@link Catalogue} : ce qui se compte, dans ce processus ; les temps, par les commandes mêmes d'un utilisateur. */
 final class Mesureur {
 
     /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Nombre de manches : chacune lance une fois l'unité, puis chaque réglage du groupe. */
-    private static final int MANCHES = 7;
+    /** Nombre de manches, dont le moindre temps est gardé : chacune lance une fois l'unité, puis chaque réglage du groupe. */
+    private static final int MANCHES = 5;
 
     /** Nombre maximal de rayons d'une référence. */
-    private static final double VERITE = 1.5e8;
+    private static final double VERITE = 1e8;
 
-    /** Une ligne de {@code --statistiques}, et celles dont la somme est le nombre de rayons, puis d'examens. */
-    private static final Pattern STATISTIQUE = Pattern.compile("(?m)^([a-z.]+): ([0-9.]+)$");
-    private static final List<String> RAYONS = Arrays.asList("rayons.primaires", "rayons.ombre", "rayons.reflechis",
-            "auto.rayons.essais");
-    private static final List<String> EXAMENS = Arrays.asList("tests.spheres", "noeuds.visites");
+    /** Charge de la machine, et étendue relative des temps de l'unité, au-dessus desquelles elle est occupée. */
+    private static final double CHARGE = 0.5;
+    private static final double ETENDUE = 0.15;
 
     private final Path dossier;
     private final PrintStream sortie;
@@ -80,41 +82,45 @@ final class Mesureur {
 
     // ---- ce qui se compte
 
-    /** Note les rayons, les examens et l'erreur de chaque réglage. */
+    /** Note les rayons, les examens et l'erreur de chaque réglage, dans ce processus, sur un pavé de l'image sur quatre. */
     void compter(Groupe groupe, Resultats resultats) throws IOException {
         sortie.println("rayons et erreurs de " + groupe.scene + ", " + groupe.volet);
-        Path fichier = Scenes.fichier(groupe.scene, dossier);
-        Path pfm = dossier.resolve("image.pfm");
-        double rayons = rayons(Reglage.UN_RAYON.par("", "", "--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0"), fichier);
-        int pas = (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * rayons / VERITE));
-        Gabarit gabarit = new Gabarit(Scenes.lire(fichier), taille.largeur, taille.hauteur, pas);
+        Scene scene = Scenes.lire(Scenes.fichier(groupe.scene, dossier));
+        Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
+        Lancer sansLimite = Reglage.UN_RAYON.par("", "", "--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0").lancer(prepare);
+        dessiner(sansLimite, Gabarit.PROFONDEUR);
+        int pas = (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * sansLimite.getAtelier().getCompteurs().rayons() / VERITE));
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, pas, Gabarit.COTE, Gabarit::dunPaveSurQuatre);
         for (Groupe.Essai essai : groupe.essais) {
             Mesure m = resultats.noter(groupe, essai);
-            String dit = lancer(essai.reglage, fichier, taille, "--lineaire", pfm, "--statistiques").dit;
-            ImageLineaire image = ImageLineaire.lire(pfm);
-            m.rayons = somme(dit, RAYONS);
-            m.examens = somme(dit, EXAMENS);
+            ImageLineaire image = compter(essai.reglage, prepare, m);
             m.erreur = Intervalle.deLaRacine(gabarit.carres(image));
             m.visibles = gabarit.visibles(image);
-            m.compte = circonstances.commit + " " + circonstances.date.replaceFirst("T.*", "");
+            m.compte = circonstances.commit + " " + jour();
         }
     }
 
-    /** Les rayons de toutes sortes d'une image de ce réglage. */
-    double rayons(Reglage reglage, Path fichier) throws IOException {
-        return somme(lancer(reglage, fichier, taille, "--lineaire", dossier.resolve("image.pfm"), "--statistiques").dit, RAYONS);
+    /** Note les rayons et les examens d'un réglage. @return l'image, dont seul un pavé sur quatre est dessiné */
+    ImageLineaire compter(Reglage reglage, Lancer prepare, Mesure m) {
+        Lancer lancer = reglage.lancer(prepare);
+        ImageLineaire image = dessiner(lancer, reglage.profondeur());
+        Compteurs comptes = lancer.getAtelier().getCompteurs();
+        double part = IntStream.range(0, taille.pixels()).filter(k -> Gabarit.dunPaveSurQuatre(k % taille.largeur, k / taille.largeur))
+                .count() / (double) taille.pixels();
+        m.rayons = comptes.rayons() / part;
+        m.examens = (comptes.testsSpheres + comptes.noeudsVisites) / part;
+        return image;
     }
 
-    /** La somme des statistiques de ces noms. */
-    private static double somme(String dit, List<String> noms) {
-        double somme = 0;
-        for (Matcher m = STATISTIQUE.matcher(dit); m.find();) {
-            somme += noms.contains(m.group(1)) ? Double.parseDouble(m.group(2)) : 0;
-        }
-        return somme;
+    private ImageLineaire dessiner(Lancer lancer, int profondeur) {
+        ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
+        Echantillonnage entier = lancer.getScene().getModele().getEchantillonnage();
+        lancer.Tracer((pave, voulus, vue, toile) -> Gabarit.dunPaveSurQuatre(pave.i0, pave.j0)
+                ? entier.tracer(pave, voulus, vue, toile) : 0, image, profondeur, taille.fils);
+        return image;
     }
 
-    private Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
+    Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
         Path scene = fichier;
         if (!reglage.section.isEmpty()) {
             scene = dossier.resolve("changee.ini");
@@ -132,7 +138,10 @@ final class Mesureur {
 
     // ---- ce qui se chronomètre
 
-    /** Note le temps de chaque réglage, divisé dans chaque manche par celui de l'unité. */
+    /**
+     * Note le moindre temps de chaque réglage, et celui de l'unité. Un temps écoulé ne dit rien si la machine fait autre chose : ceux d'un
+     * groupe qui en demande gardent alors leur valeur d'avant.
+     */
     void chronometrer(Groupe groupe, Resultats resultats) throws IOException {
         Path fichier = Scenes.fichier(groupe.scene, dossier);
         Path unite = Scenes.fichier(groupe.sceneUnite, dossier);
@@ -142,37 +151,42 @@ final class Mesureur {
         for (Groupe.Essai essai : groupe.essais) {
             commandes.add(commande(essai, fichier));
         }
+        double charge = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
         sortie.println(groupe.volet + ", " + groupe.scene + " : " + commandes.size() + " commandes, " + manches + " manches");
-        if (manches > 1) {
-            // un premier passage charge le cache du disque
-            for (Commande c : commandes) {
-                c.prendre();
-            }
-        }
         double[][][] pris = new double[commandes.size()][manches][];
         for (int manche = 0; manche < manches; manche++) {
             for (int k = 0; k < commandes.size(); k++) {
                 pris[k][manche] = commandes.get(k).prendre();
             }
         }
+        double etendue = Arrays.stream(pris[0]).mapToDouble(p -> p[0]).max().getAsDouble() / moindre(pris[0], 0) - 1;
+        boolean occupee = groupe.volet.equals(Catalogue.FILS) && manches > 1 && (charge > CHARGE || etendue > ETENDUE);
         for (int k = 1; k < commandes.size(); k++) {
-            noter(resultats.noter(groupe, groupe.essais.get(k - 1)), pris[0], pris[k]);
+            Mesure m = resultats.noter(groupe, groupe.essais.get(k - 1));
+            if (occupee) {
+                m.machine = m.machine.replaceFirst(" ; machine occupée.*", "") + " ; machine occupée le " + jour();
+            } else {
+                noter(m, pris[0], pris[k]);
+            }
         }
     }
 
-    private void noter(Mesure m, double[][] unite, double[][] pris) {
-        m.unite = mediane(unite, 0) / 1e9;
-        m.rapport = Intervalle.desRapports(IntStream.range(0, pris.length).mapToDouble(k -> pris[k][0] / unite[k][0]).toArray());
-        m.processeurs = mediane(pris, 1) / 1e9;
-        m.memoire = mediane(pris, 2) / (1 << 20);
-        m.chronometre = circonstances.commit + " " + circonstances.date.replaceFirst("T.*", "");
-        m.machine = (circonstances.machine + " ; " + circonstances.coeurs + " cœurs ; " + circonstances.jvm).replace(',', ' ');
-        sortie.println(String.format(Locale.ROOT, "  %-45s %8.4g × %8.4g – %-8.4g %8.4g s", m.nom(), m.rapport.valeur, m.rapport.min,
-                m.rapport.max, m.rapport.valeur * m.unite));
+    private String jour() {
+        return circonstances.date.replaceFirst("T.*", "");
     }
 
-    private static double mediane(double[][] pris, int rang) {
-        return Intervalle.mediane(Arrays.stream(pris).mapToDouble(p -> p[rang]).toArray());
+    private void noter(Mesure m, double[][] unite, double[][] pris) {
+        m.unite = moindre(unite, 1) / 1e9;
+        m.processeurs = moindre(pris, 1) / 1e9;
+        m.mur = moindre(pris, 0) / 1e9;
+        m.memoire = moindre(pris, 2) / (1 << 20);
+        m.chronometre = circonstances.commit + " " + jour();
+        m.machine = (circonstances.machine + " ; " + circonstances.coeurs + " cœurs ; " + circonstances.jvm).replace(',', ' ');
+        sortie.println(String.format(Locale.ROOT, "  %-45s %8.4g s de processeur, × %.4g", m.nom(), m.processeurs, m.rapport()));
+    }
+
+    private static double moindre(double[][] pris, int rang) {
+        return Arrays.stream(pris).mapToDouble(p -> p[rang]).min().getAsDouble();
     }
 
     private Commande commande(Groupe.Essai essai, Path fichier) throws IOException {
@@ -194,12 +208,5 @@ final class Mesureur {
 
     private double[] image(Reglage reglage, Path fichier, Taille sienne) throws IOException {
         return lancer(reglage, fichier, sienne, "--image", dossier.resolve("image.png")).pris;
-    }
-
-    /** L'image que dessine ce réglage. */
-    ImageLineaire image(Reglage reglage, Path fichier) throws IOException {
-        Path pfm = dossier.resolve("image.pfm");
-        lancer(reglage, fichier, taille, "--lineaire", pfm);
-        return ImageLineaire.lire(pfm);
     }
 }

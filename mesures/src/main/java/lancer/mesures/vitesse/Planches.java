@@ -3,9 +3,12 @@ package lancer.mesures.vitesse;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Nombres;
+import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 import lancer.mesures.trace.Volet;
 
@@ -15,7 +18,7 @@ final class Planches {
     /** Erreur quadratique moyenne de l'arrondi de l'écran, en niveaux. */
     static final double ARRONDI = 1 / Math.sqrt(12);
 
-    private static final String[] METHODES = {Reglage.GRILLE, Reglage.COINS, Reglage.PARTAGE, Reglage.AUTO};
+    private static final String[] METHODES = {Reglage.GRILLE, Reglage.PARTAGE, Reglage.COINS};
 
     private final Resultats tous;
 
@@ -24,51 +27,49 @@ final class Planches {
     }
 
     boolean aDesTemps(String volet) {
-        return tous.volet(volet).toutes.stream().anyMatch(m -> m.rapport.valeur > 0);
+        return tous.volet(volet).toutes.stream().anyMatch(m -> m.rapport() > 0);
     }
 
-    /** L'erreur selon le temps de chaque réglage que l'on choisit, sur une scène. */
-    private Volet choix(String scene, boolean nommer) {
-        Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport.valeur > 0);
-        Volet volet = new Volet(nommer ? "Choisir : l'erreur de chaque réglage, et son temps" : scene, "secondes de la commande entière",
-                "erreur, en niveaux").repere(1, "1 niveau").repere(ARRONDI, "l'arrondi de l'écran");
-        volet.serie("sans option", false, points(siens.methode(Reglage.UN_RAYON.methode), siens.unite(), false));
+    /** L'erreur de chaque réglage que l'on choisit, sur une scène, selon les secondes de tous les cœurs. */
+    private Volet choix(String scene) {
+        Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport() > 0);
+        Volet volet = new Volet(scene, "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
+                .repere(ARRONDI, "l'arrondi de l'écran");
         for (String methode : METHODES) {
-            volet.serie(methode, true, points(siens.methode(methode), siens.unite(), nommer));
+            volet.serie(methode, true, points(siens.methode(methode)));
         }
-        return volet;
+        return volet.serie("un rayon", false, points(siens.methode(Reglage.UN_RAYON.methode)));
     }
 
-    private static List<Volet.Point> points(Resultats mesures, double unite, boolean nommer) {
-        return mesures.toutes.stream().map(m -> new Volet.Point(m.rapport.fois(unite), m.erreur,
-                nommer && !m.methode.equals(Reglage.AUTO)
-                ? m.parametres.replaceFirst("n=(.*) seuil=", "$1/") : "")).collect(Collectors.toList());
+    private static List<Volet.Point> points(Resultats mesures) {
+        return mesures.toutes.stream().map(m -> new Volet.Point(Intervalle.exact(m.processeurs), m.erreur,
+                m.parametres.replaceFirst("n=(.*) seuil=", "$1/"))).collect(Collectors.toList());
     }
 
     Planche cours() {
-        return new Planche(1, 1000).volet(choix(Catalogue.COURS, true));
+        return new Planche(1, 1000).volet(choix(Catalogue.COURS));
     }
 
     /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
     Planche scenes() {
-        List<Volet> volets = tous.volet(Catalogue.CHOIX).tels(m -> m.rapport.valeur > 0).scenes().stream()
-                .map(scene -> choix(scene, false)).collect(Collectors.toList());
+        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream()).map(this::choix)
+                .collect(Collectors.toList()));
+    }
+
+    private static Planche memesAxes(int colonnes, int hauteur, List<Volet> volets) {
         Volet.memesAxes(volets);
-        Planche planche = new Planche(2, 700);
+        Planche planche = new Planche(colonnes, hauteur);
         volets.forEach(planche::volet);
         return planche;
     }
 
-    /** L'erreur selon le nombre de réflexions, avec anticrénelage : une ligne par scène. */
+    /** L'erreur selon le nombre de réflexions, avec anticrénelage, de chaque scène livrée. */
     Planche reflets() {
         Resultats siens = tous.volet(Catalogue.REFLETS);
-        Volet volet = new Volet("Combien de réflexions ? L'erreur, avec anticrénelage", "--reflets", "erreur, en niveaux").xOrdinaire()
-                .repere(1, "1 niveau").repere(ARRONDI, "l'arrondi de l'écran");
-        for (String scene : siens.scenes()) {
-            volet.serie(scene, true, siens.scene(scene).toutes.stream().sorted(Comparator.comparingDouble(m -> m.x))
-                    .map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, "")).collect(Collectors.toList()));
-        }
-        return new Planche(1, 1000).volet(volet);
+        return memesAxes(4, 440, siens.scenes().stream().map(scene -> new Volet(scene, "--reflets", "niveaux").xOrdinaire()
+                .repere(1, "1 niveau").serie("", true, siens.scene(scene).toutes.stream().sorted(Comparator.comparingDouble(m -> m.x))
+                .map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, "")).collect(Collectors.toList())))
+                .collect(Collectors.toList()));
     }
 
     /** Le temps selon le nombre de lampes, de pixels, de fils : des droites, et leurs pentes. */
@@ -78,43 +79,44 @@ final class Planches {
     }
 
     private Volet droite(String nom, String axe, String unite) {
-        Resultats siens = tous.volet(nom).tels(m -> m.rapport.valeur > 0);
-        double[] droite = droite(siens);
-        double max = siens.toutes.stream().mapToDouble(m -> m.x).max().orElse(1);
-        return volet(siens, axe, unite + " : " + Nombres.arrondi(droite[1]) + " s").serie("droite", true,
-                Arrays.asList(new Volet.Point(0, droite[0]), new Volet.Point(max, droite[0] + max * droite[1])));
+        List<Mesure> siens = tous.volet(nom).tels(m -> m.rapport() > 0).toutes;
+        double[] droite = droite(siens, m -> m.x, m -> m.processeurs);
+        double max = siens.stream().mapToDouble(m -> m.x).max().orElse(1);
+        return volet(siens, axe, unite + " : " + Nombres.arrondi(droite[1]) + " s", "secondes de processeur", m -> m.processeurs)
+                .serie("droite", true, Arrays.asList(new Volet.Point(0, droite[0]), new Volet.Point(max, droite[0] + max * droite[1])));
     }
 
-    private static Volet volet(Resultats siens, String axe, String titre) {
-        return new Volet(titre, axe, "secondes").xOrdinaire().yOrdinaire().serie("mesures", false, siens.toutes.stream()
-                .map(m -> new Volet.Point(Intervalle.exact(m.x), m.rapport.fois(siens.unite()), "")).collect(Collectors.toList()));
+    private static Volet volet(List<Mesure> siens, String axe, String titre, String secondes, ToDoubleFunction<Mesure> temps) {
+        return new Volet(titre, axe, secondes).xOrdinaire().yOrdinaire().serie("mesures", false, siens.stream()
+                .map(m -> new Volet.Point(m.x, temps.applyAsDouble(m))).collect(Collectors.toList()));
     }
 
     private Volet fils() {
-        Resultats siens = tous.volet(Catalogue.FILS).tels(m -> m.rapport.valeur > 0);
-        double un = siens.toutes.get(0).rapport.valeur;
-        double mieux = siens.toutes.stream().mapToDouble(m -> m.rapport.valeur).min().getAsDouble();
-        return volet(siens, "fils", "Fils : au mieux ÷ " + Nombres.arrondi(un / mieux));
+        List<Mesure> siens = tous.volet(Catalogue.FILS).tels(m -> m.mur > 0).toutes;
+        double mieux = siens.stream().mapToDouble(m -> m.mur).min().getAsDouble();
+        String occupee = siens.get(0).machine.matches(".*machine occupée le (.*)") ? ", mesure du "
+                + siens.get(0).chronometre.replaceFirst(".* ", "") + " (depuis, machine occupée)" : "";
+        return volet(siens, "fils" + occupee, "Fils : au mieux ÷ " + Nombres.arrondi(siens.get(0).mur / mieux), "secondes écoulées",
+                m -> m.mur);
     }
 
-    /** L'ordonnée à l'origine et la pente de la droite des moindres carrés des temps, en secondes. */
-    static double[] droite(Resultats mesures) {
-        double unite = mesures.unite();
-        double n = mesures.toutes.size();
-        double x = mesures.toutes.stream().mapToDouble(m -> m.x).sum() / n;
-        double t = mesures.toutes.stream().mapToDouble(m -> m.rapport.valeur * unite).sum() / n;
-        double xx = mesures.toutes.stream().mapToDouble(m -> (m.x - x) * (m.x - x)).sum();
-        double xt = mesures.toutes.stream().mapToDouble(m -> (m.x - x) * (m.rapport.valeur * unite - t)).sum();
-        return new double[] {t - x * xt / xx, xt / xx};
+    /** L'ordonnée à l'origine et la pente de la droite des moindres carrés. */
+    static double[] droite(List<Mesure> mesures, ToDoubleFunction<Mesure> x, ToDoubleFunction<Mesure> y) {
+        double n = mesures.size();
+        double mx = mesures.stream().mapToDouble(x).sum() / n;
+        double my = mesures.stream().mapToDouble(y).sum() / n;
+        double xx = mesures.stream().mapToDouble(m -> Math.pow(x.applyAsDouble(m) - mx, 2)).sum();
+        double xy = mesures.stream().mapToDouble(m -> (x.applyAsDouble(m) - mx) * (y.applyAsDouble(m) - my)).sum();
+        return new double[] {my - mx * xy / xx, xy / xx};
     }
 
     /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */
     Planche spheres() {
-        Resultats siens = tous.volet(Catalogue.SPHERES).tels(m -> m.rapport.valeur > 0);
-        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères", "secondes de la commande entière");
+        Resultats siens = tous.volet(Catalogue.SPHERES).tels(m -> m.rapport() > 0);
+        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères", "secondes de processeur de la commande entière");
         for (String methode : new String[] {Catalogue.PROGRAMME, Reglage.BOUCLES.methode, Reglage.POVRAY, Reglage.EMBREE}) {
             volet.serie(methode, true, siens.methode(methode).toutes.stream()
-                    .map(m -> new Volet.Point(Intervalle.exact(m.x), m.rapport.fois(siens.unite()), "")).collect(Collectors.toList()));
+                    .map(m -> new Volet.Point(m.x, m.processeurs)).collect(Collectors.toList()));
         }
         return new Planche(1, 900).volet(volet);
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -13,6 +12,7 @@ import lancer.mesures.Nombres;
 import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.stabilite.Bilan;
 import lancer.mesures.stabilite.Figures;
+import lancer.mesures.trace.Planche;
 
 /** Courbes, tableaux et pages, d'après les mesures d'un dossier. */
 final class Rapport {
@@ -42,26 +42,34 @@ final class Rapport {
             // cœurs, rendus, secondes, Mo, machine virtuelle, date, commit
             valeurs.put("corriger", Tableaux.table(Arrays.asList("rendus", "cœurs", "secondes", "Mo"),
                     Arrays.asList(Arrays.asList(c[1], c[0], c[2], c[3])))
-                    + Tableaux.source(Collections.singletonList(c[6] + " " + c[5].replaceFirst("T.*", ""))));
+                    + Tableaux.source(c[6] + " " + c[5].replaceFirst("T.*", "")));
         }
         return valeurs;
     }
 
+    /** Les planches dont les mesures sont là, par leurs noms de fichier. */
+    Map<String, Planche> planches() throws IOException {
+        Map<String, Planche> planches = new TreeMap<>(Figures.planches(dossier));
+        Planches vitesse = new Planches(resultats);
+        if (vitesse.aDesTemps(Catalogue.CHOIX)) {
+            planches.put("scene1.png", vitesse.cours());
+            planches.put("scenes.png", vitesse.scenes());
+        }
+        if (vitesse.aDesTemps(Catalogue.FILS)) {
+            planches.put("couts.png", vitesse.couts());
+        }
+        if (vitesse.aDesTemps(Catalogue.SPHERES)) {
+            planches.put("spheres.png", vitesse.spheres());
+        }
+        planches.put("reflets.png", vitesse.reflets());
+        return planches;
+    }
+
     /** Dessine les courbes dont les mesures sont là. @param pages vrai pour réécrire aussi les pages du projet */
     void ecrire(boolean pages) throws IOException {
-        Planches planches = new Planches(resultats);
-        if (planches.aDesTemps(Catalogue.CHOIX)) {
-            planches.cours().ecrire(dossier.resolve("scene1.png"));
-            planches.scenes().ecrire(dossier.resolve("scenes.png"));
+        for (Map.Entry<String, Planche> planche : planches().entrySet()) {
+            planche.getValue().ecrire(dossier.resolve(planche.getKey()));
         }
-        if (planches.aDesTemps(Catalogue.FILS)) {
-            planches.couts().ecrire(dossier.resolve("couts.png"));
-        }
-        if (planches.aDesTemps(Catalogue.SPHERES)) {
-            planches.spheres().ecrire(dossier.resolve("spheres.png"));
-        }
-        planches.reflets().ecrire(dossier.resolve("reflets.png"));
-        Figures.ecrire(dossier);
         Map<String, String> valeurs = valeurs();
         for (Path page : pages ? PAGES : new Path[0]) {
             PagesMesurees.reecrire(page, valeurs);

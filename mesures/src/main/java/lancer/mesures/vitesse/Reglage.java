@@ -3,6 +3,11 @@ package lancer.mesures.vitesse;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import lancer.Lancer;
+import lancer.antialias.Antialias;
+import lancer.commande.Option;
+import lancer.commande.Options;
+import lancer.contrat.Echantillonnage;
 import lancer.mesures.Gabarit;
 
 /** Une façon de dessiner, telle qu'un utilisateur la demande : un programme, une section de la scène, des options. Immuable. */
@@ -13,7 +18,6 @@ final class Reglage {
     static final String PARTAGE = "partage";
     static final String COINS = "coins";
     static final String GRILLE = "grille";
-    static final String AUTO = "--auto";
 
     /** Le programme sans option : l'unité des temps. */
     static final Reglage UN_RAYON = new Reglage("un rayon", "", "lancer", "");
@@ -27,12 +31,12 @@ final class Reglage {
 
     private static final List<String> OPTIONS_DE_MAKE = Arrays.asList("-XX:+UseSerialGC", "-Xmn16m");
 
-    /** Où les reflets sont suivis jusqu'au produit des Ks que l'on peut conseiller. */
-    private static final String[] TOUS_LES_REFLETS = {"--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0.0078125"};
-
     /** Nom de la méthode et de ses paramètres ; vides s'il n'y en a pas. */
     final String methode;
     final String parametres;
+
+    /** Ce que la section demande, dans ce processus. */
+    private final Echantillonnage echantillonnage;
 
     /** Module dont le programme est lancé, section à ajouter à la scène, options de la commande. */
     final String module;
@@ -40,6 +44,12 @@ final class Reglage {
     final List<String> options;
 
     Reglage(String methode, String parametres, String module, String section, String... options) {
+        this(methode, parametres, Echantillonnage.CENTRES, module, section, options);
+    }
+
+    private Reglage(String methode, String parametres, Echantillonnage echantillonnage, String module, String section,
+            String... options) {
+        this.echantillonnage = echantillonnage;
         this.methode = methode;
         this.parametres = parametres;
         this.module = module;
@@ -48,29 +58,41 @@ final class Reglage {
     }
 
     static Reglage partage(int n, double seuil) {
-        return antialias(PARTAGE, "n=" + n + " seuil=" + seuil, PARTAGE, n, seuil);
+        return new Reglage(PARTAGE, "n=" + n + " seuil=" + seuil, Antialias.partage(n, seuil), section(PARTAGE, n, seuil));
     }
 
     static Reglage coins(int n, double seuil) {
-        return antialias(COINS, "n=" + n + " seuil=" + seuil, COINS, n, seuil);
+        return new Reglage(COINS, "n=" + n + " seuil=" + seuil, Antialias.coins(n, seuil), section(COINS, n, seuil));
     }
 
     static Reglage grille(int n) {
-        return antialias(GRILLE, n + " × " + n, COINS, n, 0);
+        return new Reglage(GRILLE, n + " × " + n, Antialias.coins(n, 0), section(COINS, n, 0));
     }
 
-    private static Reglage antialias(String nom, String parametres, String methode, int n, double seuil) {
-        return new Reglage(nom, parametres, "antialias", "[Antialias]\nmethode=" + methode + "\nn=" + n + "\nseuil=" + seuil + "\n",
-                TOUS_LES_REFLETS);
+    private static String section(String methode, int n, double seuil) {
+        return "[Antialias]\nmethode=" + methode + "\nn=" + n + "\nseuil=" + seuil + "\n";
     }
 
-    static Reglage auto(int erreur) {
-        return new Reglage(AUTO, "erreur=" + erreur, "antialias", "", AUTO, "erreur=" + erreur);
+    private Reglage(String methode, String parametres, Echantillonnage echantillonnage, String section) {
+        this(methode, parametres, echantillonnage, "antialias", section, "--reflets", String.valueOf(Gabarit.PROFONDEUR));
+    }
+
+    /** Le lancer qui dessine comme cette commande la scène de {@code prepare}. */
+    Lancer lancer(Lancer prepare) {
+        return prepare.avec(prepare.getScene().getModele().avec(echantillonnage, valeur(Option.SEUIL)));
+    }
+
+    int profondeur() {
+        return valeur(Option.REFLETS);
+    }
+
+    private <T> T valeur(Option<T> option) {
+        return Options.lire(options.toArray(new String[0])).get(option);
     }
 
     /** Le même dessin, par ces options au lieu des siennes. */
     Reglage par(String nom, String parametre, String... siennes) {
-        return new Reglage(nom, parametre, module, section, siennes);
+        return new Reglage(nom, parametre, echantillonnage, module, section, siennes);
     }
 
     String nom() {

@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import lancer.mesures.FichierCsv;
-import lancer.mesures.Intervalle;
 
 /** Les mesures d'un dossier, et les moyens d'en extraire. */
 final class Resultats {
@@ -71,27 +71,32 @@ final class Resultats {
         return toutes.stream().map(m -> m.scene).distinct().collect(Collectors.toList());
     }
 
-    /** Le temps de l'unité, en secondes : un seul pour toutes ces mesures ; NaN si rien n'a été chronométré. */
+    /** Les secondes de processeur de l'unité de ces mesures ; NaN si rien n'a été chronométré. */
     double unite() {
-        return Intervalle.mediane(toutes.stream().mapToDouble(m -> m.unite).filter(t -> !Double.isNaN(t)).toArray());
+        return toutes.stream().mapToDouble(m -> m.unite).filter(t -> !Double.isNaN(t)).min().orElse(Double.NaN);
     }
 
-    /** La mesure de ce réglage sur la scène où son erreur est la plus grande ; vide s'il n'est pas mesuré sur chaque scène. */
+    /** La mesure de ce réglage sur celle de ces scènes où son erreur est la plus grande ; vide s'il n'est pas mesuré sur chacune. */
     Optional<Mesure> pire(Mesure m) {
         List<Mesure> siennes = tels(a -> a.nom().equals(m.nom())).toutes;
         return siennes.size() < scenes().size() ? Optional.empty()
                 : siennes.stream().max(Comparator.comparingDouble(a -> a.erreur.valeur));
     }
 
-    /** Le plus rapide, sur cette scène, des réglages dont l'erreur, intervalle compris, ne dépasse ce nombre sur aucune. */
-    Optional<Mesure> lePlusRapide(String scene, double erreur) {
-        return scene(scene).toutes.stream().filter(m -> m.rapport.valeur > 0 && pire(m).filter(p -> p.erreur.max <= erreur).isPresent())
-                .min(Comparator.comparingDouble(m -> m.rapport.valeur));
+    /** Le moins cher en rayons, sur cette scène, des réglages dont l'erreur, intervalle compris, ne dépasse ce nombre sur aucune. */
+    Optional<Mesure> leMoinsCher(String scene, double erreur) {
+        return scene(scene).toutes.stream().filter(m -> pire(m).filter(p -> p.erreur.max <= erreur).isPresent())
+                .min(Comparator.comparingDouble(m -> m.rayons));
     }
 
     /** Le réglage dont la pire erreur est la plus petite, de ceux qui ne prennent pas plus de tant de fois l'unité sur cette scène. */
     Optional<Mesure> lePlusJuste(String scene, double temps) {
-        return scene(scene).toutes.stream().filter(m -> m.rapport.valeur <= temps && pire(m).isPresent())
+        return scene(scene).toutes.stream().filter(m -> m.rapport() <= temps && pire(m).isPresent())
                 .min(Comparator.comparingDouble(m -> pire(m).get().erreur.valeur));
+    }
+
+    /** La plus ancienne des mesures, d'après ce que chacune dit : son commit et son jour ; vide si aucune n'en dit rien. */
+    String plusAncienne(Function<Mesure, String> quand) {
+        return toutes.stream().map(quand).filter(q -> !q.isEmpty()).min(Comparator.comparing(q -> q.replaceFirst(".* ", ""))).orElse("");
     }
 }

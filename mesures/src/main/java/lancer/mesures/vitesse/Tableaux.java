@@ -9,13 +9,14 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import lancer.mesures.Intervalle;
 import lancer.mesures.Nombres;
+import lancer.mesures.scenes.Scenes;
 
 /** Les tableaux des pages, par leurs noms. */
 final class Tableaux {
 
-    private static final Intervalle UN = Intervalle.exact(1);
+    /** Écart relatif de deux temps au-dessous duquel aucun n'est dit plus long : celui d'une commande mesurée deux fois. */
+    private static final double AUTANT = 0.1;
     private static final String PAS_ENCORE = "pas encore mesuré";
 
     private final Resultats tous;
@@ -30,100 +31,101 @@ final class Tableaux {
     Map<String, String> pages() {
         Map<String, String> pages = new TreeMap<>();
         Resultats couts = tous.volet(Catalogue.COUTS);
-        pages.put("choisir", choisir() + source(choix.toutes, m -> m.chronometre));
+        pages.put("choisir", choisir() + source(choix.plusAncienne(m -> m.compte), couts.plusAncienne(m -> m.chronometre)));
         pages.put("resultat", resultat());
         pages.put("couts", table(Arrays.asList("ce qui change", "temps, divisé par celui du programme sans option", "processeurs",
                 "mémoire"), couts.toutes.stream().map(m -> Arrays.asList(m.nom(), m.estDe(Reglage.UN_RAYON) ? "l'unité"
-                : rapport(m.rapport), processeurs(m), memoire(m))).collect(Collectors.toList()))
-                + source(couts.toutes, m -> m.chronometre));
+                : rapport(m.rapport()), quantite(m.processeurs, " s"), quantite(m.memoire, " Mo"))).collect(Collectors.toList()))
+                + source(couts.plusAncienne(m -> m.chronometre)));
+        pages.put("pentes", pentes());
         pages.put("machine", tous.toutes.stream().filter(m -> !m.machine.isEmpty()).findFirst()
-                .map(m -> m.machine + ", commit " + m.chronometre.replace(" ", ", le ")).orElse(PAS_ENCORE));
+                .map(m -> m.machine).orElse(PAS_ENCORE));
         return pages;
     }
 
     // ---- la première table
 
-    /** Une question, le réglage qui y répond, ce qu'il coûte en rayons et en temps ; dessous, ce qu'il faut écrire. */
+    /** Un souhait, et pour chaque sorte de scène le réglage qui y répond et ce qu'il coûte ; dessous, ce qu'il faut écrire. */
     private String choisir() {
-        Map<String, Optional<Mesure>> lignes = new LinkedHashMap<>();
-        lignes.put("aller au plus vite", choix.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
-        lignes.put("le mieux, en deux fois ce temps", choix.lePlusJuste(Catalogue.COURS, 2));
-        lignes.put("un niveau au plus", choix.lePlusRapide(Catalogue.COURS, 1));
-        lignes.put("moins que l'arrondi de l'écran", choix.lePlusRapide(Catalogue.COURS, Planches.ARRONDI));
-        StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>réglage</th><th>erreur</th><th>pire scène</th>"
-                + "<th>rayons</th><th>temps</th></tr>\n");
-        List<String> ecrits = new ArrayList<>();
-        lignes.forEach((besoin, choisi) -> table.append("<tr><td>" + besoin + "</td>" + choisi.map(m -> "<td>" + m.nom() + "</td><td>"
-                + Nombres.niveaux(m.erreur.valeur) + "</td><td>" + choix.pire(m).map(p -> Nombres.niveaux(p.erreur.valeur) + " ("
-                + p.scene + ")").orElse("") + "</td><td>" + rayons(m) + "</td><td>" + temps(m) + "</td></tr>\n" + aEcrire(m, ecrits))
-                .orElse("<td colspan=\"5\">rien de ce qui est mesuré</td></tr>\n")));
-        return table.append("</table>\n").toString();
+        Resultats livrees = choix.tels(m -> !Scenes.DIFFICILES.contains(m.scene));
+        Map<String, String> lignes = new LinkedHashMap<>();
+        List<Mesure> choisies = new ArrayList<>();
+        Map<String, Function<Resultats, Optional<Mesure>>> souhaits = new LinkedHashMap<>();
+        souhaits.put("aller au plus vite", r -> r.scene(Catalogue.COURS).de(Reglage.UN_RAYON));
+        souhaits.put("le mieux, en deux fois ce temps", r -> r.lePlusJuste(Catalogue.COURS, 2));
+        souhaits.put("un niveau au plus", r -> r.leMoinsCher(Catalogue.COURS, 1));
+        souhaits.put("moins que l'arrondi de l'écran", r -> r.leMoinsCher(Catalogue.COURS, Planches.ARRONDI));
+        souhaits.forEach((souhait, reponse) -> {
+            String cases = "";
+            for (Resultats scenes : Arrays.asList(livrees, choix)) {
+                Optional<Mesure> choisie = reponse.apply(scenes);
+                choisie.ifPresent(choisies::add);
+                cases += "<td>" + choisie.map(m -> dire(m, scenes)).orElse("rien de ce qui est mesuré") + "</td>";
+            }
+            // deux souhaits qui ont la même réponse sont une ligne
+            lignes.merge(cases, souhait, (a, b) -> a + " ; " + b);
+        });
+        StringBuilder table = new StringBuilder("\n<table>\n<tr><th>je veux</th><th>ma scène n'a pas de détail plus petit qu'un pixel</th>"
+                + "<th>elle en a, ou je ne sais pas</th></tr>\n");
+        lignes.forEach((cases, souhait) -> table.append("<tr><td>" + souhait + "</td>" + cases + "</tr>\n"));
+        table.append("</table>\n\n");
+        choisies.stream().map(m -> Catalogue.reglage(m)).collect(Collectors.toMap(Reglage::nom, r -> r, (r, s) -> r, LinkedHashMap::new))
+                .forEach((nom, r) -> table.append("**" + nom + "** : " + (r.section.isEmpty() ? "" : "dans la scène,\n\n"
+                        + bloc(r.section) + "et ") + "dans un terminal,\n\n" + bloc(r.commande())));
+        return table.toString();
     }
 
-    /** Ce qu'il faut écrire pour ce réglage, une seule fois par réglage. */
-    private static String aEcrire(Mesure m, List<String> ecrits) {
-        if (ecrits.contains(m.nom())) {
-            return "";
-        }
-        ecrits.add(m.nom());
-        Reglage reglage = Catalogue.reglage(m);
-        return "<tr><td colspan=\"6\">\n" + bloc("dans la scène", reglage.section) + bloc("dans un terminal", reglage.commande())
-                + "</td></tr>\n";
+    /** Une case : le réglage, son erreur sur la pire de ces scènes, et son prix sur celle du cours. */
+    private String dire(Mesure m, Resultats scenes) {
+        Mesure pire = scenes.pire(m).orElse(m);
+        return "<b>" + m.nom() + "</b><br>au pire " + Nombres.niveaux(pire.erreur.valeur) + " (de " + Nombres.arrondi(pire.erreur.min)
+                + " à " + Nombres.arrondi(pire.erreur.max) + ", " + pire.scene + ")<br>" + Nombres.arrondi(100 * pire.visibles)
+                + " % des pixels visiblement faux<br>rayons × " + Nombres.arrondi(m.rayons / choix.scene(m.scene).de(Reglage.UN_RAYON)
+                .map(u -> u.rayons).orElse(Double.NaN)) + (m.rapport() > 0 ? ", temps × " + Nombres.arrondi(m.rapport()) : "");
     }
 
-    /** Un bloc à copier, sous son titre ; vide s'il n'y a rien à écrire. */
-    private static String bloc(String titre, String texte) {
-        return texte.isEmpty() ? "" : titre + " :\n\n" + texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
-    }
-
-    private String rayons(Mesure m) {
-        return "× " + Nombres.arrondi(m.rayons / choix.scene(m.scene).de(Reglage.UN_RAYON).map(u -> u.rayons).orElse(Double.NaN));
-    }
-
-    private String temps(Mesure m) {
-        return Nombres.arrondi(choix.scene(m.scene).unite() * m.rapport.valeur) + " s, "
-                + (m.estDe(Reglage.UN_RAYON) ? "l'unité" : fois(m.rapport));
+    private static String bloc(String texte) {
+        return texte.trim().replaceAll("(?m)^", "    ") + "\n\n";
     }
 
     /** Deux réglages dont l'erreur est voisine, leurs rayons et leurs temps. */
     private String resultat() {
         Resultats cours = choix.scene(Catalogue.COURS);
-        Optional<Mesure> partage = cours.de(Reglage.partage(8, 0.1));
+        Optional<Mesure> partage = cours.de(Reglage.partage(8, 0.08));
         Optional<Mesure> grille = cours.de(Reglage.grille(4));
         if (!partage.isPresent() || !grille.isPresent()) {
             return PAS_ENCORE;
         }
-        double temps = grille.get().rapport.valeur / partage.get().rapport.valeur;
+        double temps = grille.get().processeurs / partage.get().processeurs;
         return Nombres.niveaux(partage.get().erreur.valeur) + ". La grille de 4 × 4 rayons par pixel lance "
                 + Nombres.arrondi(grille.get().rayons / partage.get().rayons) + " fois plus de rayons" + (Double.isNaN(temps) ? ""
-                : ", en " + Nombres.arrondi(temps) + " fois plus de temps") + ", pour une erreur de "
+                : ", en " + Nombres.arrondi(temps) + " fois plus de temps de processeur") + ", pour une erreur de "
                 + Nombres.niveaux(grille.get().erreur.valeur);
     }
 
+    /** L'ordre de convergence de deux méthodes sur la scène du cours : la pente de la droite des moindres carrés, en logarithmes. */
+    private String pentes() {
+        Resultats cours = choix.scene(Catalogue.COURS);
+        return "rayons<sup>" + pente(cours.methode(Reglage.GRILLE)) + "</sup> par la grille, et comme rayons<sup>"
+                + pente(cours.methode(Reglage.PARTAGE)) + "</sup> par `partage`";
+    }
+
+    private static String pente(Resultats methode) {
+        return Nombres.arrondi(Planches.droite(methode.toutes, m -> Math.log(m.rayons), m -> Math.log(m.erreur.valeur))[1]);
+    }
+
     // ---- les autres
-
-    private static String processeurs(Mesure m) {
-        return quantite(m.processeurs, " s");
-    }
-
-    private static String memoire(Mesure m) {
-        return quantite(m.memoire, " Mo");
-    }
 
     /** Le nombre et son unité ; vide s'il n'est pas mesuré. */
     private static String quantite(double nombre, String unite) {
         return Double.isNaN(nombre) ? "" : Nombres.nombre(nombre) + unite;
     }
 
-    /** La ligne sous un tableau : le commit et le jour de ses mesures ; vide s'ils ne sont pas connus. */
-    private static String source(List<Mesure> mesures, Function<Mesure, String> quand) {
-        return source(mesures.stream().map(quand).filter(s -> !s.isEmpty()).distinct().collect(Collectors.toList()));
-    }
-
-    /** @param quand un commit et un jour, séparés par une espace */
-    static String source(List<String> quand) {
-        return quand.isEmpty() ? "" : "\nMesures du commit " + quand.stream().map(s -> s.replace(" ", ", le "))
-                .collect(Collectors.joining(" ; ")) + ".\n";
+    /** La ligne sous un tableau. @param quand commit et jour, séparés par une espace, de la plus ancienne de chaque sorte de mesures */
+    static String source(String... quand) {
+        String dates = Arrays.stream(quand).filter(s -> !s.isEmpty()).distinct().map(s -> s.replace(" ", ", le "))
+                .collect(Collectors.joining(" ; "));
+        return dates.isEmpty() ? "" : "\nLa plus ancienne de ces mesures : commit " + dates + ".\n";
     }
 
     /** Un tableau Markdown. */
@@ -134,14 +136,8 @@ final class Tableaux {
                 .collect(Collectors.joining("\n", "\n", "\n"));
     }
 
-    /** « × 2,6 (de 2,4 à 2,9) » ; vide si le rapport n'est pas mesuré. */
-    private static String fois(Intervalle i) {
-        return i.valeur > 0 ? "× " + Nombres.nombre(i.valeur) + " (de " + Nombres.nombre(i.min) + " à " + Nombres.nombre(i.max) + ")" : "";
-    }
-
     /** Facteur, ou phrase qui dit qu'aucune différence n'est sûre. */
-    static String rapport(Intervalle i) {
-        return UN.nettementSous(i) || i.nettementSous(UN) ? fois(i)
-                : "autant, à l'intervalle près (de " + Nombres.nombre(i.min) + " à " + Nombres.nombre(i.max) + ")";
+    static String rapport(double rapport) {
+        return Double.isNaN(rapport) ? "" : Math.abs(rapport - 1) < AUTANT ? "autant, à un dixième près" : "× " + Nombres.nombre(rapport);
     }
 }

@@ -1,7 +1,11 @@
 package lancer.mesures.vitesse;
 
+import lancer.Constantes;
+
 /** La taille des images mesurées, et le nombre de fils. */
 final class Taille {
+
+    static final Taille PUBLIEE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
 
     final int largeur;
     final int hauteur;

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
 import lancer.mesures.juge.DeuxProgrammes;
@@ -21,35 +22,37 @@ import lancer.texte.ErreurSysteme;
 
 /**
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec {@code --rapide} et au plus une des autres options.
+ * {@code make mesures}, avec au plus une option, et les volets du {@link Catalogue} à mesurer, tous si aucun n'est nommé.
  *
  * <p>Statut de sortie : 0 si tout est mesuré ; 1 si un programme ou la machine a échoué ({@code mesures/resultats} ne change pas) ; 2 si la
  * demande est fausse.
  */
 public final class Vitesse {
 
-    private static final List<String> OPTIONS = Arrays.asList("--rapide", "--comptes", "--temps", "--stabilite", "--dessiner");
+    private static final List<String> OPTIONS = Arrays.asList("--comptes", "--temps", "--stabilite", "--dessiner");
 
     /** Dossier des résultats d'une mesure complète, et de ses courbes. */
     private static final Path RESULTATS = Paths.get("mesures/resultats");
 
-    private final Set<String> options;
-    private final boolean rapide;
-    private final PrintStream sortie;
+    /** Dossier où les mesures se font, avant d'y être copiées. */
+    private static final Path TRAVAIL = Paths.get("mesures/target/vitesse");
 
-    /** Dossier où les mesures se font, et dossier où leurs résultats sont copiés. */
-    private final Path travail;
-    private final Path resultats;
+    private final Set<String> options;
+
+    /** Les seuls volets à mesurer ; tous s'il n'y en a pas. */
+    private final Set<String> volets;
+    private final PrintStream sortie;
 
     private Vitesse(PrintStream sortie, String... args) {
         this.sortie = sortie;
         options = new HashSet<>(Arrays.asList(args));
-        if (options.size() < args.length || !OPTIONS.containsAll(options)) {
-            throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
+        volets = new HashSet<>(options);
+        volets.retainAll(Catalogue.VOLETS);
+        options.removeAll(volets);
+        if (options.size() + volets.size() < args.length || !OPTIONS.containsAll(options)) {
+            throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS)
+                    + " ; et des volets : " + String.join(" ", Catalogue.VOLETS));
         }
-        rapide = options.remove("--rapide");
-        travail = Paths.get("mesures/target", rapide ? "vitesse-rapide" : "vitesse");
-        resultats = rapide ? travail : RESULTATS;
     }
 
     /** @param args voir la description de la classe */
@@ -85,44 +88,48 @@ public final class Vitesse {
             throw new IllegalArgumentException("pas de dossier scenes ici ; à lancer à la racine du projet");
         }
         long debut = System.nanoTime();
-        Files.createDirectories(travail);
+        Files.createDirectories(TRAVAIL);
         PovRay povray = povray();
-        Catalogue catalogue = new Catalogue(rapide);
-        Mesureur mesureur = new Mesureur(travail, povray, sortie, catalogue.taille, rapide, r -> Arrays.asList("-jar", r.jar()));
-        Resultats mesures = Resultats.lire(resultats);
-        // ce qui ne dépend pas de la charge de la machine vient d'abord
-        if (demande("--comptes")) {
-            for (Groupe groupe : catalogue.comptes()) {
-                mesureur.compter(groupe, mesures);
-            }
-        }
+        Catalogue catalogue = new Catalogue(Taille.PUBLIEE);
+        Mesureur mesureur = new Mesureur(TRAVAIL, povray, sortie, catalogue.taille, false, r -> Arrays.asList("-jar", r.jar()));
+        Resultats mesures = Resultats.lire(RESULTATS).tels(catalogue.demandees());
+        // les fils d'abord : rien n'a encore chargé la machine
         if (demande("--temps")) {
-            for (Groupe groupe : catalogue.temps()) {
+            for (Groupe groupe : choisis(catalogue.temps())) {
                 mesureur.chronometrer(groupe, mesures);
             }
         }
+        if (demande("--comptes")) {
+            for (Groupe groupe : choisis(catalogue.comptes())) {
+                mesureur.compter(groupe, mesures);
+            }
+            Decoupe.dessiner(mesures, TRAVAIL);
+        }
         if (demande("--comptes") || demande("--stabilite")) {
-            new Mesures(rapide).ecrire(travail);
+            new Mesures(false).ecrire(TRAVAIL);
         }
         if (demande("--comptes") && povray != null) {
-            DeuxProgrammes.dessiner(povray, travail);
+            DeuxProgrammes.dessiner(povray, TRAVAIL);
         }
-        if (demande("--comptes") && !rapide) {
-            Decoupe.dessiner(mesures, mesureur, travail);
+        if (!options.contains("--dessiner")) {
+            mesures.ecrire(TRAVAIL);
         }
-        mesures.ecrire(travail);
         for (String nom : Arrays.asList(Resultats.CSV, Mesures.CSV, DeuxProgrammes.PNG, Decoupe.PNG)) {
-            if (!rapide && Files.exists(travail.resolve(nom))) {
-                Files.copy(travail.resolve(nom), resultats.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
+            if (Files.exists(TRAVAIL.resolve(nom))) {
+                Files.move(TRAVAIL.resolve(nom), RESULTATS.resolve(nom), StandardCopyOption.REPLACE_EXISTING);
             }
         }
-        new Rapport(resultats).ecrire(!rapide);
-        sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + resultats);
+        new Rapport(RESULTATS).ecrire(true);
+        sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + RESULTATS);
+    }
+
+    private List<Groupe> choisis(List<Groupe> groupes) {
+        return groupes.stream().filter(g -> volets.isEmpty() || volets.contains(g.volet)).collect(Collectors.toList());
     }
 
     private PovRay povray() {
         try {
-            return new PovRay(PovRay.COMMANDE, travail);
+            return new PovRay(PovRay.COMMANDE, TRAVAIL);
         } catch (IOException e) {
             sortie.println("Sans POV-Ray : " + e.getMessage());
             return null;

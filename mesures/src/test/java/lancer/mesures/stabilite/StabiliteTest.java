@@ -9,9 +9,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import lancer.Point;
+import lancer.mesures.trace.Planche;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -26,7 +28,10 @@ class StabiliteTest {
     @Test
     void lesCourbesSeDessinentSansEcranEtDisentCeQueLaPageRaconte() throws IOException {
         new Mesures(true).ecrire(dossier);
-        Figures.ecrire(dossier);
+        for (Map.Entry<String, Planche> figure : Figures.planches(dossier).entrySet()) {
+            figure.getValue().ecrire(dossier.resolve(figure.getKey()));
+            assertTrue(figure.getValue().seVoit(), figure.getKey());
+        }
         for (String nom : new String[] {"loin", "ras", "sol", "reflets"}) {
             BufferedImage planche = ImageIO.read(dossier.resolve("stabilite-" + nom + ".png").toFile());
             assertEquals(1600, planche.getWidth(), nom);

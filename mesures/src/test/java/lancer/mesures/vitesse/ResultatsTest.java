@@ -4,24 +4,27 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import lancer.Constantes;
+import lancer.Lancer;
+import lancer.dessin.Dessin;
+import lancer.mesures.FichierCsv;
 import lancer.mesures.Nombres;
 import lancer.mesures.pages.PagesMesurees;
 import lancer.mesures.scenes.Scenes;
-import org.junit.jupiter.api.Tag;
+import lancer.mesures.trace.Planche;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,12 +32,6 @@ import org.junit.jupiter.api.io.TempDir;
 class ResultatsTest {
 
     private static final Path RESULTATS = Paths.get("../mesures/resultats");
-    private static final Taille TAILLE = new Taille(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
-
-    /** Nombre de réglages que le test compte de nouveau, et rayons que chacun ne dépasse pas. */
-    private static final int ESSAYES = System.getProperty("tests.longs") != null ? 4 : 1;
-    private static final double RAYONS_MAX = 5e6;
-
     @TempDir
     Path dossier;
 
@@ -42,21 +39,51 @@ class ResultatsTest {
         return Resultats.lire(RESULTATS);
     }
 
-    private Mesureur mesureur() {
-        return new Mesureur(dossier, null, new PrintStream(System.out), TAILLE, true, VitesseTest::programme);
+    /** Trois réglages sur deux scènes, comptés de nouveau : ce que les pages disent est de ce programme. */
+    @Test
+    void lesComptesPubliesSontEncoreCeuxDuProgramme() throws IOException {
+        Mesureur mesureur = new Mesureur(dossier, null, System.out, Taille.PUBLIEE, true, VitesseTest::programme);
+        for (String scene : Arrays.asList(Catalogue.COURS, "poussiere")) {
+            Lancer prepare = Dessin.lancer(Scenes.lire(Scenes.fichier(scene, dossier)), Taille.PUBLIEE.largeur, Taille.PUBLIEE.hauteur,
+                    false);
+            for (Reglage reglage : Arrays.asList(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Reglage.partage(16, 0.055))) {
+                Mesure neuve = new Mesure(Catalogue.CHOIX, scene, reglage.methode, reglage.parametres, 0);
+                mesureur.compter(reglage, prepare, neuve);
+                Mesure publiee = publies().volet(Catalogue.CHOIX).scene(scene).de(reglage).get();
+                assertEquals(Nombres.champ(neuve.rayons) + " " + Nombres.champ(neuve.examens), Nombres.champ(publiee.rayons) + " "
+                        + Nombres.champ(publiee.examens), scene + ", " + neuve.nom() + " : make mesures MESURES=--comptes");
+            }
+        }
     }
 
-    @Tag("long")
     @Test
-    void lesRayonsPubliesSontEncoreCeuxDuProgramme() throws IOException {
-        List<Mesure> possibles = publies().volet(Catalogue.CHOIX)
-                .tels(m -> m.rayons < RAYONS_MAX && !m.methode.equals(Reglage.AUTO)).toutes;
-        List<Mesure> essayes = new Random(1).ints(0, possibles.size()).distinct().limit(ESSAYES).mapToObj(possibles::get)
-                .collect(Collectors.toList());
-        for (Mesure m : essayes) {
-            assertEquals(Nombres.champ(m.rayons), Nombres.champ(mesureur().rayons(Catalogue.reglage(m), Scenes.fichier(m.scene, dossier))),
-                    m.scene + ", " + m.nom() + " : make mesures MESURES=--comptes");
+    void chaqueSceneLivreeEstDansChaqueTable() throws IOException {
+        Map<String, List<String>> tables = new TreeMap<>();
+        for (String csv : Arrays.asList("juge.csv", "auto.csv")) {
+            tables.put(csv, FichierCsv.lire(RESULTATS.resolve(csv)).stream().map(c -> c[0]).collect(Collectors.toList()));
         }
+        tables.put(Catalogue.CHOIX, publies().volet(Catalogue.CHOIX).scenes());
+        tables.put(Catalogue.REFLETS, publies().volet(Catalogue.REFLETS).scenes());
+        tables.forEach((table, scenes) -> {
+            List<String> manquent = new ArrayList<>(livrees());
+            manquent.removeAll(scenes);
+            assertEquals(Collections.emptyList(), manquent, "scènes qui manquent à " + table);
+        });
+    }
+
+    private static List<String> livrees() {
+        try {
+            return Catalogue.livrees();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @Test
+    void aucunGraphiqueNEstVide() throws IOException {
+        Map<String, Planche> planches = new Rapport(RESULTATS).planches();
+        assertTrue(planches.size() >= 9, planches.keySet().toString());
+        planches.forEach((nom, planche) -> assertTrue(planche.seVoit(), nom + " : un graphique n'a pas de point entre ses axes"));
     }
 
     @Test
@@ -80,19 +107,18 @@ class ResultatsTest {
     }
 
     @Test
-    void ceQuiEstAEcrireSousUneLigneDeLaPremiereTableEstSonReglage() throws IOException {
-        String page = new String(Files.readAllBytes(Paths.get("../docs/vitesse-et-precision.md")), StandardCharsets.UTF_8);
-        Resultats cours = publies().volet(Catalogue.CHOIX).scene(Catalogue.COURS);
+    void ceQuiEstAEcrireSousLaPremiereTableEstDesReglagesDuCatalogue() throws IOException {
+        String page = new String(Files.readAllBytes(Paths.get("../docs/vitesse-et-precision.md")), StandardCharsets.UTF_8)
+                .replace('\u00a0', ' ');
         int essayees = 0;
-        for (String ligne : page.split("<tr><td>(?=[a-z])")) {
-            List<String> blocs = blocs(ligne);
-            for (Mesure m : blocs.isEmpty() ? Collections.<Mesure>emptyList() : cours.toutes) {
-                if (ligne.replace('\u00a0', ' ').contains("<td>" + m.nom() + "</td>")) {
-                    Reglage reglage = Catalogue.reglage(m);
-                    assertEquals(reglage.commande(), blocs.get(blocs.size() - 1));
-                    assertEquals(reglage.section.trim(), blocs.size() > 1 ? blocs.get(0) : "");
-                    essayees++;
-                }
+        for (Mesure m : publies().volet(Catalogue.CHOIX).scene(Catalogue.COURS).toutes) {
+            int debut = page.indexOf("**" + m.nom() + "** :");
+            if (debut >= 0) {
+                Reglage reglage = Catalogue.reglage(m);
+                List<String> blocs = blocs(page.substring(debut));
+                assertEquals(reglage.commande(), blocs.get(reglage.section.isEmpty() ? 0 : 1));
+                assertEquals(reglage.section.trim(), reglage.section.isEmpty() ? "" : blocs.get(0));
+                essayees++;
             }
         }
         assertTrue(essayees > 1, "la table n'a pas de commande");

@@ -17,10 +17,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.mesures.Intervalle;
 import lancer.mesures.Lancement;
+import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,7 +42,7 @@ class VitesseTest {
     private final Resultats resultats = new Resultats(new ArrayList<>());
 
     @ParameterizedTest(name = "« {0} »")
-    @ValueSource(strings = {"--inconnue", "scene1", "--rapide --rapide"})
+    @ValueSource(strings = {"--inconnue", "scene1", "--temps --temps"})
     void uneDemandeFausseTientEnUneLigneEtLeStatut2(String args) {
         ByteArrayOutputStream erreurs = new ByteArrayOutputStream();
         assertEquals(2, Vitesse.executer(args.split(" "), new PrintStream(sortie), new PrintStream(erreurs)));
@@ -60,17 +63,28 @@ class VitesseTest {
         return new Mesureur(dossier, null, new PrintStream(sortie), PETITE, true, VitesseTest::programme);
     }
 
+    /** Les rayons, comptés dans ce processus sur un pavé sur quatre, sont à peu près ceux que la commande entière dit. */
     @Test
-    void lesRayonsEtLErreurDUneCommandeSontCeuxDeSonImage() throws IOException {
-        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0, PETITE)
-                .avec(Reglage.grille(2), 0, PETITE).avec(Reglage.auto(4), 0, PETITE);
-        mesureur().compter(deux, resultats);
+    void lesRayonsComptesSontCeuxDeLaCommandeEntiere() throws IOException {
+        Taille taille = new Taille(320, 240);
+        Mesureur mesureur = new Mesureur(dossier, null, new PrintStream(sortie), taille, true, VitesseTest::programme);
+        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0, taille)
+                .avec(Reglage.coins(3, 0.05), 0, taille);
+        mesureur.compter(deux, resultats);
         Mesure un = resultats.de(Reglage.UN_RAYON).get();
-        Mesure grille = resultats.de(Reglage.grille(2)).get();
-        assertTrue(un.rayons > 1200 && grille.rayons > 4 * 1200 && un.examens > un.rayons, un.ligne() + "\n" + grille.ligne());
-        assertTrue(grille.erreur.nettementSous(un.erreur), "quatre rayons par pixel se trompent moins qu'un");
-        assertTrue(grille.visibles < un.visibles && un.visibles < 1);
-        assertTrue(resultats.de(Reglage.auto(4)).get().rayons > grille.rayons, "les rayons des essais comptent");
+        Mesure coins = resultats.de(Reglage.coins(3, 0.05)).get();
+        assertTrue(coins.erreur.max < un.erreur.min, "quatre rayons par pixel se trompent moins qu'un");
+        assertTrue(coins.visibles < un.visibles && un.visibles < 1 && un.examens > un.rayons, un.ligne());
+        for (Mesure m : resultats.toutes) {
+            Reglage reglage = m == un ? Reglage.UN_RAYON : Reglage.coins(3, 0.05);
+            Matcher rayons = Pattern.compile("(?m)^rayons\\.[a-z]+: (\\d+)$").matcher(mesureur.lancer(reglage,
+                    Scenes.fichier(Catalogue.COURS, dossier), taille, "--lineaire", dossier.resolve("i.pfm"), "--statistiques").dit);
+            double somme = 0;
+            while (rayons.find()) {
+                somme += Double.parseDouble(rayons.group(1));
+            }
+            assertEquals(somme, m.rayons, 0.15 * somme, m.ligne());
+        }
     }
 
     /** D'un module, le premier réglage ; tous, si l'on demande les tests longs. */
@@ -80,14 +94,13 @@ class VitesseTest {
         Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.module;
         Set<String> deja = new HashSet<>();
         Groupe tous = new Groupe(Catalogue.CHOIX, "bowling", Catalogue.COURS);
-        new Catalogue(true).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
+        new Catalogue(PETITE).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
                 .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0, PETITE));
         mesureur().chronometrer(tous, resultats);
         assertEquals(tous.essais.size(), resultats.toutes.size());
         for (Mesure m : resultats.toutes) {
-            assertTrue(m.rapport.valeur > 0 && m.unite > 0 && m.processeurs > 0, m.ligne());
+            assertTrue(m.rapport() > 0 && m.mur > 0, m.ligne());
             assertTrue(m.memoire > 0 == Files.isExecutable(Paths.get("/usr/bin/time")), "GNU time dit la mémoire");
-            assertTrue(m.rapport.max == Double.POSITIVE_INFINITY, "d'une seule manche, rien ne se sait");
         }
     }
 
@@ -116,46 +129,51 @@ class VitesseTest {
         m.rayons = 10 * rapport;
         m.erreur = new Intervalle(erreur, erreur * 0.95, erreur * 1.05);
         m.visibles = 0.01;
-        m.compte = "abc 2026-11-24";
+        m.compte = "abc 2026-11-2" + resultats.toutes.size();
         m.unite = 0.4;
-        m.rapport = new Intervalle(rapport, rapport / 1.05, rapport * 1.05);
+        m.processeurs = 0.4 * rapport;
         m.chronometre = "abc 2026-11-25";
         resultats.toutes.add(m);
     }
 
     @Test
-    void laPremiereTableRepondAUneQuestionParLeReglageLeMoinsCherSurToutesLesScenes() {
+    void chaqueSouhaitAUneReponseParSorteDeScene() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        noter("scene1", Reglage.partage(16, 0.03), 2.5, 0.2);
-        noter("scene1", Reglage.partage(8, 0.06), 2, 0.6);
+        noter("scene1", Reglage.partage(16, 0.04), 2.5, 0.2);
+        noter("scene1", Reglage.partage(8, 0.08), 1.9, 0.6);
         noter("scene1", Reglage.partage(4, 0.2), 1.5, 0.9);
         noter("scene1", Reglage.grille(2), 1.2, 0.5);
-        noter("scene1", Reglage.auto(1), 1.8, 0.7);
-        noter("miroirs", Reglage.UN_RAYON, 1, 12);
-        noter("miroirs", Reglage.partage(16, 0.03), 2.5, 0.27);
-        noter("miroirs", Reglage.partage(8, 0.06), 2, 0.94);
-        noter("miroirs", Reglage.partage(4, 0.2), 1.5, 1.2);
-        noter("miroirs", Reglage.auto(1), 1.8, 0.95);
+        noter("poussiere", Reglage.UN_RAYON, 1, 12);
+        noter("poussiere", Reglage.partage(16, 0.04), 2.5, 0.27);
+        noter("poussiere", Reglage.partage(8, 0.08), 2, 0.94);
+        noter("poussiere", Reglage.partage(4, 0.2), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
-        assertTrue(table.contains("<td>aller au plus vite</td><td>un rayon</td><td>3 niveaux</td><td>12 niveaux (miroirs)</td><td>× 1</td>"
-                + "<td>0,4 s, l'unité</td>"), table);
-        assertTrue(table.contains("<td>le mieux, en deux fois ce temps</td><td>partage n=8 seuil=0.06</td><td>0,6 niveau</td>"
-                + "<td>0,94 niveau (miroirs)</td><td>× 2</td><td>0,8 s, × 2 (de 1,9"), table);
-        // l'erreur de la grille n'est connue que d'une scène
-        assertTrue(table.contains("<td>un niveau au plus</td><td>--auto erreur=1</td><td>0,7 niveau</td>"), table);
-        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.03\n\n"), table);
-        assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --seuil 0.0078125 --image boules.png "
-                + "scenes/scene1.ini\n"), table);
+        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,9 à 3,2, scene1)<br>1 % des "
+                + "pixels visiblement faux<br>rayons × 1, temps × 1</td><td><b>un rayon</b><br>au pire 12 niveaux (de 11 à 13, poussiere)"), table);
+        // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
+        assertTrue(table.contains("<tr><td>un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
+        assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=8 seuil=0.08</b><br>au pire 0,94 niveau"), table);
+        assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.04</b>"), table);
+        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.04\n\n"), table);
+        assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"), table);
         assertEquals(1, table.split("n=16\n", -1).length - 1, "ce qui est à écrire l'est une fois");
-        assertTrue(table.endsWith("\nMesures du commit abc, le 2026-11-25.\n"), table);
+        assertTrue(table.endsWith("\nLa plus ancienne de ces mesures : commit abc, le 2026-11-20 ; abc, le 2026-11-25.\n"), table);
+    }
+
+    @Test
+    void deuxSouhaitsQuiOntLaMemeReponseSontUneLigne() {
+        noter("scene1", Reglage.UN_RAYON, 1, 3);
+        noter("scene1", Reglage.partage(16, 0.04), 1.5, 0.1);
+        assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; moins "
+                + "que l'arrondi de l'écran</td><td><b>partage"));
     }
 
     @Test
     void sansAucunTempsLaTableLeDit() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        resultats.toutes.get(0).rapport = Intervalle.exact(Double.NaN);
+        resultats.toutes.get(0).processeurs = Double.NaN;
         Map<String, String> pages = new Tableaux(resultats).pages();
-        assertTrue(pages.get("choisir").contains("<td>un niveau au plus</td><td colspan=\"5\">rien de ce qui est mesuré</td>"),
+        assertTrue(pages.get("choisir").contains("un niveau au plus ; moins que l'arrondi de l'écran</td><td>rien de ce qui est mesuré</td>"),
                 pages.get("choisir"));
         assertEquals("pas encore mesuré", pages.get("machine"));
     }
@@ -164,11 +182,10 @@ class VitesseTest {
     void uneDroiteEtSaPenteSontCellesDesTemps() {
         for (int x : new int[] {2, 4, 8}) {
             Mesure m = new Mesure(Catalogue.LAMPES, Catalogue.COURS, "lampes", "" + x, x);
-            m.unite = 0.5;
-            m.rapport = Intervalle.exact(1 + 0.2 * x);
+            m.processeurs = 0.5 + 0.1 * x;
             resultats.toutes.add(m);
         }
-        double[] droite = Planches.droite(resultats);
+        double[] droite = Planches.droite(resultats.toutes, m -> m.x, m -> m.processeurs);
         assertEquals(0.5, droite[0], 1e-12);
         assertEquals(0.1, droite[1], 1e-12);
     }
