@@ -10,8 +10,8 @@ import lancer.contrat.Recherche;
 
 /**
  * Les objets que peut rencontrer un rayon. Viennent d'abord les géants et les objets libres. Puis, si le rayon vient de
- * l'œil ou d'une lampe, ceux qui se voient dans sa direction ; sinon, ceux des cellules que le rayon traverse (Amanatides
- * et Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Si elles donnent trop d'objets, l'arbre les
+ * l'œil ou d'une lampe, ceux qui se voient dans sa direction ; sinon, ceux des cellules qu'il traverse (Amanatides et
+ * Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Là où elles donnent trop d'objets, l'arbre les
  * remplace.
  */
 final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
@@ -75,7 +75,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int premier = -1;
     private double distance = Constantes.INFINI;
 
-    /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes qui restent. */
+    /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes de reste. */
     private int cube;
     private double tx;
     private double ty;
@@ -113,7 +113,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
                 && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
         px = mesure ? x : Double.NaN;
-        rangDepart = foule.rangDe(depart);
+        int dernier = foule.contact;
+        rangDepart = dernier >= 0 && structures.enveloppes.objets[dernier] == depart ? dernier : -1;
         propose = rangDepart;
         pret = rangDepart >= 0;
         liste = structures.enveloppes.dAbord;
@@ -128,7 +129,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     @Override
     public boolean hasNext() {
         if (!pret) {
-            foule.reprendre(this);
+            foule.courante = this;
             if (propose >= 0) {
                 noterLaReponse();
             }
@@ -177,7 +178,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         if (proche < 0 || objets[proche] != plusProche) {
             return plusProche;
         }
-        foule.retenir(premier);
+        foule.contact = premier;
         return objets[premier];
     }
 
