@@ -8,7 +8,7 @@ import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
-/** La recherche d'une scène et d'une image. Elle est construite de nouveau si un objet a bougé quand un fil la demande. */
+/** La recherche d'une scène et d'une image, construite de nouveau si un objet a bougé quand un fil la demande. */
 public final class Preparation {
 
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
@@ -39,7 +39,8 @@ public final class Preparation {
     public static Scene preparer(Scene scene, Camera camera) {
         long nombre = scene.getObjets().size();
         long questions = (long) camera.getLargeur() * camera.getHauteur() * (1 + scene.getLampes().size());
-        return nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT ? scene : structurer(scene, camera);
+        boolean peu = nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT;
+        return peu ? scene : structurer(scene, camera);
     }
 
     /** La même scène, dont la recherche a des structures. */
