@@ -20,7 +20,7 @@ public class Main implements Toile {
     private Dessin dessin;
 
     /**
-     * Le programme qui dessine cette demande. Chaque dessin a le sien : abandonné, il n'écrit pas dans l'image suivante.
+     * Le programme qui dessine cette demande. Chaque dessin a le sien : abandonné, il ne touche pas à l'image suivante.
      *
      * @param suivi reçoit le dessin quand il commence, puis quand son brouillon est fini
      */
