@@ -8,6 +8,7 @@ import lancer.commande.Options;
 import lancer.contrat.Toile;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Programme;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.texte.Flux;
@@ -53,8 +54,8 @@ public class Main implements Toile {
             } else if (options.sansFenetre()) {
                 return new SansFenetre(options, Main::dessiner, sortie, erreur).faire();
             } else {
-                Ouverture.ouvrir(options, (demande, suivi) -> dessiner(demande, suivi).rapporter(sortie, erreur), erreur,
-                        () -> System.exit(0));
+                Programme programme = (demande, suivi) -> dessiner(demande, suivi).rapporter(sortie, erreur);
+                Ouverture.ouvrir(options, programme, erreur, () -> System.exit(0));
             }
             return 0;
         } catch (RuntimeException | Error e) {
