@@ -12,8 +12,9 @@ import lancer.fils.Atelier;
 import lancer.fils.Fautes;
 
 /**
- * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). L'image est découpée en pavés que
- * plusieurs fils se partagent ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la fois.
+ * L'algorithme qui dessine l'image d'une scène (cours, « Algorithme général »). Un {@link Atelier} découpe l'image en
+ * pavés que se partagent des fils d'exécution ; elle ne dépend pas de leur nombre. Un lancer dessine une image à la
+ * fois.
  */
 public final class Lancer {
 
@@ -37,11 +38,10 @@ public final class Lancer {
     }
 
     /**
-     * La couleur, non limitée, du point (xe, ye) de l'écran ({@link Camera#getRayon}).
+     * La couleur, dont les composantes peuvent dépasser 1, du point (xe, ye) de l'écran ({@link Camera#getRayon}).
      *
      * @param profondeur nombre de réflexions permises
-     * @throws PixelFautif si le calcul échoue ou rend une couleur qui n'est pas finie, sauf si {@link Fautes} le
-     *     tolère
+     * @throws PixelFautif si le calcul échoue, sauf si {@link Fautes} le tolère
      * @throws CancellationException si le dessin est arrêté
      */
     public Couleur getCouleurPixel(double xe, double ye, int profondeur) {
@@ -50,7 +50,7 @@ public final class Lancer {
             Couleur couleur = scene.getCouleurVue(initial, null, profondeur);
             return atelier.verifier(couleur, xe, ye);
         } catch (RuntimeException | Error e) {
-            return atelier.noter(e, xe, ye);
+            return atelier.relever(e, xe, ye);
         }
     }
 
@@ -80,13 +80,17 @@ public final class Lancer {
         Tracer(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
     }
 
-    /** Dessine l'image selon cet échantillonnage, par des fils qui ont chacun leur lancer. */
+    /** Dessine l'image selon cet échantillonnage. Chaque fil a sa vue de la scène. */
     public void Tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
-        atelier.dessiner(echantillonnage,
-                () -> new Lancer(scene.avec(scene.getModele()), camera, atelier).getVue(profondeur), toile, fils);
+        atelier.dessiner(echantillonnage, () -> getVueDUnFil(profondeur), toile, fils);
     }
 
-    /** Dessine chaque pixel d'un pavé de la couleur de son centre : c'est la double boucle du cours. */
+    /**
+     * Dessine chaque pixel de la couleur de son centre : c'est la double boucle du cours, sur la partie voulue d'un
+     * pavé, et l'échantillonnage d'une scène sans anticrénelage.
+     *
+     * @return 0 : aucun pixel n'a plusieurs rayons
+     */
     public static int TracerPave(Pave pave, Pave voulus, Vue vue, Toile toile) {
         for (int ye = voulus.j0; ye < voulus.j1; ye++) {
             for (int xe = voulus.i0; xe < voulus.i1; xe++) {
@@ -112,17 +116,18 @@ public final class Lancer {
         return 0;
     }
 
-    /** Les points de l'écran que voit ce lancer. @param profondeur nombre de réflexions permises */
-    private Vue getVue(int profondeur) {
+    /** Les points de l'écran que voit un fil, par son propre lancer. */
+    private Vue getVueDUnFil(int profondeur) {
+        Lancer lancer = new Lancer(scene.pourUnFil(), camera, atelier);
         return new Vue() {
             @Override
             public Couleur couleur(double xe, double ye) {
-                return getCouleurPixel(xe, ye, profondeur);
+                return lancer.getCouleurPixel(xe, ye, profondeur);
             }
 
             @Override
             public Compteurs compteurs() {
-                return scene.getCompteurs();
+                return lancer.scene.getCompteurs();
             }
         };
     }

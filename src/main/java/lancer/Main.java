@@ -20,7 +20,7 @@ public class Main implements Toile {
     private Dessin dessin;
 
     /**
-     * Le programme qui dessine cette demande : un dessin abandonné ne touche pas au suivant.
+     * Le programme qui dessine cette demande. Chaque dessin a le sien : abandonné, il n'écrit pas dans l'image suivante.
      *
      * @param suivi reçoit le dessin quand il commence, puis quand son brouillon est fini
      */
@@ -39,9 +39,9 @@ public class Main implements Toile {
     }
 
     /**
-     * Exécute le programme sans arrêter la machine virtuelle.
+     * Exécute le programme. Seule la fermeture de la fenêtre arrête la machine virtuelle.
      *
-     * @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur}
+     * @return le statut de sortie : 1 si la machine a échoué, 2 si la demande est fausse, dit sur {@code erreur}
      */
     static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
         try {
@@ -68,7 +68,7 @@ public class Main implements Toile {
         return main.dessin;
     }
 
-    /** Prépare la scène, puis dessine l'image : c'est le travail du SwingWorker de la fenêtre. */
+    /** Prépare la scène, puis appelle {@link Lancer#TracerImage} : c'est le travail du SwingWorker de la fenêtre. */
     public void doTracerImage(int largeur, int hauteur) {
         dessin = new Dessin(demande.avecTaille(largeur, hauteur));
         suivi.accept(dessin);

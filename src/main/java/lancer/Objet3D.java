@@ -19,10 +19,10 @@ public abstract class Objet3D {
     public abstract double getIntersectionDistance(Rayon incident);
 
     /**
-     * Une sphère qui contient tout l'objet : un rayon qui ne la rencontre pas n'est pas soumis à l'objet. Elle ne sert
+     * Une sphère qui contient tout l'objet : un rayon qui ne la rencontre pas n'est pas comparé à l'objet. Elle ne sert
      * qu'à la vitesse.
      *
-     * @return {@code null}, la valeur par défaut, pour un objet sans borne : il est soumis à tous les rayons
+     * @return {@code null}, la valeur par défaut, pour un objet sans borne : tous les rayons lui sont comparés
      */
     public Sphere getEnveloppe() {
         return null;
@@ -32,7 +32,7 @@ public abstract class Objet3D {
     public abstract Vecteur getNormale(Point contact);
 
     /**
-     * Le point de la surface le plus proche d'un contact, écarté par un arrondi ; par défaut, le contact lui-même.
+     * Le point de la surface le plus proche d'un contact qu'un arrondi en a écarté ; par défaut, le contact lui-même.
      *
      * @param distance du contact au départ de son rayon
      */
@@ -46,7 +46,8 @@ public abstract class Objet3D {
     }
 
     /**
-     * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes, plus le reflet des objets.
+     * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes (celui de Phong, max(0, R·L)^ns,
+     * sauf si une variante le remplace), plus le reflet des objets, s'il peut encore se voir.
      *
      * @param contact le contact de {@code incident} avec cet objet
      * @param profondeur nombre de réflexions encore permises

@@ -40,11 +40,11 @@ public class Rayon {
     }
 
     /** Le rayon de direction {@code v}, qui est déjà de longueur 1. */
-    public static Rayon norme(Point p, Vecteur v) {
+    public static Rayon unitaire(Point p, Vecteur v) {
         return new Rayon(p, v, BLANC);
     }
 
-    /** Le rayon que renvoie {@code p}, de direction {@code r} déjà de longueur 1. @param produitKs des Ks, p compris */
+    /** Le rayon que renvoie {@code p}, de direction {@code r} déjà de longueur 1. @param produitKs jusqu'à celui de p */
     public static Rayon reflechi(Point p, Vecteur r, Couleur produitKs) {
         return new Rayon(p, r, produitKs);
     }

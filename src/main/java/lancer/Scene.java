@@ -13,7 +13,7 @@ import lancer.scene.SceneLue;
 
 /**
  * Les objets, les lampes, et ce qu'un rayon y rencontre (cours, « Scène de sphères »). Une scène appartient à un seul
- * fil d'exécution ; {@link #avec} en crée une autre sur les mêmes objets.
+ * fil d'exécution ; {@link #pourUnFil} en crée une autre sur les mêmes objets.
  */
 public final class Scene {
 
@@ -53,22 +53,27 @@ public final class Scene {
         recherche = new TousLesObjets(getObjets()).pourUnFil(compteurs);
     }
 
-    private Scene(Scene autre, Modele modele, Recherche recherche) {
-        objets = autre.objets;
-        lampes = autre.lampes;
-        cadrage = autre.cadrage;
+    private Scene(Scene scene, Modele modele, Recherche recherche) {
+        objets = scene.objets;
+        lampes = scene.lampes;
+        cadrage = scene.cadrage;
         this.modele = modele;
         this.recherche = recherche.pourUnFil(compteurs);
     }
 
-    /** La même scène pour un autre fil, avec ses propres compteurs, dessinée selon ce modèle. */
-    public Scene avec(Modele autre) {
-        return new Scene(this, autre, recherche);
+    /** La même scène pour un autre fil d'exécution, avec ses propres compteurs. */
+    public Scene pourUnFil() {
+        return new Scene(this, modele, recherche);
     }
 
-    /** La même scène pour un autre fil, avec ses propres compteurs, où cette recherche propose les objets. */
-    public Scene avec(Recherche autre) {
-        return new Scene(this, modele, autre);
+    /** La même scène, dessinée selon cet autre modèle. */
+    public Scene avec(Modele nouveau) {
+        return new Scene(this, nouveau, recherche);
+    }
+
+    /** La même scène, où cette autre recherche propose les objets. */
+    public Scene avec(Recherche nouvelle) {
+        return new Scene(this, modele, nouvelle);
     }
 
     /** La caméra que place la scène, ou celle du cours, pour une image de cette taille. */
@@ -97,18 +102,20 @@ public final class Scene {
                 if (d < distance) {
                     plusProche = objet;
                     distance = d;
+                    // un objet plus lointain n'est plus à proposer
                     recherche.limiter(distance);
                 }
             }
         }
+        // les objets ont pu être proposés dans un autre ordre que celui de la scène
         incident.setContact(recherche.aEgalite(plusProche), distance);
         return incident.calcContact();
     }
 
     /**
      * Dit si un objet autre que {@code objet} se trouve strictement entre la lampe et le contact (cours, « Ombres
-     * portées »). Le rayon d'ombre part de la lampe. Si elle est lointaine, un rayon part de chaque extrémité du
-     * segment et s'arrête au milieu : ainsi, les arrondis restent petits.
+     * portées »). Le rayon d'ombre part de la lampe. Si elle est lointaine, un rayon part de la lampe, un autre du
+     * contact, et chacun s'arrête à mi-chemin : ainsi, les arrondis restent petits.
      *
      * @param L direction de la lampe vue du contact, de longueur 1
      * @param distance du contact à la lampe
@@ -117,12 +124,12 @@ public final class Scene {
         if (!modele.aDesOmbres()) {
             return false;
         }
-        Rayon deLaLampe = Rayon.norme(lampe.getPosition(), L.neg());
+        Rayon deLaLampe = Rayon.unitaire(lampe.getPosition(), L.neg());
         if (!estLointaine(lampe, contact)) {
             return estArrete(deLaLampe, distance, objet);
         }
         return estArrete(deLaLampe, distance / 2, objet)
-                || estArrete(Rayon.norme(contact, L), distance / 2, objet);
+                || estArrete(Rayon.unitaire(contact, L), distance / 2, objet);
     }
 
     /** Dit si ce rayon d'ombre rencontre avant cette distance un objet autre que celui qu'il éclaire. */

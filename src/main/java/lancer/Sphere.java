@@ -49,8 +49,8 @@ public class Sphere extends Objet3D {
     }
 
     /**
-     * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C). Soit u l'arrondi unité :
-     * l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. L'écart de X = P + tV
+     * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C), où e = 1 − r/|X − C| est
+     * presque nul. Soit u = 2⁻⁵³ : l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. L'écart de X = P + tV
      * est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8) : si t est
      * inférieur à r, X est plus juste, et c'est lui qui est rendu. Le centre et un point qui n'est pas fini sont rendus
      * tels quels.
@@ -63,7 +63,7 @@ public class Sphere extends Objet3D {
         double carre = x * x + y * y + z * z;
         if (carre >= Norme.CARRE_MIN && carre <= Norme.CARRE_MAX) {
             double e = distance < rayon ? 0 : Norme.ecart(carre, rayon);
-            // choisir entre deux points les allouerait tous deux
+            // un seul point, même si e est nul : le compilateur ne l'alloue alors pas
             return new Point(contact.x - e * x, contact.y - e * y, contact.z - e * z);
         }
         double norme = new Vecteur(centre, contact).norme();

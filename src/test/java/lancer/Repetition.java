@@ -167,10 +167,19 @@ abstract class Repetition {
             return Stream.concat(boules.stream(), Stream.of(camera, scene, lancer));
         }
 
+        /** Les points et les vecteurs que les questions emploient, et qu'aucune ne change. */
+        String triplets() {
+            return Stream.of(p, q, u, w).map(Question::texte).collect(Collectors.joining(" ; "));
+        }
+
         /** D'autres objets : ceux d'un monde n'en savent rien. */
         Object autres() {
             Lampe rouge = new Lampe(p, new Couleur(1, 0, 0));
-            new Lancer(new Scene(Arrays.asList(new Sphere(q, 3)), Arrays.asList(rouge)), new Camera(64, 48));
+            Sphere verte = new Sphere(q, 3);
+            verte.setKd(new Couleur(0, 1, 0));
+            verte.setKs(new Couleur(0, 1, 0));
+            verte.setNs(3);
+            new Lancer(new Scene(Arrays.asList(verte), Arrays.asList(rouge)), new Camera(64, 48));
             return new Rayon(q, p);
         }
 
@@ -291,7 +300,15 @@ abstract class Repetition {
             if (ecoute != null) {
                 ecoute.ou = null;
             }
-            questions.forEach(q -> q.premiere = q.poser(mondes[0]));
+            for (Question question : questions) {
+                String triplets = mondes[0].triplets();
+                question.premiere = question.poser(mondes[0]);
+                if (!triplets.equals(mondes[0].triplets())) {
+                    dire(question, " : un vecteur ou un point qui sert au calcul en ressort changé ; attendu : un nouveau, et le "
+                            + "premier intact");
+                    return;
+                }
+            }
             affiche = ecoute == null ? null : ecoute.erreur();
             // d'autres vérifications le disent
             questions.removeIf(q -> q.premiere.startsWith(Question.ECHEC));
@@ -316,12 +333,15 @@ abstract class Repetition {
                 changees.sort(Comparator.comparing(q -> CLASSES.indexOf(q.classe)));
                 Question fautive = Stream.concat(changees.stream(), questions().stream())
                         .filter(q -> !apres.get(q.classe).equals(avant.get(q.classe))).findFirst().orElse(changees.get(0));
-                classe = fautive.classe;
-                methode = fautive.methode;
-                dit = classe.getSimpleName() + "." + methode.replace("<init>", "Rayon")
-                        + " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ"
-                        + noms(avant.get(classe), apres.get(classe));
+                dire(fautive, " : la réponse change d'un appel à l'autre" + quand + " : quelque chose est gardé dans un champ"
+                        + noms(avant.get(fautive.classe), apres.get(fautive.classe)));
             }
+        }
+
+        private void dire(Question fautive, String quoi) {
+            classe = fautive.classe;
+            methode = fautive.methode;
+            dit = classe.getSimpleName() + "." + methode.replace("<init>", "Rayon") + quoi;
         }
 
         /** Les champs dont le contenu change. */

@@ -68,10 +68,18 @@ public class Tests extends Valeurs {
         return vue(scene, rayon, sansReflet);
     }
 
-    /** Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. */
+    /**
+     * Ce que ces lampes ajoutent à la couleur que voit ce rayon : une couleur ambiante est la même sans elles. Qui divise
+     * par leur nombre n'en a pas sans elles.
+     */
     private Couleur apport(List<Lampe> lampes, Rayon rayon, Sphere... boules) {
-        Rayon encore = new Rayon(rayon.getP(), rayon.getV());
-        return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(vue(scene(null, boules), encore));
+        Couleur sans = vue(scene(null, boules), encore(rayon));
+        return vue(new Scene(Arrays.asList(boules), lampes), rayon).sub(Double.isNaN(sans.r) ? NOIR : sans);
+    }
+
+    /** Le même rayon, à qui rien n'a été demandé. */
+    private static Rayon encore(Rayon rayon) {
+        return new Rayon(rayon.getP(), rayon.getV());
     }
 
     /** Un rayon que rien ne distingue de celui-ci, aux arrondis près : il part un peu plus loin, et d'un rien à côté. */
@@ -123,11 +131,23 @@ public class Tests extends Valeurs {
                 }
             }
         }
+        if (!noirs.isEmpty() && eclaireeParUnObstacle(boule, lampe, noirs.get(0))) {
+            return "une boule est noire quand rien ne la cache, et éclairée quand une autre la cache : la condition de l'ombre "
+                    + "est à l'envers";
+        }
         // le rayon d'ombre en est la cause si, sans la boule, le même point est éclairé ; ou, pour qui veut toujours la
         // retrouver, si un point dont rien n'est arrondi est éclairé
         boolean ombre = !noirs.isEmpty() && (eclaireSansElle(seule, lampe, noirs.get(0)) || noirs.size() < points && sansArrondi());
         return ombre ? noirs.size() + " points noirs sur " + points
                 + ", tous face à la lampe : le rayon d'ombre retrouve la boule elle-même" : null;
+    }
+
+    /** Dit si ce que voit ce rayon, noir, s'éclaire quand une autre boule le cache à la lampe. */
+    private boolean eclaireeParUnObstacle(Sphere boule, Lampe lampe, Rayon rayon) {
+        PointContact contact = scene(null, boule).getClosestIntersection(rayon, null);
+        Point p = lampe.getPosition();
+        Sphere obstacle = new Sphere(new Point((contact.x + p.x) / 2, (contact.y + p.y) / 2, (contact.z + p.z) / 2), 1);
+        return !pres(vue(scene(null, boule, obstacle), encore(rayon)), vue(scene(lampe, boule, obstacle), encore(rayon)));
     }
 
     /** La première boule d'une scène, loin de tout : elle n'est pas celle qu'un rayon d'ombre doit ignorer. */
@@ -152,6 +172,40 @@ public class Tests extends Valeurs {
         Lampe lampe = lampe(0, 0, 3);
         Scene seule = scene(lampe, ailleurs(), boule(gris, NOIR, 1));
         return !pres(NOIR, vue(seule, devant())) && !eclaireSansElle(seule, lampe, devant());
+    }
+
+    /** Une boule loin de tout, qui retient les rayons à qui l'on demande s'ils la rencontrent. */
+    private static final class Temoin extends Sphere {
+
+        private final List<Rayon> rayons = new ArrayList<>();
+
+        Temoin(Point centre) {
+            super(centre, 1);
+        }
+
+        @Override
+        public double getIntersectionDistance(Rayon incident) {
+            rayons.add(incident);
+            return super.getIntersectionDistance(incident);
+        }
+    }
+
+    /** Les rayons que lance getColor, là où celui-ci rencontre cette boule. */
+    private List<Rayon> lances(List<Lampe> lampes, Rayon rayon, int profondeur, Sphere boule) {
+        double[] loin = lieu(-60, 0, 20);
+        Temoin temoin = new Temoin(new Point(loin[0], loin[1], loin[2]));
+        Scene scene = new Scene(Arrays.asList(boule, temoin), lampes);
+        PointContact contact = scene.getClosestIntersection(rayon, null);
+        temoin.rayons.clear();
+        if (contact != null) {
+            contact.objet.getColor(scene, rayon, contact, profondeur);
+        }
+        return temoin.rayons;
+    }
+
+    private static String vers(Rayon rayon) {
+        return "un rayon de " + texte(rayon.getP().x, rayon.getP().y, rayon.getP().z) + " dans la direction "
+                + texte(rayon.getV().x, rayon.getV().y, rayon.getV().z);
     }
 
     /** Abandonne le test tant que getClosestIntersection ne trouve rien, même parmi deux boules. */
@@ -394,6 +448,11 @@ public class Tests extends Valeurs {
         void lEcartALAxeCompte() {
             distance("rayon de " + point(0, r * s, 0) + " vers " + vers(0, 0, 1) + " : demi-corde " + nb(r * c) + ", donc "
                     + nb(D) + " - " + nb(r * c), D - r * c, sphere, rayon(0, r * s, 0, 0, 0, 1));
+            // d'un autre rayon que 1, et près du bord
+            double R = tirer(2, 1.7, 2.5);
+            double y = 0.9 * R;
+            distance("la même, de rayon " + nb(R) + ", vue de " + point(0, y, 0), D - sinus(0.9) * R, boule(0, 0, D, R),
+                    rayon(0, y, 0, 0, 0, 1));
         }
 
         @Test @Order(3) @Tag("Sphere") @DisplayName("sans intersection, la distance est +∞")
@@ -484,6 +543,11 @@ public class Tests extends Valeurs {
             plusProche("une seule boule", pres, scene(null, pres).getClosestIntersection(devant, null));
             plusProche(boules + "lointaine en premier", pres, scene(null, loin, pres).getClosestIntersection(devant, null));
             plusProche(boules + "proche en premier", pres, scene(null, pres, loin).getClosestIntersection(devant, null));
+            Sphere aCote = boule(0, 9, d + r, r);
+            plusProche("une boule que le rayon manque, puis une à " + nb(d), pres,
+                    scene(null, aCote, pres).getClosestIntersection(devant, null));
+            plusProche("une boule à " + nb(d) + ", puis une que le rayon manque", pres,
+                    scene(null, pres, aCote).getClosestIntersection(devant, null));
         }
 
         @Test @Order(4) @Tag("Scene")
@@ -686,6 +750,8 @@ public class Tests extends Valeurs {
             verifierApport("une lampe blanche à N.L = 1, une " + texte(couleurOrange) + " à N.L = " + nb(c) + ", Kd = "
                     + texte(gris), gris.add(gris.mul(couleurOrange).mul(c)),
                     Arrays.asList(lampe(0, 0, 3), deBiais(1, couleurOrange)), devant(), boule(gris, NOIR, 1));
+            verifierApport("une lampe derrière la boule, puis une droit devant : Kd = " + texte(gris), gris,
+                    Arrays.asList(lampe(0, 0, 9), lampe(0, 0, 3)), devant(), boule(gris, NOIR, 1));
         }
 
         @Test @Order(9) @Tag("Objet3D") @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
@@ -738,9 +804,12 @@ public class Tests extends Valeurs {
         /** Dit si Ks ou ns changent quoi que ce soit d'une boule éclairée. */
         private boolean matiereBrillante() {
             Lampe lampe = lampe(s, 0, 4 - c);
-            Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), devant());
-            return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
-                    .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), devant())));
+            // de face et de biais : R.V, au lieu de R.-V, n'est positif que vu de très près de la surface
+            return Stream.of(devant(), rayon(-4 * sr, 0, 4 - 4 * cr, sr, 0, cr)).anyMatch(r -> {
+                Couleur mate = vue(scene(lampe, boule(gris, NOIR, 1)), encore(r));
+                return Stream.of(boule(gris, BLANC, 1), boule(gris, gris, 50))
+                        .anyMatch(boule -> !pres(mate, vue(scene(lampe, boule), encore(r))));
+            });
         }
 
         private boolean refletRasant(int cote) {
@@ -836,6 +905,19 @@ public class Tests extends Valeurs {
 
         private Couleur eclairee;
         private Couleur eteinte;
+        /** Le rayon que lance getColor, s'il ne joint pas la lampe et le contact ; vide s'il les joint, ou s'il n'y en a pas. */
+        private String autreRayon;
+
+        /** Dit si ce rayon part de là, dans cette direction. */
+        private boolean va(Rayon r, double[] depart, double[] direction) {
+            double[] ecart = somme(depart, -1, new double[] {r.getP().x, r.getP().y, r.getP().z});
+            return produit(ecart, ecart) < 0.01 && produit(direction, new double[] {r.getV().x, r.getV().y, r.getV().z}) > 0.999;
+        }
+
+        /** Dit si ce rayon va de la lampe au contact, ou du contact à la lampe. */
+        private boolean joint(Rayon r) {
+            return va(r, lieu(s * D, 0, 4 - c * D), direction(-s, 0, c)) || va(r, lieu(0, 0, 4), direction(s, 0, -c));
+        }
 
         @BeforeEach
         void commencee() {
@@ -846,15 +928,21 @@ public class Tests extends Valeurs {
             }
             assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
                     "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            List<Rayon> lances = lances(Collections.singletonList(lampe), aCote(devant(), ou), sansReflet, boule);
+            // un reflet n'est pas d'une ombre
+            lances.removeIf(r -> va(r, lieu(0, 0, 4), direction(0, 0, -1)));
+            autreRayon = lances.isEmpty() || lances.stream().anyMatch(this::joint) ? ""
+                    : " ; getColor lance " + vers(lances.get(0)) + ", qui ne joint pas la lampe " + point(s * D, 0, 4 - c * D)
+                    + " et le contact " + point(0, 0, 4);
             assumeTrue(Stream.of(aMiChemin(), surLeChemin(0.8, 0), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
                     .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
-                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null,
+                    || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null || !lances.isEmpty(),
                     "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
         void unObstacleMetALOmbre() {
-            verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte", eteinte,
+            verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte" + autreRayon, eteinte,
                     couleur(lampe, boule, aMiChemin()));
         }
 
@@ -889,6 +977,8 @@ public class Tests extends Valeurs {
             Lampe autre = lampe(-s * D, 0, 4 - c * D);
             verifier("la première de deux lampes est cachée : il reste l'autre", couleur(autre, boule),
                     vue(new Scene(boules, Arrays.asList(lampe, autre)), aCote(devant(), ou)));
+            verifier("la seconde de deux lampes est cachée : il reste la première", couleur(autre, boule),
+                    vue(new Scene(boules, Arrays.asList(autre, lampe)), aCote(devant(), ou)));
         }
     }
 
@@ -911,16 +1001,21 @@ public class Tests extends Valeurs {
         void commencee() {
             couleurCommencee();
             try {
-                assumeTrue(!pres(NOIR, reflet(c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue(),
+                lances = lances(Collections.<Lampe>emptyList(), devant(), 1, miroir(NOIR, Ks));
+                assumeTrue(!pres(NOIR, reflet(NOIR, c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
+                        || !lances.isEmpty(),
                         "étape non commencée : pour l'instant, la profondeur ne change encore aucune couleur");
             } catch (StackOverflowError e) {
                 // commencée, et sans fin : la vérification le dira mieux
             }
         }
 
+        /** Ceux de la profondeur 1, devant un miroir et sans lampe. */
+        private List<Rayon> lances = Collections.emptyList();
+
         /** De normale (0, 0.6, -0.8), un miroir renvoie (0, 0, 1) dans la direction (0, 0.96, -0.28). */
-        private Sphere miroir(Couleur Ks) {
-            return boule(0, -sn, z + cn, 1, NOIR, Ks, 1e5);
+        private Sphere miroir(Couleur Kd, Couleur Ks) {
+            return boule(0, -sn, z + cn, 1, Kd, Ks, 1e5);
         }
 
         /** Le rayon réfléchi, parti un peu plus loin. */
@@ -929,39 +1024,43 @@ public class Tests extends Valeurs {
         }
 
         /** Ce que montre une boule parce que Ks n'est pas nul. */
-        private Couleur reflet(Predicate<Couleur> convient, List<Lampe> lampes, int profondeur, Sphere... autres) {
+        private Couleur reflet(Couleur Kd, Predicate<Couleur> convient, List<Lampe> lampes, int profondeur, Sphere... autres) {
             List<Sphere> avec = new ArrayList<>(Arrays.asList(autres));
             List<Sphere> sans = new ArrayList<>(Arrays.asList(autres));
-            avec.add(miroir(Ks));
-            sans.add(miroir(NOIR));
-            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), new Rayon(rayon.getP(), rayon.getV()), profondeur)
-                    .sub(vue(new Scene(sans, lampes), rayon, profondeur)));
+            avec.add(miroir(Kd, Ks));
+            sans.add(miroir(Kd, NOIR));
+            // sans Ks, à la profondeur qui ne montre rien : qui oublie Ks voit son reflet en entier
+            return aCote(devant(), convient, rayon -> vue(new Scene(avec, lampes), encore(rayon), profondeur)
+                    .sub(vue(new Scene(sans, lampes), rayon)));
         }
 
         private void verifierReflet(String demande, Couleur attendue, List<Lampe> lampes, int profondeur, Sphere... autres) {
-            verifier(demande, attendue, reflet(c -> pres(attendue, c), lampes, profondeur, autres));
+            verifier(demande, attendue, reflet(NOIR, c -> pres(attendue, c), lampes, profondeur, autres));
         }
 
         /** Dit si la profondeur change la couleur d'une boule, mate ou brillante, devant le ciel ou devant une autre. */
         private boolean profondeurVue() {
             Sphere autre = boule(0, ry * 5, z + rz * 5, 1, gris, gris, 1);
-            return Stream.of(miroir(BLANC), boule(0, -sn, z + cn, 1, gris, gris, 1), boule(0, -sn, z + cn, 1, gris, NOIR, 1))
+            return Stream.of(miroir(NOIR, BLANC), boule(0, -sn, z + cn, 1, gris, gris, 1), boule(0, -sn, z + cn, 1, gris, NOIR, 1))
                     .anyMatch(b -> Stream.of(scene(lampe, b), scene(lampe, b, autre), scene(null, b))
                     .anyMatch(scene -> !pres(vue(scene, devant()), vue(scene, devant(), 2))));
         }
 
         @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
-            verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz), Ks.mul(ciel),
+            verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz)
+                    + (lances.isEmpty() ? "" : " ; getColor lance " + vers(lances.get(0))), Ks.mul(ciel),
                     Collections.singletonList(lampe), 1);
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété ne dépend pas du nombre de lampes")
+        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété s'ajoute à l'éclairement, une fois quel que soit le nombre de lampes")
         void unRefletNeSAjouteQuUneFois() {
             verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
             int combien = entier(2, 2, 4);
             verifierReflet("avec " + (combien == 2 ? "deux" : "trois") + " lampes", Ks.mul(ciel), lampes.subList(0, combien), 1);
+            verifier("une boule mate et miroir, Kd = " + texte(gris) + ", moins la même où Ks est nul", Ks.mul(ciel),
+                    reflet(gris, c -> pres(Ks.mul(ciel), c), Collections.singletonList(lampe), 1));
         }
 
         @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
@@ -980,7 +1079,7 @@ public class Tests extends Valeurs {
             double D = tirer(5, 4.5, 6);
             Sphere mate = boule(0, ry * D, z + rz * D, tirer(1, 0.7, 1.2), teinte(0.25, 0.5, 0.75), NOIR, 1);
             Lampe derriere = orange(0, 0, tirer(8, 7.8, 9));
-            Scene scene = scene(derriere, miroir(Ks), mate);
+            Scene scene = scene(derriere, miroir(NOIR, Ks), mate);
             Couleur reflechie = aCote(reflechi(1), c -> !pres(NOIR, c), r -> vue(scene, r, 1));
             for (double t = 0.25; t < 2; t += 0.25) {
                 assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, aCote(reflechi(t), c -> pres(reflechie, c),

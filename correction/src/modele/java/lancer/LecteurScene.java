@@ -1,7 +1,10 @@
 package lancer;
 
-import java.io.File;
 import java.io.IOException;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.ini4j.Ini;
@@ -11,17 +14,25 @@ import org.ini4j.Profile;
 class LecteurScene {
 
     private final String fichier;
+    private final String texte;
     private final List<Objet3D> objets = new ArrayList<>();
     private final List<Lampe> lampes = new ArrayList<>();
     //<brume
     //+ private final Brume brume = new Brume(0);
     //>
 
-    /** @throws IllegalArgumentException si le fichier ne peut être lu, ou s'il y manque quelque chose */
+    /** @throws IllegalArgumentException si le fichier ne peut être lu, ou si une clé y manque ou s'y trouve deux fois */
     LecteurScene(String fichier) {
         this.fichier = fichier;
         try {
-            for (Profile.Section section : new Ini(new File(fichier)).values()) {
+            texte = new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8).replace("\uFEFF", "");
+            Ini ini = new Ini();
+            ini.getConfig().setMultiSection(true);
+            ini.load(new StringReader(texte));
+            for (Profile.Section section : ini.values()) {
+                if (ini.length(section.getName()) > 1) {
+                    throw refus(section, "", "un autre nom : celui-ci est déjà pris");
+                }
                 String nom = section.getName().toLowerCase();
                 if (nom.startsWith("sphere")) {
                     objets.add(sphere(section));
@@ -75,16 +86,33 @@ class LecteurScene {
     }
 
     private double[] reels(Profile.Section section, String cle, int nombre) {
-        String[] mots = section.get(cle) == null ? new String[0] : section.get(cle).trim().split("\\s+");
+        String attendu = nombre == 1 ? "un nombre" : nombre + " nombres séparés par des blancs";
+        if (section.length(cle) != 1) {
+            throw refus(section, cle, attendu + ", une fois");
+        }
+        String[] mots = section.get(cle).trim().split("\\s+");
         double[] reels = new double[nombre];
         try {
             for (int k = 0; k < nombre; k++) {
                 reels[k] = Double.parseDouble(mots[k]);
             }
         } catch (ArrayIndexOutOfBoundsException | NumberFormatException e) {
-            throw new IllegalArgumentException(fichier + ", [" + section.getName() + "], " + cle + " : attendu, "
-                    + "" + nombre + " nombre(s)", e);
+            throw refus(section, cle, attendu + ", avec un point décimal ; obtenu, « " + section.get(cle) + " »");
         }
         return reels;
+    }
+
+    /** Le refus d'une clé de cette section, ou de la section si elle n'y est pas : où elle est, et ce qui est attendu. */
+    private IllegalArgumentException refus(Profile.Section section, String cle, String attendu) {
+        int ligne = 0;
+        int numero = 0;
+        boolean dedans = false;
+        for (String nue : texte.split("\\R")) {
+            numero++;
+            dedans = nue.trim().startsWith("[") ? nue.trim().equals("[" + section.getName() + "]") : dedans;
+            ligne = dedans && (nue.trim().startsWith("[") || nue.split("[=:]")[0].trim().equals(cle)) ? numero : ligne;
+        }
+        return new IllegalArgumentException(fichier + ":" + ligne + ", [" + section.getName() + "]"
+                + (cle.isEmpty() ? "" : ", " + cle) + " : attendu, " + attendu);
     }
 }

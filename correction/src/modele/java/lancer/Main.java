@@ -1,8 +1,11 @@
 package lancer;
 
+import java.awt.AWTError;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Graphics;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -42,7 +45,18 @@ public class Main implements Toile {
             main.doTracerImage(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE);
             ImageIO.write(main.image, "png", new File(args[1]));
         } else {
+            exigerUnEcran();
             SwingUtilities.invokeLater(main::ouvrirFenetre);
+        }
+    }
+
+    private static void exigerUnEcran() {
+        try {
+            GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
+        } catch (HeadlessException | AWTError e) {
+            System.err.println("Pas d'écran ici. Un second argument, image.png par exemple, dit où écrire l'image, "
+                    + "sans ouvrir de fenêtre.");
+            System.exit(1);
         }
     }
 

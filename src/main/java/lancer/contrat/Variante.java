@@ -37,4 +37,9 @@ public interface Variante {
     default Map<Section, Double> getSectionsProposees(Section sienne) {
         return Collections.emptyMap();
     }
+
+    /** Le nom court d'une section proposée, différent de celui des autres, par exemple {@code partage 16/0.03}. */
+    default String getNomCourt(Section proposee) {
+        return proposee.toString();
+    }
 }

@@ -88,7 +88,7 @@ public final class Demande {
 
     /** La scène, ainsi réglée. Chaque appel en rend une nouvelle, à préparer. */
     public Scene getScene() {
-        return scene.avec(scene.getModele());
+        return scene.pourUnFil();
     }
 
     /** La commande qui demande la même chose. @param avant les options à écrire d'abord, chacune après un blanc */

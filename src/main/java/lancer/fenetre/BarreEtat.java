@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
+import lancer.dessin.Dessin;
 import lancer.image.ImageMemoire;
 
 /** Le bas de la fenêtre : l'avancement du dessin, le pixel sous la souris, un résumé de l'image. */
@@ -58,8 +59,14 @@ final class BarreEtat extends JPanel {
         }
     }
 
-    /** La taille de l'image. @param reduction rapport de sa taille à l'écran à sa taille réelle */
-    static String resume(ImageMemoire image, double reduction) {
+    /** La taille de l'image, son coût, ses réglages, ses fautes. @param reduction rapport à sa taille réelle */
+    static String resume(Dessin dessin, double reduction) {
+        String fautes = dessin.lancer.getAtelier().getFautes().enMots();
+        return resume(dessin.image, reduction) + ", " + dessin.getCout() + ", " + dessin.demande.reglages
+                + (fautes == null ? "" : ", " + fautes);
+    }
+
+    private static String resume(ImageMemoire image, double reduction) {
         String taille = (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
                 + " pixels";
         if (reduction < 1) {

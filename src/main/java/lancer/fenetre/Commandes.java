@@ -22,6 +22,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import lancer.commande.Etape;
 import lancer.commande.Option;
+import lancer.commande.Reglages;
 import lancer.texte.Texte;
 
 /** Les commandes de la fenêtre, dans ses menus ou seulement au clavier. Aucune touche n'est un chiffre. */
@@ -41,7 +42,7 @@ final class Commandes {
     Commandes(Fenetre fenetre) {
         f = fenetre;
         c = fenetre.controleur;
-        scene = () -> c.demande != null;
+        scene = () -> c.getEtat().demande != null;
         pixel = () -> f.pixel() != null;
         JMenuBar barre = new JMenuBar();
         barre.add(fichier());
@@ -53,7 +54,7 @@ final class Commandes {
         aide.setMnemonic(KeyEvent.VK_I);
         f.cadre.setJMenuBar(barre);
         auClavier();
-        c.prevenir(() -> toutes.forEach(Commande::ajuster));
+        c.prevenir(etat -> toutes.forEach(Commande::ajuster));
     }
 
     private Commande commande(String nom, String touche, BooleanSupplier possible, Runnable effet) {
@@ -65,20 +66,20 @@ final class Commandes {
     private JMenu fichier() {
         return menu("Fichier",
                 commande("Ouvrir une scène…", "ctrl O", toujours, f::choisirScene),
-                commande("Relire la scène et redessiner", "F5", () -> c.fichier != null, c::relire),
-                commande("Écrire dans la scène", "ctrl E", f.prise::estDeplace, f.prise::ecrire),
+                commande("Relire la scène et redessiner", "F5", () -> c.getEtat().source.fichier != null, c::relire),
+                commande("Écrire dans la scène", "ctrl E", () -> c.getEtat().estDeplace(),
+                        () -> f.enregistrement.ecrireLaScene(() -> { })),
                 commande("Enregistrer l'image…", "ctrl S", scene, f.enregistrement::enregistrer),
                 commande("Copier l'image", "ctrl C", scene, f.enregistrement::copier),
                 commande("Copier les réglages", "ctrl shift C", scene, f.enregistrement::copierReglages),
                 commande("Copier le récit du pixel", "ctrl T", pixel, () -> f.pixel().copier()),
-                commande("Copier le message", null, f.panneau.bandeau::isVisible, f.panneau.bandeau::copier),
-                commande("Quitter", "ctrl Q", toujours, f::fermer));
+                commande("Quitter", "ctrl Q", toujours, f::quitter));
     }
 
     private JMenu affichage() {
         JMenu menu = menu("Affichage",
                 commande("Réglages", "F2", scene, () -> f.onglets.montrer(1).transferFocus()),
-                commande("Vitesse ou précision", "F3", scene, () -> f.onglets.montrer(2).transferFocus()),
+                commande("Vitesse ou précision", "F3", scene, f::mesurer),
                 commande("Remplir la fenêtre", "ctrl R", toujours, f::remplir).cochee(() -> f.remplie),
                 commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
                 commande("Loupe, plus loin", "ctrl DOWN", scene, () -> f.panneau.approcher(false)));
@@ -86,17 +87,15 @@ final class Commandes {
         Stream.concat(Stream.of("image"), Option.VUE.valeurs.stream()).forEach(nom -> {
             String vue = nom.equals("image") ? null : nom;
             ajouter(menu, commande("Vue : " + nom, null, scene, () -> c.voir(vue))
-                    .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.demande.vue)));
+                    .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.getEtat().demande.vue)));
         });
         return menu;
     }
 
     private JMenu dessin() {
         return menu("Dessin",
-                commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE",
-                        () -> c.enCours || f.onglets.estOuvert(), f::echapper),
-                commande("Défaire le déplacement", "ctrl Z", f.prise::peutDefaire, f.prise::defaire),
-                commande("Revenir aux réglages du fichier", null, scene, c::revenir));
+                commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", f::peutEchapper, f::echapper),
+                commande("Défaire le déplacement", "ctrl Z", () -> !c.getEtat().deplaces.avant.isEmpty(), c::defaire));
     }
 
     /** Les commandes sans article : celles de l'image demandent qu'elle ait le clavier. */
@@ -104,13 +103,13 @@ final class Commandes {
         JComponent cadre = f.cadre.getRootPane();
         for (Etape etape : Etape.values()) {
             lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW, commande("Étape du cours : Lambert, Phong, ombres, reflets",
-                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(c.demande.reglages.avec(Option.ETAPE, etape))));
+                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(reglages().avec(Option.ETAPE, etape))));
         }
         reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
         reflexions("Moins de réflexions", '-', REFLEXIONS::lower);
         surLImage("Les rayons du pixel sous la souris, ou au milieu", "ENTER", scene, f::inspecter);
         surLImage("Tout le détail du pixel, ou l'essentiel", "typed d", pixel, () -> f.pixel().deplier());
-        surLImage("Tenue, l'image d'avant", "SPACE", () -> c.avant != null, () -> f.tenir(true));
+        surLImage("Tenue, l'image d'avant", "SPACE", () -> c.getEtat().montre.avant != null, () -> f.tenir(true));
         surLImage(null, "released SPACE", toujours, () -> f.tenir(false));
         for (int pas : new int[] {1, 10}) {
             String nom = pas == 1 ? "Le pixel voisin" : "Dix pixels plus loin";
@@ -122,13 +121,18 @@ final class Commandes {
         }
     }
 
+    private Reglages reglages() {
+        return c.getEtat().demande.reglages;
+    }
+
     /** Cette touche, frappée avec ou sans Maj : les claviers diffèrent. */
     private void reflexions(String nom, char touche, UnaryOperator<Integer> autre) {
+        // une étape sans reflets n'a pas de réflexions à compter
+        BooleanSupplier possible = () -> scene.getAsBoolean() && reglages().get(Option.ETAPE) == Etape.REFLETS
+                && autre.apply(reglages().get(Option.REFLETS)) != null;
         for (String avec : new String[] {"", "shift "}) {
             lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, commande(nom, avec + "typed " + touche,
-                    () -> scene.getAsBoolean() && autre.apply(c.demande.reglages.get(Option.REFLETS)) != null,
-                    () -> c.regler(c.demande.reglages.avec(Option.REFLETS,
-                            autre.apply(c.demande.reglages.get(Option.REFLETS))))));
+                    possible, () -> c.regler(reglages().avec(Option.REFLETS, autre.apply(reglages().get(Option.REFLETS))))));
         }
     }
 
@@ -136,7 +140,7 @@ final class Commandes {
         lier(f.panneau, JComponent.WHEN_FOCUSED, commande(nom, touche, possible, effet));
     }
 
-    private static void lier(JComponent composant, int quand, Commande commande) {
+    static void lier(JComponent composant, int quand, Commande commande) {
         composant.getInputMap(quand).put(commande.getTouche(), commande);
         composant.getActionMap().put(commande, commande);
     }
@@ -147,7 +151,8 @@ final class Commandes {
                 .forEach(commande -> touches.merge(commande.getNom(), commande.direTouche(),
                         (une, autre) -> une.equals(autre) ? une : une + ", " + autre));
         touches.put("Tirer une sphère, ou l'étoile d'une lampe", "Maj et la souris");
-        touches.put("Oublient aussi ce qui a été tiré sans être écrit", "F5 et Ctrl+Q");
+        touches.put("Oublie aussi ce qui a été tiré sans être écrit", "F5");
+        touches.put("Dans Vitesse, un réglage, puis son image", "Gauche, Droite, Entrée");
         Dialogues.direTouches(f.cadre, touches.entrySet().stream()
                 .map(e -> "<tr><td>" + e.getValue() + "&nbsp;<td>" + e.getKey()).collect(Collectors.joining()));
     }
@@ -165,12 +170,13 @@ final class Commandes {
     }
 
     private JMenuItem article(File scene) {
+        String fichier = c.getEtat().source.fichier;
         JMenuItem article = new JRadioButtonMenuItem("",
-                c.fichier != null && scene.getName().equals(new File(c.fichier).getName()));
+                fichier != null && scene.getName().equals(new File(fichier).getName()));
         // un nom de fichier qui commence par <html> doit être affiché tel quel
         article.putClientProperty("html.disable", true);
         article.setText(Texte.echappe(scene.getName()));
-        article.addActionListener(e -> c.ouvrir(scene.getPath()));
+        article.addActionListener(e -> f.ouvrir(scene.getPath()));
         return article;
     }
 
@@ -180,7 +186,7 @@ final class Commandes {
         menu.addChangeListener(e -> {
             if (menu.isSelected()) {
                 menu.removeAll();
-                File[] scenes = Dialogues.dossierDesScenes(c.fichier)
+                File[] scenes = Dialogues.dossierDesScenes(c.getEtat().source.fichier)
                         .listFiles(scene -> Texte.minuscules(scene.getName()).endsWith(".ini"));
                 Arrays.stream(scenes == null ? new File[0] : scenes).sorted().limit(SCENES_MAX)
                         .forEach(scene -> menu.add(article(scene)));

@@ -2,10 +2,10 @@ package lancer.fenetre;
 
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.io.File;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
-import java.util.function.Predicate;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
@@ -13,43 +13,26 @@ import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
-import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
-import lancer.fenetre.Bandeau.Sujet;
-import lancer.image.ImageMemoire;
+import lancer.fenetre.Etat.Deplaces;
+import lancer.fenetre.Etat.Montre;
+import lancer.fenetre.Etat.Source;
 import lancer.scene.SceneLue;
 import lancer.scene.Surveillance;
 
 /**
- * L'état de la fenêtre, et la suite de ses dessins. Tout y est appelé dans le fil des événements ; {@link Travail}
- * calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
+ * La suite des états de la fenêtre, et celle de ses dessins. Tout y est appelé dans le fil des événements ;
+ * {@link Travail} calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
 final class Controleur implements Travail.Suite {
 
-    /** La plus grande image « avant » gardée, en pixels. */
-    private static final int PIXELS_GARDES = 16_000_000;
-
+    final PanneauImage panneau;
     private final Programme programme;
     private final Options options;
-    final PanneauImage panneau;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
-    private final List<Runnable> prevenus = new ArrayList<>();
-
-    /** Le fichier de la scène demandée en dernier, même fautive : celui du titre, de F5 et de la surveillance. */
-    String fichier;
-    /** Ce qui est demandé de la scène montrée ; {@code null} avant la première. */
-    Demande demande;
-    /** Le dernier travail commencé, et vrai tant qu'il n'est pas fini. */
-    Travail travail;
-    boolean enCours;
-    /** Le dessin dont l'image ou le brouillon est montré, ou {@code null}, et vrai si cette image est achevée. */
-    Dessin montre;
-    boolean entiere;
-    /** Le dessin achevé avant le dernier changement ; {@code null} s'il n'y en a pas, ou s'il est trop grand. */
-    Dessin avant;
-    /** Reçoit chaque scène lue, et dit si ce qui était déplacé sans être écrit est perdu. */
-    Predicate<SceneLue> oubli = lue -> false;
+    private final List<Consumer<Etat>> prevenus = new ArrayList<>();
+    private Etat etat = new Etat();
 
     /** @param taille donne la taille de l'image à dessiner */
     Controleur(Programme programme, Options options, PanneauImage panneau, Supplier<Dimension> taille) {
@@ -57,21 +40,27 @@ final class Controleur implements Travail.Suite {
         this.options = options;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance(() -> EventQueue.invokeLater(this::relire));
+        surveillance = new Surveillance((fichier, version) ->
+                EventQueue.invokeLater(() -> observer(fichier, version)));
     }
 
-    /** Appelle {@code siChange} quand l'état de la fenêtre change. */
-    void prevenir(Runnable siChange) {
+    Etat getEtat() {
+        return etat;
+    }
+
+    /** Donne à {@code siChange} chaque état que publie la fenêtre. */
+    void prevenir(Consumer<Etat> siChange) {
         prevenus.add(siChange);
     }
 
-    void avertir() {
-        prevenus.forEach(Runnable::run);
+    /** Publie cet état, le même que le précédent si un panneau seul a changé. */
+    private void publier(Etat nouveau) {
+        etat = nouveau;
+        prevenus.forEach(prevenu -> prevenu.accept(nouveau));
     }
 
-    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
-    ImageMemoire getImageEntiere() {
-        return entiere ? montre.image : null;
+    void avertir() {
+        publier(etat);
     }
 
     /** Nombre de fils d'un dessin. */
@@ -81,194 +70,225 @@ final class Controleur implements Travail.Suite {
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
     void ouvrir(Travail premier) {
-        fichier = premier.demande.lue.nom;
-        surveillance.suivre(fichier, premier.version);
-        adopter(premier.demande);
-        commencer(premier);
+        Source lue = new Source(premier.demande.lue.nom, premier.version, null);
+        surveillance.suivre(lue.fichier);
+        publier(commencer(adopter(etat.avec(lue), premier.demande), premier));
     }
 
     /** Lit cette scène et la dessine ; le dessin en cours est abandonné. */
-    void ouvrir(String scene) {
-        retenir();
-        fichier = scene;
-        commencer(new Travail(programme, options, scene, demande));
+    void ouvrir(String fichier) {
+        surveillance.suivre(fichier);
+        lire(etat.avec(new Source(fichier, null, null)));
     }
 
     void relire() {
-        ouvrir(fichier);
+        lire(etat);
+    }
+
+    /** Lit le fichier demandé ; ce qui en était dit le reste jusqu'à la fin de la lecture. */
+    private void lire(Etat celui) {
+        Source inconnue = new Source(celui.source.fichier, null, celui.source.faute);
+        publier(commencer(celui.avec(inconnue).avec(celui.montre.retenu()),
+                new Travail(programme, options, celui.source.fichier, celui.demande)));
+    }
+
+    /** Le fichier de ce nom est à cette version. Celle que cette fenêtre a lue ou écrite ne lui apprend rien. */
+    private void observer(String fichier, String version) {
+        String connue = etat.getVersion();
+        if (!fichier.equals(etat.source.fichier) || connue == null || connue.equals(version)) {
+            return;
+        }
+        if (etat.connait(version) && etat.source.version != null) {
+            // le fichier est revenu tel qu'il était
+            publier(etat.avec(new Source(fichier, version, null)));
+        } else {
+            relire();
+        }
     }
 
     /** Dessine la scène avec ces réglages ; s'ils sont impossibles, un avis le dit. */
     void regler(Reglages voulus) {
-        if (voulus.equals(demande.reglages)) {
-            return;
+        if (!voulus.equals(etat.demande.reglages)) {
+            try {
+                changer(etat.demande.avecReglages(voulus));
+            } catch (SceneFautive e) {
+                panneau.bandeau.dire(e.getMessage());
+                avertir();
+            }
         }
-        try {
-            Demande reglee = demande.avecReglages(voulus);
-            retenir();
-            demander(reglee);
-        } catch (SceneFautive e) {
-            panneau.bandeau.dire(Sujet.AVIS, e.getMessage());
-            avertir();
-        }
-    }
-
-    /** Revient aux réglages de la ligne de commande et du fichier. */
-    void revenir() {
-        regler(new Demande(demande.lue, options).reglages);
     }
 
     /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
-        demander(demande.avecVue(vue));
+        demander(etat, etat.demande.avecVue(vue));
     }
 
-    /** Dessine la scène lue, avec ces déplacements. */
+    /** Dessine la scène avec ces déplacements, que le fichier ne contient pas. */
     void deplacer(SceneLue deplacee) {
-        retenir();
-        demander(demande.avecLecture(deplacee));
+        changer(etat.demande.avecLecture(deplacee));
+    }
+
+    /** Un déplacement est fini, et peut être défait. @param debut la scène d'avant */
+    void retenir(SceneLue debut) {
+        publier(etat.avec(etat.deplaces.apres(debut)));
+    }
+
+    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
+    void defaire() {
+        List<SceneLue> avant = etat.deplaces.avant;
+        panneau.bandeau.dire("");
+        etat = etat.avec(etat.deplaces.sansLeDernier());
+        deplacer(avant.get(avant.size() - 1));
+    }
+
+    void commencerLEcriture() {
+        publier(etat.avec(etat.deplaces.enEcriture(true)));
+    }
+
+    /** Ce fichier, qui contenait la scène {@code avant}, contient désormais celle-ci : rien n'y est à relire. */
+    void finirLEcriture(String fichier, SceneLue avant, SceneLue ecrite) {
+        // une autre scène a pu être lue depuis
+        if (etat.deplaces.ecrite == avant) {
+            Etat fini = etat.avec(new Deplaces(ecrite, etat.deplaces.avant, false));
+            publier(etat.montreUneAutre() ? fini : fini.avec(new Source(fichier, ecrite.getVersion(), null)));
+        }
+    }
+
+    /** Les déplacements n'ont pu être écrits dans ce fichier. */
+    void echouerALEcrire(String fichier, String faute) {
+        Etat echoue = etat.avec(etat.deplaces.enEcriture(false));
+        if (fichier.equals(etat.source.fichier)) {
+            publier(echoue.avec(new Source(fichier, etat.source.version, faute)));
+        } else {
+            publier(echoue);
+            panneau.bandeau.dire(faute);
+        }
     }
 
     /** Suit la taille que la fenêtre donne à l'image. */
     void ajuster() {
-        if (demande != null && !taille.get().equals(new Dimension(demande.largeur, demande.hauteur))) {
-            demander(demande);
+        if (etat.demande != null && !estALaTaille(etat.demande)) {
+            demander(etat, etat.demande);
         }
     }
 
+    private boolean estALaTaille(Demande demande) {
+        return taille.get().equals(new Dimension(demande.largeur, demande.hauteur));
+    }
+
     void arreter() {
-        if (enCours) {
-            travail.cancel(true);
+        if (etat.enCours) {
+            etat.travail.cancel(true);
         }
     }
 
     void terminer() {
         arreter();
         // ce que ce travail a publié n'est plus attendu
-        travail = null;
-        enCours = false;
+        etat = etat.avec(null, false);
         surveillance.terminer();
     }
 
-    /** L'image achevée devient celle d'avant, sauf si elle est trop grande ou si c'est une vue. */
-    private void retenir() {
-        ImageMemoire image = getImageEntiere();
-        if (image != null && image.sens.equals(ImageMemoire.COULEUR)) {
-            avant = image.codes.length <= PIXELS_GARDES ? montre : null;
-        }
+    /** Demande ce dessin ; l'image d'à présent devient celle d'avant. */
+    private void changer(Demande voulue) {
+        demander(etat.avec(etat.montre.retenu()), voulue);
     }
 
     /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */
-    private void demander(Demande voulue) {
-        demande = voulue.avecTaille(taille.get().width, taille.get().height);
-        if (!enCours) {
-            dessiner();
-        } else if (travail.aSonBrouillon()) {
-            montrer(travail);
+    private void demander(Etat celui, Demande voulue) {
+        Dimension place = taille.get();
+        Etat demande = celui.avec(estALaTaille(voulue) ? voulue : voulue.avecTaille(place.width, place.height));
+        if (!demande.enCours) {
+            publier(dessiner(demande));
+        } else {
+            publier(demande.travail.aSonBrouillon() ? suivre(demande) : demande);
         }
-        avertir();
     }
 
     /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
-    private void dessiner() {
-        if (enCours ? !demande.equals(travail.demande) : !entiere || !demande.equals(montre.demande)) {
-            commencer(new Travail(programme, demande));
-        }
+    private Etat dessiner(Etat celui) {
+        Montre montre = celui.montre;
+        boolean commence = celui.enCours ? celui.demande.equals(celui.travail.demande)
+                : montre.entier && celui.demande.equals(montre.dessin.demande);
+        return commence ? celui : commencer(celui, new Travail(programme, celui.demande));
     }
 
-    private void commencer(Travail nouveau) {
-        arreter();
-        travail = nouveau;
-        enCours = true;
+    private Etat commencer(Etat celui, Travail nouveau) {
+        Etat abandonne = etat;
+        // le travail abandonné finit aussitôt : il n'est déjà plus celui de l'état
+        etat = celui.avec(nouveau, true);
+        if (abandonne.enCours) {
+            abandonne.travail.cancel(true);
+        }
         nouveau.suite = this;
         nouveau.execute();
-        avertir();
+        return etat;
     }
 
     @Override
     public void lue(Travail celui) {
-        if (celui == travail) {
-            surveillance.suivre(fichier, celui.version);
-            panneau.bandeau.dire(Sujet.SCENE, "");
+        if (celui == etat.travail) {
+            publier(etat.avec(new Source(etat.source.fichier, celui.version, null)));
         }
     }
 
     @Override
     public void montrer(Travail celui) {
-        if (celui != travail || celui.isCancelled() && montre != null) {
-            return;
-        }
-        // sans image, un brouillon se montre dès son début
-        if (montre != celui.dessin && (montre == null || celui.aSonBrouillon())) {
-            if (celui.aLire != null) {
-                adopter(celui.demande);
-            }
-            montre = celui.dessin;
-            entiere = false;
-            panneau.montree = montre.image;
-            avertir();
-        }
-        if (celui.aSonBrouillon() && !celui.isCancelled()) {
-            dessiner();
+        Etat avant = etat;
+        Etat suivi = celui != etat.travail || celui.isCancelled() && etat.montre.dessin != null ? etat : suivre(etat);
+        if (suivi != avant) {
+            publier(suivi);
         }
     }
 
+    /** Montre le dessin du travail en cours, puis commence celui qui a été demandé depuis. */
+    private Etat suivre(Etat celui) {
+        Travail travail = celui.travail;
+        Etat suivant = celui;
+        Montre montre = celui.montre;
+        // sans image, un brouillon se montre dès son début
+        if (montre.dessin != travail.dessin && (montre.dessin == null || travail.aSonBrouillon())) {
+            suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
+                    .avec(new Montre(travail.dessin, false, montre.avant));
+        }
+        return travail.aSonBrouillon() && !travail.isCancelled() ? dessiner(suivant) : suivant;
+    }
+
     /** La scène montrée est désormais celle qui vient d'être lue. */
-    private void adopter(Demande lue) {
-        demande = demande == null ? lue : demande.avecLecture(lue.lue);
+    private Etat adopter(Etat celui, Demande lue) {
         List<String> avis = new ArrayList<>(lue.lue.avertissements);
-        if (oubli.test(lue.lue)) {
-            avis.add("scène relue : ce qui était déplacé sans être écrit est revenu à sa place");
+        if (celui.estDeplace() && !celui.deplaces.enEcriture) {
+            avis.add("ce qui était déplacé dans " + celui.getNom() + " sans être écrit est oublié");
         }
-        panneau.bandeau.dire(Sujet.DESSIN, "");
         if (!avis.isEmpty()) {
-            panneau.bandeau.dire(Sujet.AVIS, String.join("\n", avis));
+            panneau.bandeau.dire(String.join("\n", avis));
         }
+        return celui.avec(new Source(celui.source.fichier, celui.source.version, null))
+                .avec(new Deplaces(lue.lue, Collections.emptyList(), false))
+                .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lue));
     }
 
     @Override
     public void finir(Travail celui) {
-        if (celui != travail) {
+        if (celui != etat.travail) {
             return;
         }
-        enCours = false;
-        if (!celui.lue) {
-            surveillance.suivre(fichier, celui.version);
-        }
-        Dessin dessin = celui.dessin;
+        Etat fini = etat.avec(celui, false);
         Throwable echec = celui.getEchec();
-        String fautes = dessin == null ? null : dessin.lancer.getAtelier().getFautes().enMots();
+        if (!celui.lue) {
+            fini = fini.avec(new Source(fini.source.fichier, celui.version,
+                    echec == null ? null : Messages.message(echec)));
+        }
         if (celui.estAcheve()) {
-            entiere = true;
-            if (dessin.getEcart() != null) {
-                panneau.bandeau.dire(Sujet.AVIS, dessin.getEcart());
+            fini = fini.avec(new Montre(celui.dessin, true, fini.montre.avant));
+            if (celui.dessin.getEcart() != null) {
+                panneau.bandeau.dire(celui.dessin.getEcart());
             }
         }
-        if (echec instanceof SceneFautive && !celui.lue) {
-            boolean autre = demande != null && !demande.lue.nom.equals(fichier);
-            panneau.bandeau.dire(Sujet.SCENE, Messages.message(echec) + (autre ? "\nl'image qui reste est celle de "
-                    + new File(demande.lue.nom).getName() : ""));
-        } else if (fautes != null && !(echec instanceof Error)) {
-            panneau.bandeau.dire(Sujet.DESSIN, fautes + " ; le premier : "
-                    + dessin.demande.nommer(dessin.lancer.getAtelier().getFautes().getPremiere()).getMessage());
-        } else if (echec != null || celui.estAcheve()) {
-            panneau.bandeau.dire(Sujet.DESSIN, echec == null ? "" : Messages.message(echec));
-        }
-        if (echec != null && demande != null && (!celui.lue || !demande.equals(celui.demande))) {
+        if (echec != null && fini.demande != null && (!celui.lue || !fini.demande.equals(celui.demande))) {
             // la lecture a interrompu le dessin d'avant, ou autre chose a été demandé avant cet échec
-            dessiner();
+            fini = dessiner(fini);
         }
-        avertir();
-    }
-
-    /** Le coût d'un dessin achevé, ses réglages, ses fautes. */
-    static String decrire(Dessin dessin) {
-        String fautes = dessin.lancer.getAtelier().getFautes().enMots();
-        return dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
-    }
-
-    /** Phrase qui donne le nombre de pixels fautifs de l'image montrée ; {@code null} s'il n'y en a pas. */
-    String direFautes() {
-        return montre == null ? null : montre.lancer.getAtelier().getFautes().enMots();
+        publier(fini);
     }
 }

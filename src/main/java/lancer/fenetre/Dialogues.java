@@ -1,13 +1,17 @@
 package lancer.fenetre;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.io.File;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import lancer.texte.Texte;
@@ -15,7 +19,13 @@ import lancer.texte.Texte;
 /** Les dialogues, en français quelle que soit la langue de Java. */
 final class Dialogues {
 
+    /** Ce qu'un dialogue ajoute à la table des touches : une barre, son cadre, un bouton. */
+    private static final int MARGE_H = 30;
+    private static final int MARGE_V = 120;
     private static final String TITRE_IMAGE = "Enregistrer l'image";
+
+    /** Ce que l'on fait d'un déplacement qui n'est pas écrit. */
+    enum Reponse { ECRIRE, OUBLIER, RESTER }
 
     /** Vrai pendant le choix d'un fichier : une touche répétée ne doit pas en ouvrir un deuxième. */
     private static boolean ouvert;
@@ -31,7 +41,18 @@ final class Dialogues {
     static void direTouches(Component parent, String lignes) {
         JLabel table = new JLabel("<html><table cellspacing=2 cellpadding=0>" + lignes);
         table.setName("table");
-        JOptionPane.showMessageDialog(parent, table, "Touches", JOptionPane.PLAIN_MESSAGE);
+        JScrollPane deroulant = new JScrollPane(table);
+        deroulant.setBorder(null);
+        // un petit écran, ou un écran dense, ne contient pas la table : les flèches la déroulent
+        Stream.of("UP unitScrollUp", "DOWN unitScrollDown", "PAGE_UP scrollUp", "PAGE_DOWN scrollDown")
+                .map(touche -> touche.split(" ")).forEach(touche -> deroulant.getInputMap(
+                        JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(touche[0]), touche[1]));
+        Dimension place = deroulant.getPreferredSize();
+        int haut = ecran().height - MARGE_V;
+        int large = place.height > haut ? place.width + MARGE_H : place.width;
+        deroulant.setPreferredSize(new Dimension(Math.min(large, ecran().width - 2 * MARGE_H),
+                Math.min(place.height, haut)));
+        JOptionPane.showMessageDialog(parent, deroulant, "Touches", JOptionPane.PLAIN_MESSAGE);
     }
 
     /** @param actuelle la scène ouverte, dont le dossier est proposé, ou {@code null} */
@@ -61,12 +82,24 @@ final class Dialogues {
         if (cible == null || !cible.isFile()) {
             return cible;
         }
-        String[] reponses = {"Remplacer", "Annuler"};
-        int reponse = JOptionPane.showOptionDialog(parent,
-                "Le fichier « " + Texte.echappe(cible.getName()) + " » existe déjà. Le remplacer ?",
-                TITRE_IMAGE, JOptionPane.DEFAULT_OPTION, JOptionPane.WARNING_MESSAGE, null, reponses, reponses[1]);
-        parent.requestFocus();
+        int reponse = demander(parent, TITRE_IMAGE, "Le fichier « " + Texte.echappe(cible.getName())
+                + " » existe déjà. Le remplacer ?", "Remplacer", "Annuler");
         return reponse == 0 ? cible : null;
+    }
+
+    /** Demande que faire des déplacements de cette scène, qui ne sont pas écrits. */
+    static Reponse demanderDEcrire(Component parent, String scene) {
+        int reponse = demander(parent, "Déplacement non écrit",
+                "Ce qui est déplacé dans « " + scene + " » n'y est pas écrit.", "Écrire", "Oublier", "Rester");
+        return reponse < 0 ? Reponse.RESTER : Reponse.values()[reponse];
+    }
+
+    /** Le rang de la réponse choisie, la dernière étant proposée ; négatif si le dialogue est fermé. */
+    private static int demander(Component parent, String titre, String question, String... reponses) {
+        int reponse = JOptionPane.showOptionDialog(parent, question, titre, JOptionPane.DEFAULT_OPTION,
+                JOptionPane.WARNING_MESSAGE, null, reponses, reponses[reponses.length - 1]);
+        parent.requestFocus();
+        return reponse;
     }
 
     private static File choisir(Component parent, JFileChooser choix, String titre, FileFilter filtre) {

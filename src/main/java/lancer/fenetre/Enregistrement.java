@@ -8,15 +8,15 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.function.Supplier;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
-import lancer.fenetre.Bandeau.Sujet;
 import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
 import lancer.scene.LecteurScene;
+import lancer.scene.SceneLue;
 import lancer.texte.Texte;
 
 /** Ce qui sort de la fenêtre : l'image copiée, ou enregistrée comme par {@code --image} ; la scène écrite. */
@@ -56,33 +56,33 @@ final class Enregistrement {
                     return copie;
                 }
             }, null);
-            bandeau.dire(Sujet.AVIS, "image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
+            bandeau.dire("image copiée, " + image.largeur + " × " + image.hauteur + " pixels");
         }
     }
 
     /** Copie les sections de variantes à mettre dans le fichier de scène, et la commande, qui donnent cette image. */
     void copierReglages() {
-        String sections = controleur.demande.reglages.getSectionsChangees().stream()
+        String sections = controleur.getEtat().demande.reglages.getSectionsChangees().stream()
                 .map(section -> section.ecrire("\n") + "\n\n").collect(Collectors.joining());
         bandeau.getToolkit().getSystemClipboard().setContents(
-                new StringSelection(sections + "; " + controleur.demande.getCommande("") + "\n"), null);
-        bandeau.dire(Sujet.AVIS, "réglages copiés : "
+                new StringSelection(sections + "; " + controleur.getEtat().demande.getCommande("") + "\n"), null);
+        bandeau.dire("réglages copiés : "
                 + (sections.isEmpty() ? "la commande" : "les sections changées et la commande"));
     }
 
     /** L'image achevée ; à défaut, un avis dit pourquoi elle n'est pas enregistrée ou copiée. */
     private ImageMemoire imageOuAvis(String geste) {
-        ImageMemoire image = controleur.getImageEntiere();
-        String faute = controleur.direFautes();
+        Etat etat = controleur.getEtat();
+        String faute = etat.montre.direFautes();
         if (faute != null) {
-            bandeau.dire(Sujet.AVIS, "Image non " + geste + " : " + faute + ".");
+            bandeau.dire("Image non " + geste + " : " + faute + ".");
             return null;
         }
-        if (image == null) {
-            bandeau.dire(Sujet.AVIS, controleur.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
+        if (etat.getImageEntiere() == null) {
+            bandeau.dire(etat.enCours ? "L'image se dessine encore : elle n'est pas " + geste + "."
                     : "Pas d'image achevée ; F5 pour la dessiner.");
         }
-        return image;
+        return etat.getImageEntiere();
     }
 
     void enregistrer() {
@@ -90,14 +90,17 @@ final class Enregistrement {
         if (image == null) {
             return;
         }
-        String scene = controleur.montre.demande.lue.nom;
+        String scene = controleur.getEtat().montre.dessin.demande.lue.nom;
         String nom = new File(scene).getName().replaceFirst("\\.[^.]*$", "") + ".png";
         File cible = Dialogues.choisirImage(controleur.panneau, new File(dossier, nom));
         if (cible == null) {
             return;
         }
         dossier = cible.getParentFile();
-        confier(() -> ecrire(image, cible, scene), () -> "enregistrée : " + Texte.echappe(cible.getName()));
+        confier(() -> ecrire(image, cible, scene), faute -> {
+            bandeau.retenir(faute == null ? "" : faute);
+            bandeau.dire(faute == null ? "enregistrée : " + Texte.echappe(cible.getName()) : "");
+        });
     }
 
     private static void ecrire(ImageMemoire image, File cible, String scene) {
@@ -110,8 +113,38 @@ final class Enregistrement {
         ecriture.ecrire(image);
     }
 
-    /** Confie une écriture au disque. @param reussite appelée dans le fil des événements, donne l'avis à montrer */
-    void confier(Runnable ecriture, Supplier<String> reussite) {
+    /** Écrit les déplacements dans le fichier de leur scène. @param ensuite fait quand ils y sont tous */
+    void ecrireLaScene(Runnable ensuite) {
+        Etat etat = controleur.getEtat();
+        if (etat.deplaces.enEcriture) {
+            // ce qui a été déplacé depuis s'écrit après
+            apres(() -> ecrireLaScene(ensuite));
+        } else if (!etat.estDeplace()) {
+            ensuite.run();
+        } else {
+            SceneLue avant = etat.deplaces.ecrite;
+            SceneLue voulue = etat.demande.lue;
+            String fichier = etat.demande.lue.nom;
+            controleur.commencerLEcriture();
+            confier(() -> avant.remplacer(voulue), faute -> {
+                if (faute == null) {
+                    controleur.finirLEcriture(fichier, avant, voulue);
+                    bandeau.dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
+                    ensuite.run();
+                } else {
+                    controleur.echouerALEcrire(fichier, faute);
+                }
+            });
+        }
+    }
+
+    /** Fait ceci quand les écritures commencées sont finies. */
+    void apres(Runnable suite) {
+        confier(() -> { }, rien -> suite.run());
+    }
+
+    /** Confie une écriture au disque. @param fin reçoit son échec, ou {@code null}, dans le fil des événements */
+    private void confier(Runnable ecriture, Consumer<String> fin) {
         disque.execute(() -> {
             String faute = null;
             try {
@@ -120,10 +153,7 @@ final class Enregistrement {
                 faute = Messages.message(e);
             }
             String dite = faute;
-            EventQueue.invokeLater(() -> {
-                bandeau.dire(Sujet.DISQUE, dite == null ? "" : dite);
-                bandeau.dire(Sujet.AVIS, dite == null ? reussite.get() : "");
-            });
+            EventQueue.invokeLater(() -> fin.accept(dite));
         });
     }
 

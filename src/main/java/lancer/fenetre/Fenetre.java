@@ -27,7 +27,7 @@ import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
-import lancer.fenetre.Bandeau.Sujet;
+import lancer.fenetre.Dialogues.Reponse;
 import lancer.image.ImageMemoire;
 
 /**
@@ -62,14 +62,19 @@ final class Fenetre {
         panneau = new PanneauImage(demandee, this::decrire, this::inspecter);
         controleur = new Controleur(programme, options, panneau, this::getTaille);
         enregistrement = new Enregistrement(controleur);
-        prise = new Prise(controleur, enregistrement);
+        prise = new Prise(controleur);
         // un filet autour de l'image, coloré quand elle a le clavier
         JPanel bord = new JPanel(new BorderLayout());
         bord.setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         bord.add(panneau);
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e ->
-                bord.setBackground(panneau.isFocusOwner() ? UIManager.getColor("Component.focusColor")
-                        : cadre.getBackground()));
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener("focusOwner", e -> {
+            bord.setBackground(panneau.isFocusOwner() ? UIManager.getColor("Component.focusColor")
+                    : cadre.getBackground());
+            if (e.getNewValue() instanceof JComponent && !panneau.isFocusOwner()) {
+                JComponent celui = (JComponent) e.getNewValue();
+                celui.scrollRectToVisible(new Rectangle(celui.getSize()));
+            }
+        });
         onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
         controleur.prevenir(this::suivre);
         cadre.add(onglets, BorderLayout.CENTER);
@@ -90,7 +95,7 @@ final class Fenetre {
         cadre.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                fermer();
+                quitter();
             }
 
             @Override
@@ -119,12 +124,12 @@ final class Fenetre {
         cadre.setLocation(ecran.x + Math.max(0, (ecran.width - cadre.getWidth()) / 2 - ecran.width / 5),
                 ecran.y + Math.max(0, (ecran.height - cadre.getHeight()) / 2));
         if (premier == null) {
-            panneau.bandeau.dire(Sujet.AVIS, "Ctrl+O pour ouvrir une scène");
+            panneau.bandeau.dire("Ctrl+O pour ouvrir une scène");
             EventQueue.invokeLater(this::choisirScene);
         } else {
             controleur.ouvrir(premier);
         }
-        suivre();
+        controleur.avertir();
         cadre.setVisible(true);
     }
 
@@ -138,9 +143,32 @@ final class Fenetre {
     }
 
     void choisirScene() {
-        File choisi = Dialogues.choisirScene(panneau, controleur.fichier);
+        File choisi = Dialogues.choisirScene(panneau, controleur.getEtat().source.fichier);
         if (choisi != null) {
-            controleur.ouvrir(choisi.getPath());
+            ouvrir(choisi.getPath());
+        }
+    }
+
+    void ouvrir(String scene) {
+        sansRienPerdre(() -> controleur.ouvrir(scene));
+    }
+
+    void quitter() {
+        sansRienPerdre(this::fermer);
+    }
+
+    /** Fait ce geste, qui oublie les déplacements, une fois qu'ils sont écrits, ou que l'on y renonce. */
+    private void sansRienPerdre(Runnable geste) {
+        Etat etat = controleur.getEtat();
+        if (etat.deplaces.enEcriture) {
+            enregistrement.apres(() -> sansRienPerdre(geste));
+            return;
+        }
+        Reponse reponse = etat.estDeplace() ? Dialogues.demanderDEcrire(panneau, etat.getNom()) : Reponse.OUBLIER;
+        if (reponse == Reponse.ECRIRE) {
+            enregistrement.ecrireLaScene(geste);
+        } else if (reponse == Reponse.OUBLIER) {
+            geste.run();
         }
     }
 
@@ -153,17 +181,30 @@ final class Fenetre {
 
     /** Montre l'image d'avant, tant que sa touche est tenue. */
     void tenir(boolean tenue) {
-        panneau.tenue = tenue && controleur.avant != null ? controleur.avant.image : null;
+        Dessin avant = controleur.getEtat().montre.avant;
+        panneau.tenue = tenue && avant != null ? avant.image : null;
         rafraichir();
     }
 
-    /** Arrête le dessin en cours ou, à défaut, ferme le panneau. */
+    boolean peutEchapper() {
+        return controleur.getEtat().enCours || prise.getGeste() != null || onglets.estOuvert();
+    }
+
+    /** Lâche ce qui est tiré ou, à défaut, arrête le dessin ou la mesure en cours ou, à défaut, ferme le panneau. */
     void echapper() {
-        if (controleur.enCours) {
+        PanneauVitesse vitesse = onglets.getVisible(PanneauVitesse.class);
+        if (prise.getGeste() != null) {
+            prise.lacher();
+        } else if (controleur.getEtat().enCours) {
             controleur.arreter();
-        } else {
+        } else if (vitesse == null || !vitesse.arreter()) {
             onglets.fermer();
         }
+    }
+
+    /** Montre les réglages mesurés, et reprend leur mesure si elle est arrêtée. */
+    void mesurer() {
+        ((PanneauVitesse) onglets.montrer(2)).reprendre();
     }
 
     /** L'onglet Pixel s'il est visible, ou {@code null}. */
@@ -184,8 +225,8 @@ final class Fenetre {
     }
 
     /** Montre le nouvel état de la fenêtre. */
-    private void suivre() {
-        if (controleur.enCours) {
+    private void suivre(Etat etat) {
+        if (etat.enCours) {
             horloge.start();
         } else {
             horloge.stop();
@@ -195,9 +236,14 @@ final class Fenetre {
                         Fenetre.class.getResource("icone-" + cote + ".png"))).collect(Collectors.toList()));
             }
         }
-        String titre = controleur.fichier == null ? nom
-                : nom + " — " + new File(controleur.fichier).getName();
-        cadre.setTitle(prise.estDeplace() ? titre + " •" : titre);
+        String titre = etat.source.fichier == null ? nom
+                : nom + " — " + new File(etat.source.fichier).getName();
+        if (etat.estDeplace()) {
+            titre += etat.montreUneAutre() ? " (" + etat.getNom() + " •)" : " •";
+        }
+        cadre.setTitle(titre);
+        panneau.montree = etat.montre.dessin == null ? null : etat.montre.dessin.image;
+        panneau.bandeau.montrer(etat);
         rafraichir();
     }
 
@@ -209,18 +255,17 @@ final class Fenetre {
 
     /** Dit l'avancement du travail ou, s'il est achevé, le coût de l'image ; et le pixel sous la souris. */
     private void decrire() {
-        Travail travail = controleur.travail;
+        Etat etat = controleur.getEtat();
         boolean tenue = panneau.tenue != null;
-        Dessin dessin = tenue ? controleur.avant : controleur.montre;
-        String texte = travail == null ? "" : travail.getTexte();
-        barre.avancer(controleur.enCours ? travail.getAvancement() : 0, texte);
-        if (tenue || controleur.entiere && !controleur.enCours) {
-            texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin.image, panneau.getReduction(dessin.image))
-                    + ", " + Controleur.decrire(dessin);
+        Dessin dessin = tenue ? etat.montre.avant : etat.montre.dessin;
+        String texte = etat.travail == null ? "" : etat.travail.getTexte();
+        barre.avancer(etat.enCours ? etat.travail.getAvancement() : 0, texte);
+        if (tenue || etat.montre.entier && !etat.enCours) {
+            texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin, panneau.getReduction(dessin.image));
             panneau.getAccessibleContext().setAccessibleDescription(texte);
         }
-        barre.resumer(texte);
+        barre.resumer(prise.getGeste() == null ? texte : prise.getGeste());
         ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, !tenue && !controleur.entiere);
+        barre.montrerPixel(panneau.getPixelSouris(image), image, !tenue && !etat.montre.entier);
     }
 }

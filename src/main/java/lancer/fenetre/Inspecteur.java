@@ -8,6 +8,7 @@ import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.HierarchyEvent;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
@@ -25,7 +26,6 @@ import javax.swing.tree.TreeCellRenderer;
 import lancer.Couleur;
 import lancer.commande.Messages;
 import lancer.dessin.Dessin;
-import lancer.fenetre.Bandeau.Sujet;
 import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.VueDeCote;
 import lancer.image.ImageMemoire;
@@ -40,7 +40,7 @@ final class Inspecteur extends JPanel {
 
     private static final int MARGE = 6;
     private static final int PASTILLE = 10;
-    private static final int HAUTEUR_VUE = 100;
+    private static final int HAUTEUR_VUE = 190;
 
     private final Controleur controleur;
     private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
@@ -54,6 +54,8 @@ final class Inspecteur extends JPanel {
     private final VueDeCote vue = new VueDeCote();
     private Explication enCours;
     private Inspection montree;
+    /** Le dessin dont le pixel est expliqué. */
+    private Dessin dessin;
     private Point pixel;
     /** Vrai si le détail est déplié. */
     private boolean tout;
@@ -80,14 +82,28 @@ final class Inspecteur extends JPanel {
         });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
         JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(arbre), vue);
-        // l'arbre garde la plus grande place : un écran dense n'a parfois que quatre cents points de haut
-        partage.setResizeWeight(0.8);
+        // un écran dense n'a parfois que quatre cents points de haut
+        vue.setMinimumSize(new Dimension(0, HAUTEUR_VUE / 2));
+        partage.setResizeWeight(0.6);
         partage.setBorder(null);
         partage.setFocusable(false);
         add(verdict, BorderLayout.PAGE_START);
         add(partage, BorderLayout.CENTER);
-        controleur.prevenir(this::calculer);
-        addHierarchyListener(e -> paraitreOuNon());
+        controleur.prevenir(this::suivre);
+        addHierarchyListener(e -> {
+            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                paraitreOuNon();
+            }
+        });
+    }
+
+    /** Explique le pixel d'une autre image, ou compare à la même, si elle est achevée, ce qui est expliqué. */
+    private void suivre(Etat etat) {
+        if (etat.montre.dessin != dessin) {
+            calculer();
+        } else if (isShowing() && enCours == null && montree != null) {
+            verdict.setText(comparer(montree));
+        }
     }
 
     /** Va au pixel situé à cette distance. */
@@ -116,7 +132,7 @@ final class Inspecteur extends JPanel {
         if (montree != null) {
             List<String> lignes = new Recit(montree, Double::toString, Double::toString).raconter().lignes();
             getToolkit().getSystemClipboard().setContents(new StringSelection(String.join("\n", lignes)), null);
-            controleur.panneau.bandeau.dire(Sujet.AVIS, "récit du pixel copié, " + lignes.size() + " lignes");
+            controleur.panneau.bandeau.dire("récit du pixel copié, " + lignes.size() + " lignes");
         }
     }
 
@@ -148,8 +164,7 @@ final class Inspecteur extends JPanel {
                 montree = nouvelle;
                 arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
-                verdict.setText(nouvelle.getFaute() != null ? "Ce pixel n'a pu être calculé."
-                        : comparer(nouvelle.getCouleur()));
+                verdict.setText(comparer(nouvelle));
                 vue.montrer(nouvelle);
                 controleur.panneau.superposer(figure);
             } catch (ExecutionException e) {
@@ -166,14 +181,14 @@ final class Inspecteur extends JPanel {
             enCours.cancel(true);
             enCours = null;
         }
-        Dessin montre = controleur.montre;
-        if (!isShowing() || montre == null || pixel == null) {
+        dessin = controleur.getEtat().montre.dessin;
+        if (!isShowing() || dessin == null || pixel == null) {
             return;
         }
-        pixel = new Point(Math.max(0, Math.min(montre.image.largeur - 1, pixel.x)),
-                Math.max(0, Math.min(montre.image.hauteur - 1, pixel.y)));
-        enCours = new Explication(new Inspection(montre.lancer.getScene(), montre.demande.lue::getOrigine,
-                montre.lancer.getCamera(), montre.demande.reglages.getProfondeur(), pixel.x, pixel.y));
+        pixel = new Point(Math.max(0, Math.min(dessin.image.largeur - 1, pixel.x)),
+                Math.max(0, Math.min(dessin.image.hauteur - 1, pixel.y)));
+        enCours = new Explication(new Inspection(dessin.lancer.getScene(), dessin.demande.lue::getOrigine,
+                dessin.lancer.getCamera(), dessin.demande.reglages.getProfondeur(), pixel.x, pixel.y));
         verdict.setText("calcul…");
         arbre.repaint();
         enCours.execute();
@@ -223,6 +238,7 @@ final class Inspecteur extends JPanel {
                 boolean feuille, int ligne, boolean clavier) {
             Noeud noeud = noeud(branche);
             setText(noeud.texte);
+            getAccessibleContext().setAccessibleName(noeud.texte);
             setEnabled(enCours == null);
             setBackground(UIManager.getColor(clavier ? "Tree.selectionInactiveBackground" : "Tree.background"));
             setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(2, 0, 1, 0, getBackground()),
@@ -237,8 +253,12 @@ final class Inspecteur extends JPanel {
     }
 
     /** Compare la couleur expliquée à celle du pixel dessiné. */
-    private String comparer(Couleur couleur) {
-        ImageMemoire image = controleur.getImageEntiere();
+    private String comparer(Inspection expliquee) {
+        if (expliquee.getFaute() != null) {
+            return "Ce pixel n'a pu être calculé.";
+        }
+        Couleur couleur = expliquee.getCouleur();
+        ImageMemoire image = controleur.getEtat().getImageEntiere();
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }

@@ -1,6 +1,7 @@
 package lancer.fenetre;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Rectangle;
 import java.util.Map;
@@ -16,16 +17,16 @@ final class Onglets extends JSplitPane {
 
     private static final int LARGEUR = 430;
     private static final int BARRE = 6;
-    /** La plus petite hauteur du cadre qui laisse lire un onglet. */
-    private static final int HAUTEUR = 300;
+    /** La plus petite hauteur du cadre qui laisse lire chaque onglet. */
+    private static final int[] HAUTEURS = {300, 300, 480};
 
     private final JFrame cadre;
     private final Runnable siChange;
     private final JTabbedPane onglets = new JTabbedPane();
     private final Supplier<Map<String, JComponent>> contenus;
-    /** Largeur du panneau, et ce que le cadre a gagné de largeur à son ouverture. */
     private final int largeur = Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
-    private int gagne;
+    /** Ce que le cadre a gagné depuis l'ouverture du panneau. */
+    private final Dimension gagne = new Dimension();
 
     /**
      * @param image composant de gauche, toujours visible
@@ -64,16 +65,26 @@ final class Onglets extends JSplitPane {
         if (!estOuvert()) {
             setRightComponent(onglets);
             setDividerSize(BARRE);
-            Rectangle ecran = Dialogues.ecran();
-            int libre = ecran.x + ecran.width - cadre.getX() - cadre.getWidth();
-            gagne = cadre.getExtendedState() == Frame.NORMAL ? Math.max(0, Math.min(largeur + BARRE, libre)) : 0;
-            cadre.setSize(cadre.getWidth() + gagne, Math.max(HAUTEUR, cadre.getHeight()));
-            cadre.validate();
+            agrandir(largeur + BARRE, HAUTEURS[rang] - cadre.getHeight());
             setDividerLocation(getWidth() - largeur - BARRE);
             validate();
             siChange.run();
+        } else {
+            agrandir(0, HAUTEURS[rang] - cadre.getHeight());
         }
         return onglets.getSelectedComponent();
+    }
+
+    /** Agrandit le cadre d'autant de points, si l'écran le permet. */
+    private void agrandir(int enLargeur, int enHauteur) {
+        if (cadre.getExtendedState() == Frame.NORMAL) {
+            Rectangle ecran = Dialogues.ecran();
+            int large = Math.max(0, Math.min(enLargeur, ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
+            int haut = Math.max(0, Math.min(enHauteur, ecran.y + ecran.height - cadre.getY() - cadre.getHeight()));
+            cadre.setSize(cadre.getWidth() + large, cadre.getHeight() + haut);
+            gagne.setSize(gagne.width + large, gagne.height + haut);
+        }
+        cadre.validate();
     }
 
     void fermer() {
@@ -81,8 +92,9 @@ final class Onglets extends JSplitPane {
             setRightComponent(null);
             setDividerSize(0);
             if (cadre.getExtendedState() == Frame.NORMAL) {
-                cadre.setSize(cadre.getWidth() - gagne, cadre.getHeight());
+                cadre.setSize(cadre.getWidth() - gagne.width, cadre.getHeight() - gagne.height);
             }
+            gagne.setSize(0, 0);
             cadre.validate();
             getLeftComponent().transferFocus();
             siChange.run();

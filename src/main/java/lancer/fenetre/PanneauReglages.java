@@ -6,9 +6,6 @@ import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
-import java.awt.Rectangle;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.MouseEvent;
 import java.text.ParseException;
 import java.util.ArrayList;
@@ -31,7 +28,6 @@ import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.fenetre.Bandeau.Sujet;
 import lancer.texte.Texte;
 
 /** L'étape du cours, les réflexions, les variantes présentes et leurs paramètres. Un changement redessine l'image. */
@@ -74,11 +70,11 @@ final class PanneauReglages extends JScrollPane {
         setViewportView(haut);
         setBorder(null);
         montrer();
-        controleur.prevenir(this::montrer);
+        controleur.prevenir(etat -> montrer());
     }
 
     private Reglages reglages() {
-        return controleur.demande.reglages;
+        return controleur.getEtat().demande.reglages;
     }
 
     private <T> void ajouter(Option<T> option) {
@@ -125,12 +121,6 @@ final class PanneauReglages extends JScrollPane {
         composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
         composant.getAccessibleContext().setAccessibleName(composant.getName());
-        composant.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusGained(FocusEvent e) {
-                composant.scrollRectToVisible(new Rectangle(composant.getSize()));
-            }
-        });
         poser(reglage.getTitre(), composant, valeur);
         ajustements.add(() -> {
             ajustement.run();
@@ -144,7 +134,7 @@ final class PanneauReglages extends JScrollPane {
             @Override
             public Object stringToValue(String texte) throws ParseException {
                 if (!reglage.accepte(texte.trim())) {
-                    controleur.panneau.bandeau.dire(Sujet.AVIS, reglage.getTitre() + " : valeur impossible, "
+                    controleur.panneau.bandeau.dire(reglage.getTitre() + " : valeur impossible, "
                             + Texte.cite(texte) + " ; attendu : " + reglage.attendu);
                     throw new ParseException(texte, 0);
                 }

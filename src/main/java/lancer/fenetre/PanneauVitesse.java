@@ -1,6 +1,7 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
+import java.awt.event.HierarchyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -32,6 +33,7 @@ final class PanneauVitesse extends JPanel {
 
     /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
     private static final double VOULUE = 0.125;
+    private static final int LIGNES = 4;
 
     private final Controleur controleur;
     private final GraphiqueVitesse graphique = new GraphiqueVitesse();
@@ -40,41 +42,65 @@ final class PanneauVitesse extends JPanel {
     private Demande base;
     private List<Essai> essais = new ArrayList<>();
     private Mesureur mesureur;
+    /** Le dessin dont la mesure est arrêtée, et l'échec de la dernière ; {@code null} sinon. */
+    private Dessin arrete;
+    private String echec;
+    /** Le réglage que désignent la souris ou les flèches, ou {@code null}. */
+    private Reglages vise;
 
     PanneauVitesse(Controleur controleur) {
         super(new BorderLayout());
         setName("vitesse");
         this.controleur = controleur;
         // la place du texte est fixe : le graphique ne bouge pas sous la souris
-        texte.setRows(4);
+        texte.setRows(LIGNES);
         add(graphique, BorderLayout.CENTER);
         add(texte, BorderLayout.PAGE_END);
         MouseAdapter souris = new MouseAdapter() {
             @Override
             public void mouseMoved(MouseEvent e) {
-                Essai vise = graphique.sous(e.getPoint());
-                texte.setText(vise == null ? etat() : Echelle.dire(vise.reglages) + " : " + vise.dire());
+                viser(graphique.sous(e.getPoint()));
             }
 
             @Override
             public void mousePressed(MouseEvent e) {
-                Essai choisi = graphique.sous(e.getPoint());
-                if (choisi != null) {
-                    // son image se dessine, et F2 montre ce réglage
-                    controleur.regler(choisi.reglages);
-                }
+                viser(graphique.sous(e.getPoint()));
+                prendre();
             }
         };
         graphique.addMouseListener(souris);
         graphique.addMouseMotionListener(souris);
+        auClavier("LEFT", () -> viser(graphique.voisin(vise, -1)));
+        auClavier("RIGHT", () -> viser(graphique.voisin(vise, 1)));
+        auClavier("ENTER", this::prendre);
         controleur.prevenir(this::suivre);
-        addHierarchyListener(e -> suivre());
+        addHierarchyListener(e -> {
+            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                suivre(controleur.getEtat());
+            }
+        });
+    }
+
+    private void auClavier(String touche, Runnable effet) {
+        Commandes.lier(graphique, WHEN_FOCUSED, new Commande(null, touche, () -> true, effet));
+    }
+
+    private void viser(Essai celui) {
+        vise = celui == null ? null : celui.reglages;
+        montrer();
+    }
+
+    /** Prend le réglage désigné : son image se dessine, et F2 le montre. */
+    private void prendre() {
+        if (vise != null) {
+            controleur.regler(vise);
+        }
     }
 
     /** Dessine les réglages à tour de rôle, donc dans les mêmes conditions, et publie leurs essais. */
     private final class Mesureur extends SwingWorker<Void, List<Essai>> {
 
-        private final Dessin montre = controleur.montre;
+        private final Dessin montre = controleur.getEtat().montre.dessin;
         private final Demande demande = montre.demande.avecVue(null);
         private final List<Essai> siens = new ArrayList<>(essais);
 
@@ -108,8 +134,7 @@ final class PanneauVitesse extends JPanel {
         protected void process(List<List<Essai>> publies) {
             if (this == mesureur) {
                 essais = publies.get(publies.size() - 1);
-                graphique.montrer(essais, demande.reglages);
-                texte.setText(etat());
+                montrer();
             }
         }
 
@@ -118,26 +143,46 @@ final class PanneauVitesse extends JPanel {
             try {
                 get();
             } catch (ExecutionException e) {
-                texte.setText("Mesure impossible : " + Messages.message(e.getCause()));
+                echec = Messages.message(e.getCause());
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
             }
+            montrer();
         }
     }
 
+    /** Arrête la mesure, jusqu'à un autre dessin. @return faux si rien ne se mesure */
+    boolean arreter() {
+        if (mesureur == null || mesureur.isDone()) {
+            return false;
+        }
+        arrete = mesureur.montre;
+        suivre(controleur.getEtat());
+        return true;
+    }
+
+    /** Reprend la mesure qui est arrêtée. Le clavier est au graphique. */
+    void reprendre() {
+        arrete = null;
+        graphique.requestFocusInWindow();
+        suivre(controleur.getEtat());
+    }
+
     /** Commence, continue ou interrompt les mesures. */
-    private void suivre() {
-        boolean libre = isShowing() && controleur.getImageEntiere() != null && !controleur.enCours;
+    private void suivre(Etat etat) {
+        boolean libre = isShowing() && etat.montre.entier && !etat.enCours && etat.montre.dessin != arrete
+                && etat.montre.direFautes() == null;
         if (mesureur != null && !libre) {
             mesureur.cancel(true);
             mesureur = null;
         }
-        if (libre && mesureur == null && controleur.direFautes() == null) {
-            choisir(controleur.montre.demande.avecVue(null));
+        if (libre && mesureur == null) {
+            echec = null;
+            choisir(etat.montre.dessin.demande.avecVue(null));
             mesureur = new Mesureur();
             mesureur.execute();
         }
-        texte.setText(etat());
+        montrer();
     }
 
     /** Choisit les réglages à mesurer : l'échelle, et celui de l'image. Les essais d'une même échelle restent. */
@@ -146,7 +191,7 @@ final class PanneauVitesse extends JPanel {
         Demande celle = demande.avecReglages(echelle.get(0));
         if (!celle.equals(base)) {
             base = celle;
-            essais.clear();
+            essais = new ArrayList<>();
         }
         echelle.add(demande.reglages);
         essais.removeIf(essai -> !echelle.contains(essai.reglages));
@@ -154,12 +199,40 @@ final class PanneauVitesse extends JPanel {
                 .forEach(voulu -> essais.add(new Essai(voulu, new Durees(), 0, 0)));
     }
 
-    private String etat() {
-        if (controleur.enCours) {
+    /** Montre les essais, et dit où en est leur mesure, puis celui qui est désigné. */
+    private void montrer() {
+        Etat etat = controleur.getEtat();
+        graphique.montrer(essais, etat.demande.reglages, vise);
+        String dit = essais.stream().filter(essai -> essai.reglages.equals(vise) && essai.durees.getNombre() > 0)
+                .findFirst().map(essai -> "\n" + Echelle.dire(vise) + " : " + essai.dire()).orElse("");
+        texte.setText(direLaMesure(etat) + dit);
+        graphique.getAccessibleContext().setAccessibleDescription(texte.getText());
+    }
+
+    private String direLaMesure(Etat etat) {
+        if (etat.enCours) {
             return "Les mesures reprendront après ce dessin.";
         }
-        long faits = essais.stream().filter(Essai::suffit).count();
-        return faits > 0 && faits == essais.size() ? "La souris dit un point, et un clic montre son image."
-                : "mesure en cours : " + faits + " réglages sur " + essais.size() + "…";
+        if (echec != null) {
+            return "Mesure impossible : " + echec;
+        }
+        if (!etat.montre.entier) {
+            return "Pas d'image achevée à mesurer ; F5 la dessine.";
+        }
+        if (etat.montre.direFautes() != null) {
+            return "Image non mesurée : " + etat.montre.direFautes() + ".";
+        }
+        if (etat.montre.dessin == arrete) {
+            long vus = essais.stream().filter(essai -> essai.durees.getNombre() > 0).count();
+            return "arrêtée : " + vus + (vus > 1 ? " réglages mesurés" : " réglage mesuré") + " ; F3 reprend";
+        }
+        if (essais.isEmpty() || !essais.stream().allMatch(Essai::suffit)) {
+            int faits = essais.stream().mapToInt(essai -> essai.durees.getNombre()).sum();
+            int voulus = essais.stream().mapToInt(essai -> Math.max(essai.durees.getNombre(), essai.getVoulus())).sum();
+            return "mesure en cours : " + faits + (faits > 1 ? " dessins sur " : " dessin sur ") + voulus;
+        }
+        return essais.stream().anyMatch(Essai::varie)
+                ? "La machine est occupée : des temps y varient de plus de 30 %."
+                : "Les flèches ou la souris désignent un point ; Entrée ou un clic dessine son image.";
     }
 }

@@ -9,9 +9,6 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.io.File;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Objects;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
@@ -23,12 +20,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Messages;
-import lancer.fenetre.Bandeau.Sujet;
+import lancer.dessin.Dessin;
 import lancer.fenetre.figures.Figure;
-import lancer.image.Ecriture;
-import lancer.scene.LecteurScene;
 import lancer.scene.SceneLue;
-import lancer.texte.Texte;
 
 /**
  * Ce que Maj et la souris déplacent, dans le plan parallèle à l'écran : une sphère, ou l'étoile d'une lampe. Le
@@ -42,85 +36,64 @@ final class Prise extends MouseAdapter {
     private static final Color LAMPE = new Color(0xFFE040);
 
     private final Controleur controleur;
-    private final Enregistrement disque;
     private final PanneauImage panneau;
-    /** La scène telle que le fichier la donne, et avec ses déplacements. */
-    private SceneLue lue;
-    private SceneLue deplacee;
-    /** La scène avant chaque déplacement, le dernier en tête. */
-    private final Deque<SceneLue> avant = new ArrayDeque<>();
     /** Au début du geste : ce qui est tiré, ou {@code null}, le point de l'image, et la scène. */
     private Object prise;
     private Point2D depart;
     private SceneLue debut;
+    /** La scène pendant le geste, et la nouvelle place de ce qui est tiré. */
+    private SceneLue tiree;
+    private String place;
     private boolean etoiles;
 
-    Prise(Controleur controleur, Enregistrement disque) {
+    Prise(Controleur controleur) {
         this.controleur = controleur;
-        this.disque = disque;
         panneau = controleur.panneau;
         panneau.addMouseListener(this);
         panneau.addMouseMotionListener(this);
         panneau.prises = this::peindre;
-        controleur.oubli = this::oublier;
+        controleur.prevenir(this::suivre);
     }
 
-    /** Oublie tout déplacement : cette scène vient d'être lue. @return vrai si l'un d'eux n'était pas écrit */
-    boolean oublier(SceneLue nouvelle) {
-        boolean perdu = estDeplace();
-        lue = nouvelle;
-        deplacee = nouvelle;
-        avant.clear();
+    /** Lâche ce qui est tiré si un autre geste ou une lecture a changé la scène. */
+    private void suivre(Etat etat) {
+        if (prise != null && etat.demande.lue != tiree) {
+            prise = null;
+        }
+    }
+
+    /** Ce qui est tiré, et sa nouvelle place ; {@code null} si rien n'est tiré. */
+    String getGeste() {
+        return prise == null ? null : place;
+    }
+
+    /** Renonce au geste : ce qui est tiré revient où il était. */
+    void lacher() {
         prise = null;
-        return perdu;
+        controleur.deplacer(debut);
     }
 
-    boolean estDeplace() {
-        return deplacee != lue;
-    }
-
-    boolean peutDefaire() {
-        return !avant.isEmpty();
-    }
-
-    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
-    void defaire() {
-        deplacee = avant.pop();
-        dire("");
-        controleur.deplacer(deplacee);
-    }
-
-    /** Écrit les déplacements dans le fichier de la scène ; la surveillance le relit ensuite. */
-    void ecrire() {
-        SceneLue celle = lue;
-        SceneLue voulue = deplacee;
-        String fichier = controleur.demande.lue.nom;
-        disque.confier(() -> new Ecriture<SceneLue>(LecteurScene.trouver(fichier).toString(),
-                (scene, sortie) -> sortie.write(celle.deplacer(scene))).ecrire(voulue),
-                () -> {
-                    // une autre scène a pu être lue depuis
-                    if (lue == celle) {
-                        lue = voulue;
-                        avant.clear();
-                        controleur.avertir();
-                    }
-                    return "écrit dans " + Texte.echappe(new File(fichier).getName());
-                });
+    private Dessin montre() {
+        return controleur.getEtat().montre.dessin;
     }
 
     private Camera getCamera() {
-        return controleur.montre.lancer.getCamera();
+        return montre().lancer.getCamera();
     }
 
     @Override
     public void mousePressed(MouseEvent e) {
-        if (controleur.montre != null && e.isShiftDown() && SwingUtilities.isLeftMouseButton(e)) {
+        if (montre() != null && prise == null && e.isShiftDown() && SwingUtilities.isLeftMouseButton(e)) {
+            // un message cacherait le bas de l'image
+            panneau.bandeau.dire("");
             depart = panneau.pointDe(e);
-            debut = deplacee;
+            debut = controleur.getEtat().demande.lue;
+            tiree = debut;
             try {
                 prise = viser();
+                place = "";
             } catch (RuntimeException panne) {
-                dire(Messages.message(panne));
+                panneau.bandeau.dire(Messages.message(panne));
             }
         }
     }
@@ -128,20 +101,23 @@ final class Prise extends MouseAdapter {
     /** La lampe ou la sphère sous la souris ; {@code null}, et un avis, si rien n'y peut être pris. */
     private Object viser() {
         Point2D souris = panneau.placeDe(depart.getX(), depart.getY());
-        for (Lampe lampe : deplacee.lampes) {
+        for (Lampe lampe : debut.lampes) {
             Point2D etoile = aLEcran(lampe.getPosition());
             if (etoile != null && etoile.distance(souris) < RAYON_ETOILE) {
                 return lampe;
             }
         }
-        Scene montree = controleur.montre.lancer.getScene();
-        PointContact contact = montree.avec(montree.getModele())
+        Scene montree = montre().lancer.getScene();
+        PointContact contact = montree.pourUnFil()
                 .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
-        if (contact != null && contact.objet.getClass() == Sphere.class && !estTropGrande((Sphere) contact.objet)
-                && deplacee.getOrigine(contact.objet) != null) {
-            return contact.objet;
+        // l'image montrée peut être celle d'avant le dernier déplacement, où cet objet avait une autre place
+        int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
+        Object vise = rang < 0 ? null : debut.objets.get(rang);
+        if (vise != null && vise.getClass() == Sphere.class && !estTropGrande((Sphere) vise)) {
+            return vise;
         }
-        dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et l'étoile d'une lampe");
+        panneau.bandeau.dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et "
+                + "l'étoile d'une lampe");
         return null;
     }
 
@@ -149,10 +125,6 @@ final class Prise extends MouseAdapter {
     private boolean estTropGrande(Sphere sphere) {
         double pixels = getCamera().projeter(sphere.getCentre()).z;
         return !(pixels > 0) || 2 * pixels * sphere.getRayon() > getCamera().getLargeur();
-    }
-
-    private void dire(String texte) {
-        panneau.bandeau.dire(Sujet.AVIS, texte);
     }
 
     @Override
@@ -167,30 +139,37 @@ final class Prise extends MouseAdapter {
             Point coin = camera.getEcran(0, 0);
             Vecteur droite = new Vecteur(coin, camera.getEcran(1, 0)).mul(fois * (ici.getX() - depart.getX()));
             Vecteur bas = new Vecteur(coin, camera.getEcran(0, 1)).mul(fois * (ici.getY() - depart.getY()));
-            tirer(arrondir(origine.add(droite).add(bas), pixels));
+            tirer(bouger(origine, droite.add(bas), pixels));
         }
     }
 
-    /** Ce point, à un dixième de pixel : la valeur à écrire est courte. @param pixels nombre de pixels d'une unité */
-    private static Point arrondir(Point p, double pixels) {
+    /** Ce point, déplacé ; une coordonnée qui bouge est à un dixième de pixel. @param pixels ceux d'une unité */
+    private static Point bouger(Point p, Vecteur v, double pixels) {
         double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
-        return new Point(Math.rint(p.x * fois) / fois, Math.rint(p.y * fois) / fois, Math.rint(p.z * fois) / fois);
+        return new Point(bouger(p.x, v.x, fois), bouger(p.y, v.y, fois), bouger(p.z, v.z, fois));
+    }
+
+    private static double bouger(double x, double de, double fois) {
+        // la valeur à écrire est courte, et celle que rien ne bouge reste celle du fichier
+        return Math.abs(de * fois) < 0.5 ? x : Math.rint((x + de) * fois) / fois;
     }
 
     private void tirer(Point ou) {
-        deplacee = debut.avec(prise, ou);
-        dire(debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
-                + SceneLue.ecrire(ou) + " ; Ctrl+E l'écrit dans la scène");
-        controleur.deplacer(deplacee);
+        tiree = debut.avec(prise, ou);
+        place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+                + SceneLue.ecrire(ou);
+        controleur.deplacer(tiree);
     }
 
     @Override
     public void mouseReleased(MouseEvent e) {
-        if (prise != null && deplacee != debut) {
-            avant.push(debut);
-            controleur.avertir();
+        if (prise != null && SwingUtilities.isLeftMouseButton(e)) {
+            prise = null;
+            if (tiree != debut) {
+                panneau.bandeau.dire(place + " ; Ctrl+E l'écrit dans " + controleur.getEtat().getNom());
+                controleur.retenir(debut);
+            }
         }
-        prise = null;
     }
 
     @Override
@@ -209,11 +188,11 @@ final class Prise extends MouseAdapter {
 
     /** Avec Maj, peint l'étoile de chaque lampe qui est devant l'œil. */
     private void peindre(Graphics2D g) {
-        if (controleur.montre != null && etoiles) {
+        if (montre() != null && etoiles) {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            deplacee.lampes.stream().map(lampe -> aLEcran(lampe.getPosition())).filter(Objects::nonNull)
-                    .forEach(ou -> Figure.peindreLisere(g, AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
-                            .createTransformedShape(ETOILE), LAMPE));
+            controleur.getEtat().demande.lue.lampes.stream().map(lampe -> aLEcran(lampe.getPosition()))
+                    .filter(Objects::nonNull).forEach(ou -> Figure.peindreLisere(g, AffineTransform
+                    .getTranslateInstance(ou.getX(), ou.getY()).createTransformedShape(ETOILE), LAMPE));
         }
     }
 }

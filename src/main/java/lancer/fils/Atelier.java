@@ -74,8 +74,8 @@ public final class Atelier {
         return PixelFautif.exigerFinie(couleur, xe, ye);
     }
 
-    /** Note l'échec d'un point de l'écran, et rend sa couleur : voir {@link Fautes#noter}. */
-    public Couleur noter(Throwable echec, double xe, double ye) {
+    /** Lève de nouveau cet échec d'un point de l'écran ou, s'il est toléré, rend une couleur à sa place. */
+    public Couleur relever(Throwable echec, double xe, double ye) {
         // ni un arrêt ni le manque de mémoire n'est un échec du pixel
         if (echec instanceof CancellationException) {
             throw (CancellationException) echec;

@@ -55,12 +55,12 @@ public final class Eclairage {
     private PointContact chercherLObstacle(PointContact contact, double distance, Scene scene) {
         boolean lointaine = Scene.estLointaine(lampe, contact);
         double portee = lointaine ? distance / 2 : distance;
-        Rayon deLaLampe = Rayon.norme(lampe.getPosition(), L.neg());
+        Rayon deLaLampe = Rayon.unitaire(lampe.getPosition(), L.neg());
         PointContact premier = scene.getClosestIntersection(deLaLampe, contact.objet);
         if (deLaLampe.getDistance() < portee || !lointaine) {
             return deLaLampe.getDistance() < portee ? premier : null;
         }
-        Rayon versLampe = Rayon.norme(contact, L);
+        Rayon versLampe = Rayon.unitaire(contact, L);
         return scene.getObjets().stream().filter(objet -> objet != contact.objet)
                 .map(objet -> Segment.toucher(objet, versLampe)).filter(vu -> vu != null && vu.distance < portee)
                 .max(Comparator.comparingDouble(vu -> vu.distance)).orElse(null);

@@ -57,7 +57,7 @@ public final class Inspection {
         this.profondeur = profondeur;
         this.x = x;
         this.y = y;
-        lancer = new Lancer(scene.avec(scene.getModele()), camera);
+        lancer = new Lancer(scene.pourUnFil(), camera);
     }
 
     /**

@@ -78,7 +78,7 @@ public final class Segment {
         for (Lampe lampe : scene.getLampes()) {
             eclairages.add(new Eclairage(lampe, this, scene));
         }
-        Rayon libre = Rayon.norme(rayon.getP(), rayon.getV());
+        Rayon libre = Rayon.unitaire(rayon.getP(), rayon.getV());
         rivaux = scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart)
                 .map(objet -> toucher(objet, libre)).filter(Objects::nonNull)
                 .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(RIVAUX).collect(Collectors.toList());

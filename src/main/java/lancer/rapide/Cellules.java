@@ -73,15 +73,12 @@ final class Cellules {
      * Range ces boules.
      *
      * @param boules leurs centres et rayons, notés comme {@link Enveloppes#geometrie}
-     * @param ordre leurs rangs, dans l'ordre où chaque cube les donne
+     * @param ordre leurs rangs, un au moins, dans l'ordre où chaque cube les donne
      * @param directions vrai si elles sont vues d'un point : seuls servent les cubes qui touchent la sphère unité
      * @param cubes nombre de cubes voulu, à peu près
      * @return {@code null} s'il faut trop de places
      */
     static Cellules de(double[] boules, int[] ordre, double marge, boolean directions, int cubes) {
-        if (ordre.length == 0) {
-            return null;
-        }
         Cellules cellules = new Cellules(boules, ordre, marge, directions, cubes);
         long places = 0;
         for (int k : ordre) {

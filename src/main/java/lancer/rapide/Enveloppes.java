@@ -82,7 +82,7 @@ final class Enveloppes {
             rayons[k] = r >= 0 ? r : 0;
         }
         Arrays.sort(rayons);
-        double neuvieme = rayons[Math.max(0, rayons.length - RANG_DES_GEANTS)];
+        double neuvieme = rayons.length < RANG_DES_GEANTS ? 0 : rayons[rayons.length - RANG_DES_GEANTS];
         return neuvieme == 0 ? Double.POSITIVE_INFINITY : ECHELLE_DES_GEANTS * neuvieme;
     }
 

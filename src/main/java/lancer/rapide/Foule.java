@@ -15,13 +15,13 @@ final class Foule implements Recherche {
     final Compteurs compteurs;
 
     /** La question à laquelle la boucle répond. */
-    private Question courante;
+    Question courante;
 
     /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
     private int lampe;
 
     /** Rang du dernier contact ; en général, un rayon d'ombre ou réfléchi vient ensuite de lui. */
-    private int contact = -1;
+    int contact = -1;
 
     Foule(Preparation preparation, Compteurs compteurs) {
         this.preparation = preparation;
@@ -35,19 +35,6 @@ final class Foule implements Recherche {
         compteurs.compter(rayon, depart, portee);
         courante = new Question(this, rayon, depart, portee);
         return courante;
-    }
-
-    void reprendre(Question question) {
-        courante = question;
-    }
-
-    void retenir(int rang) {
-        contact = rang;
-    }
-
-    /** Le rang de cet objet s'il est le dernier contact, sinon −1. */
-    int rangDe(Objet3D objet) {
-        return contact >= 0 && structures.enveloppes.objets[contact] == objet ? contact : -1;
     }
 
     /** D'où part ce rayon d'ombre : le point de vue de la lampe ; {@code null} s'il n'y en a pas. */

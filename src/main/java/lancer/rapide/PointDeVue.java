@@ -46,7 +46,8 @@ final class PointDeVue {
             cles[o] = Double.doubleToRawLongBits(viser(enveloppes.geometrie, cones, k)) & ~rangs | k;
         }
         Arrays.sort(cles);
-        cellules = Cellules.de(cones, Arrays.stream(cles).mapToInt(cle -> (int) (cle & rangs)).toArray(), MARGE, true, cubes);
+        int[] ordre = Arrays.stream(cles).mapToInt(cle -> (int) (cle & rangs)).toArray();
+        cellules = Cellules.de(cones, ordre, MARGE, true, cubes);
     }
 
     /**

@@ -6,12 +6,13 @@ import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
+import lancer.contrat.Recherche;
 
-/** La recherche d'une scène et d'une image. Elle est construite de nouveau si un objet a bougé quand un fil la demande. */
+/** La recherche d'une scène et d'une image, construite de nouveau si un objet a bougé quand un fil la demande. */
 public final class Preparation {
 
     /** Nombre d'objets jusqu'auquel demander chacun est plus rapide que toute structure. */
-    static final int PEU = Integer.getInteger("peu", 15);
+    static final int PEU = 15;
 
     /** Nombre d'objets, puis produit des pixels, des objets et des rayons par contact, d'une petite image. */
     private static final int QUARANTE = 40;
@@ -38,12 +39,17 @@ public final class Preparation {
     public static Scene preparer(Scene scene, Camera camera) {
         long nombre = scene.getObjets().size();
         long questions = (long) camera.getLargeur() * camera.getHauteur() * (1 + scene.getLampes().size());
-        return nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT ? scene : structurer(scene, camera);
+        boolean peu = nombre <= PEU || nombre <= QUARANTE && questions * nombre <= VITE_FAIT;
+        return peu ? scene : structurer(scene, camera);
     }
 
     /** La même scène, dont la recherche a des structures. */
     static Scene structurer(Scene scene, Camera camera) {
-        return scene.avec(new Foule(new Preparation(scene, camera), new Compteurs()));
+        return scene.avec(recherche(scene, camera));
+    }
+
+    static Recherche recherche(Scene scene, Camera camera) {
+        return new Foule(new Preparation(scene, camera), new Compteurs());
     }
 
     synchronized Structures getStructures() {

@@ -10,15 +10,15 @@ import lancer.contrat.Recherche;
 
 /**
  * Les objets que peut rencontrer un rayon. Viennent d'abord les géants et les objets libres. Puis, si le rayon vient de
- * l'œil ou d'une lampe, ceux qui se voient dans sa direction ; sinon, ceux des cellules que le rayon traverse (Amanatides
- * et Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Si elles donnent trop d'objets, l'arbre les
+ * l'œil ou d'une lampe, ceux qui se voient dans sa direction ; sinon, ceux des cellules qu'il traverse (Amanatides et
+ * Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Là où elles donnent trop d'objets, l'arbre les
  * remplace.
  */
 final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'une cellule trop pleine. */
     private static final int EXAMENS_MAX = 100;
-    private static final int PLEINE = Integer.getInteger("pleine", 30);
+    private static final int PLEINE = 30;
 
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
@@ -26,8 +26,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Ce qui couvre de plus l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
     private static final double ARRONDI_DU_TRI = 0x1p-26;
 
-    /** Plus petite composante de la direction dans les cellules : une autre serait nulle. */
-    private static final double COMPOSANTE_MIN = 1e-300;
+    /** Plus petite composante de la direction dans les cellules, à la place d'une plus petite : rien n'y déborde. */
+    private static final double COMPOSANTE_MIN = 1e-180;
 
     /** Écart permis à 1 du carré de la longueur d'une direction. */
     private static final double UNITAIRE = 1e-14;
@@ -75,7 +75,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int premier = -1;
     private double distance = Constantes.INFINI;
 
-    /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes qui restent. */
+    /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes de reste. */
     private int cube;
     private double tx;
     private double ty;
@@ -113,7 +113,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
                 && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
         px = mesure ? x : Double.NaN;
-        rangDepart = foule.rangDe(depart);
+        int dernier = foule.contact;
+        rangDepart = dernier >= 0 && structures.enveloppes.objets[dernier] == depart ? dernier : -1;
         propose = rangDepart;
         pret = rangDepart >= 0;
         liste = structures.enveloppes.dAbord;
@@ -128,7 +129,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     @Override
     public boolean hasNext() {
         if (!pret) {
-            foule.reprendre(this);
+            foule.courante = this;
             if (propose >= 0) {
                 noterLaReponse();
             }
@@ -177,7 +178,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         if (proche < 0 || objets[proche] != plusProche) {
             return plusProche;
         }
-        foule.retenir(premier);
+        foule.contact = premier;
         return objets[premier];
     }
 
@@ -186,14 +187,13 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
      * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
      */
     private int chercher() {
-        // d'un seul tenant : plus de 325 octets (FreqInlineSize de HotSpot) ne sont pas recopiés dans chaque boucle
         int avant = examens;
         do {
             int[] rangs = liste;
             double auPlus = limite + lache;
-            examens += fin - place;
-            for (int p = place; p < fin; p++) {
-                int k = rangs[p];
+            while (place < fin) {
+                int k = rangs[place++];
+                examens++;
                 int s = Enveloppes.PAS * k;
                 double fx = g[s] - px;
                 double fy = g[s + 1] - py;
@@ -201,20 +201,14 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 double r = g[s + 3];
                 double b = fx * vx + fy * vy + fz * vz;
                 if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
-                    if (triee) {
-                        // les suivants sont encore plus loin
-                        examens -= fin - p - 1;
-                        break;
-                    }
+                    // les suivants d'une liste triée sont encore plus loin
+                    place = triee ? fin : place;
                 } else if (k != rangDepart && k != proche && k != propose
                         && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
-                    examens -= fin - p - 1;
-                    place = p + 1;
                     compteurs.noeudsVisites += examens - avant - 1;
                     return k;
                 }
             }
-            place = fin;
         } while (ouvrir());
         compteurs.noeudsVisites += examens - avant;
         return -1;
@@ -222,9 +216,33 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** Ouvre la liste suivante. @return faux s'il n'y en a plus */
     private boolean ouvrir() {
+        // d'un seul tenant : HotSpot recopie dans chaque boucle ce qui a moins de 325 octets (FreqInlineSize)
         examens++;
         if (etape == DEBUT) {
-            choisir();
+            PointDeVue vue = null;
+            if (ombre) {
+                vue = foule.trouverLaLampe(rayon.getP());
+            } else if (depart == null && structures.oeil != null && structures.oeil.envoie(px, py, pz, vx, vy, vz)) {
+                vue = structures.oeil;
+            }
+            if (Double.isNaN(px)) {
+                etape = FIN;
+                lire(structures.enveloppes.petits, 0, structures.enveloppes.petits.length);
+            } else if (vue != null) {
+                Cellules c = vue.cellules;
+                int direction = c.cubeDe(vx, vy, vz);
+                etape = FIN;
+                if (direction >= 0 && c.debut[direction + 1] - c.debut[direction] > PLEINE) {
+                    etape = ARBRE;
+                } else if (direction >= 0) {
+                    triee = true;
+                    lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
+                    lire(c.objets, c.debut[direction], c.debut[direction + 1]);
+                }
+            } else {
+                boolean pres = Math.abs(px) + Math.abs(py) + Math.abs(pz) <= structures.portee;
+                etape = structures.espace == null || !pres ? ARBRE : entrer() ? ESPACE : FIN;
+            }
             if (place < fin) {
                 return true;
             }
@@ -242,35 +260,6 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         liste = celle;
         place = debut;
         fin = apres;
-    }
-
-    /** Choisit ce qui donne la suite, et en ouvre la première liste s'il y en a une. */
-    private void choisir() {
-        if (Double.isNaN(px)) {
-            etape = FIN;
-            lire(structures.enveloppes.petits, 0, structures.enveloppes.petits.length);
-            return;
-        }
-        PointDeVue vue = null;
-        if (ombre) {
-            vue = foule.trouverLaLampe(rayon.getP());
-        } else if (depart == null && structures.oeil != null && structures.oeil.envoie(px, py, pz, vx, vy, vz)) {
-            vue = structures.oeil;
-        }
-        if (vue != null) {
-            Cellules c = vue.cellules;
-            int direction = c.cubeDe(vx, vy, vz);
-            etape = FIN;
-            if (direction >= 0 && c.debut[direction + 1] - c.debut[direction] > PLEINE) {
-                etape = ARBRE;
-            } else if (direction >= 0) {
-                triee = true;
-                lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
-                lire(c.objets, c.debut[direction], c.debut[direction + 1]);
-            }
-        } else {
-            etape = structures.espace == null || Math.abs(px) + Math.abs(py) + Math.abs(pz) > structures.portee ? ARBRE : entrer() ? ESPACE : FIN;
-        }
     }
 
     private static double inverse(double v) {

@@ -17,8 +17,8 @@ import lancer.Vecteur;
 import lancer.contrat.TousLesObjets;
 
 /**
- * Ce que la recherche pourrait cacher, demandé au hasard avant le dessin : un objet qui répond hors de son enveloppe, ou
- * qui bouge. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas vue. Rien n'en est compté.
+ * Ce que la recherche pourrait cacher, demandé au hasard avant le dessin : un objet qui répond hors de son enveloppe,
+ * ou qui bouge. C'est un échantillon : une faute qu'il ne rencontre pas n'est pas vue. Rien n'en est compté.
  */
 public final class Regard {
 
@@ -62,7 +62,8 @@ public final class Regard {
         for (int k = 0; k < rayons && !cache && toutes.getCompteurs().testsSpheres < EXAMENS; k++) {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
-            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), dans(tirer(classe), hasard.nextDouble()));
+            Point vers = dans(tirer(classe), 2 * hasard.nextDouble());
+            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), vers);
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))

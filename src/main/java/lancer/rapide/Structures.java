@@ -13,8 +13,7 @@ final class Structures {
     private static final int OBJETS_PAR_PIXEL = 8;
 
     /** Nombre de cubes voulu par objet, nombre au moins, et nombre pour toutes les lampes ensemble. */
-    private static final int CUBES_PAR_OBJET = Integer.getInteger("cd", 2);
-    private static final int CUBES_ESPACE = Integer.getInteger("ce", 2);
+    private static final int CUBES_PAR_OBJET = 2;
     private static final int CUBES_AU_MOINS = 1 << 10;
     private static final int CUBES_TOUJOURS = 1 << 18;
 
@@ -43,8 +42,8 @@ final class Structures {
         portee = 1024 * loin;
         boolean avecCellules = n > 0 && n <= OBJETS_PAR_PIXEL * (long) camera.getLargeur() * camera.getHauteur();
         int voulus = Math.max(CUBES_AU_MOINS, CUBES_PAR_OBJET * n);
-        espace = avecCellules ? Cellules.de(enveloppes.geometrie, enveloppes.petits, Enveloppes.MARGE * loin, false, Math.max(Integer.getInteger("ca", 1024), CUBES_ESPACE * n))
-                : null;
+        espace = avecCellules
+                ? Cellules.de(enveloppes.geometrie, enveloppes.petits, Enveloppes.MARGE * loin, false, voulus) : null;
         int permis = Math.max(CUBES_TOUJOURS, voulus) / (1 + lampes.length);
         int cubes = Math.min(permis, voulus);
         boolean avecVues = avecCellules && cubes > n / 16;

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,6 +25,7 @@ import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
+import lancer.image.Ecriture;
 import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
@@ -76,7 +78,7 @@ public final class SceneLue {
     /** L'heure et la taille d'un fichier. */
     static String version(Path chemin) throws IOException {
         BasicFileAttributes a = Files.readAttributes(chemin, BasicFileAttributes.class);
-        return a.lastModifiedTime().toMillis() + " " + a.size();
+        return a.lastModifiedTime() + " " + a.size();
     }
 
     /** Ajoute un objet ou une lampe. @param cle celle de sa place */
@@ -172,14 +174,35 @@ public final class SceneLue {
         return modele;
     }
 
+    /** L'heure et la taille du fichier qui contient cette scène, ou la scène dont elle vient. */
+    public String getVersion() {
+        return version;
+    }
+
     /**
-     * Les octets du fichier de cette scène, où les places sont celles de la scène {@code deplacee} qui en vient. Seule
-     * la valeur de leur ligne {@code centre} ou {@code position} change.
+     * Remplace le fichier de cette scène par celui de la scène {@code deplacee}, qui en vient, et lui donne sa version.
+     * Seule la valeur des lignes {@code centre} ou {@code position} de ce qui a bougé change.
      *
      * @throws SceneFautive si le fichier a changé depuis sa lecture
-     * @throws IOException s'il ne peut être relu
+     * @throws lancer.commande.Echec s'il ne peut être lu ou écrit
      */
-    public byte[] deplacer(SceneLue deplacee) throws IOException {
+    public void remplacer(SceneLue deplacee) {
+        byte[][] ecrit = new byte[1][];
+        new Ecriture<byte[][]>(chemin.toString(), (octets, sortie) -> {
+            octets[0] = deplacer(deplacee);
+            sortie.write(octets[0]);
+        }).ecrire(ecrit);
+        try {
+            String nouvelle = version(chemin);
+            // un autre programme a pu écrire entre-temps : sa version est à lire
+            deplacee.version = Arrays.equals(ecrit[0], Files.readAllBytes(chemin)) ? nouvelle : version;
+        } catch (IOException e) {
+            deplacee.version = version;
+        }
+    }
+
+    /** Les octets du fichier de cette scène, avec les places de l'autre. */
+    byte[] deplacer(SceneLue deplacee) throws IOException {
         if (!Files.isRegularFile(chemin) || !version.equals(version(chemin))) {
             throw new SceneFautive(SectionLue.message(chemin.toString(), 0, null, null,
                     "le fichier a changé depuis sa lecture", "le fichier relu, puis le déplacement refait"));

@@ -17,7 +17,6 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.contrat.Toile;
-import lancer.rapide.Structuree;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
 public final class Ressources {
@@ -106,13 +105,6 @@ public final class Ressources {
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {
         Image image = new Image(largeur, hauteur);
         new Lancer(scene, new Camera(largeur, hauteur)).TracerPixels(image, reflets, fils);
-        return image;
-    }
-
-    /** La même, par la recherche rapide : celle que montre le programme sans {@code --simple}. */
-    public static Image imageRapide(Scene scene, Camera camera, int reflets) {
-        Image image = new Image(camera.getLargeur(), camera.getHauteur());
-        new Lancer(Structuree.scene(scene, camera), camera).TracerPixels(image, reflets, 2);
         return image;
     }
 

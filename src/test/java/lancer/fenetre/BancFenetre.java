@@ -21,7 +21,6 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -62,6 +61,7 @@ final class BancFenetre {
     final Robot robot;
     final MainLent main;
     final Controleur controleur;
+    final Fenetre fenetre;
     final JFrame cadre;
     final PanneauImage panneau;
     final JTextArea resume;
@@ -83,7 +83,7 @@ final class BancFenetre {
         Dimension ecran = Toolkit.getDefaultToolkit().getScreenSize();
         robot.mouseMove(ecran.width - 1, ecran.height - 1);
         Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(""), null);
-        Fenetre fenetre = main.ouvrir(fin::countDown);
+        fenetre = main.ouvrir(fin::countDown);
         controleur = fenetre.controleur;
         cadre = fenetre.cadre;
         panneau = composant("image", PanneauImage.class);
@@ -224,20 +224,20 @@ final class BancFenetre {
 
     /** L'image, une fois achevée. */
     ImageMemoire imageAchevee() throws Exception {
-        attendre("l'image est achevée", () -> !controleur.enCours && controleur.getImageEntiere() != null);
-        return surFilEvenements(() -> controleur.getImageEntiere());
+        attendre("l'image est achevée", () -> !controleur.getEtat().enCours && controleur.getEtat().getImageEntiere() != null);
+        return surFilEvenements(() -> controleur.getEtat().getImageEntiere());
     }
 
     /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
     void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getImageEntiere() != null && Arrays.equals(controleur.getImageEntiere().codes, codes));
+        attendre(quoi, () -> controleur.getEtat().getImageEntiere() != null && Arrays.equals(controleur.getEtat().getImageEntiere().codes, codes));
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */
     void attendreImage(String quoi, int[] codes) throws Exception {
         attendreCodes(quoi, codes);
-        attendre(quoi + ", à l'écran", () -> controleur.getImageEntiere() != null
-                && Ecran.trouver(codes, controleur.getImageEntiere().largeur) != null);
+        attendre(quoi + ", à l'écran", () -> controleur.getEtat().getImageEntiere() != null
+                && Ecran.trouver(codes, controleur.getEtat().getImageEntiere().largeur) != null);
     }
 
     static int[] codes(BufferedImage image) {
@@ -266,7 +266,7 @@ final class BancFenetre {
         return presse.isDataFlavorAvailable(DataFlavor.stringFlavor) ? (String) presse.getData(DataFlavor.stringFlavor) : "";
     }
 
-    /** Ferme la fenêtre comme le fait son bouton, et attend que le programme se dise fini. */
+    /** Ferme la fenêtre, sans rien demander, et attend que le programme se dise fini. */
     void fermer() throws Exception {
         faire(() -> {
             for (Window w : Window.getWindows()) {
@@ -274,7 +274,7 @@ final class BancFenetre {
                     w.dispose();
                 }
             }
-            cadre.dispatchEvent(new WindowEvent(cadre, WindowEvent.WINDOW_CLOSING));
+            fenetre.fermer();
         });
         if (!fin.await(patienceNs, TimeUnit.NANOSECONDS)) {
             fail("la fenêtre est fermée, et le programme ne finit pas");

@@ -12,7 +12,7 @@ class FenetreAffichageTest extends EssaiFenetre {
 
     private void attendreTaille(String quoi, int largeur, int hauteur) throws Exception {
         attendre(quoi, () -> {
-            ImageMemoire image = banc.controleur.getImageEntiere();
+            ImageMemoire image = banc.controleur.getEtat().getImageEntiere();
             return image != null && image.largeur == largeur && image.hauteur == hauteur;
         });
     }
@@ -60,6 +60,6 @@ class FenetreAffichageTest extends EssaiFenetre {
             banc.robot.mouseWheel(1);
         }
         banc.attendreImage("et on en revient", image.codes);
-        assertSame(image, banc.controleur.getImageEntiere());
+        assertSame(image, banc.controleur.getEtat().getImageEntiere());
     }
 }

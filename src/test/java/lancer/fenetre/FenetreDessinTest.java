@@ -40,8 +40,8 @@ class FenetreDessinTest extends EssaiFenetre {
         // le dernier pavé : l'image, ralentie, en est loin
         int[] bas = Arrays.copyOfRange(brouillon.codes, (H - 16) * L, H * L);
         attendre("le brouillon est à l'écran", () -> Ecran.trouver(bas, L) != null);
-        assertTrue(banc.controleur.enCours);
-        assertNull(banc.controleur.getImageEntiere());
+        assertTrue(banc.controleur.getEtat().enCours);
+        assertNull(banc.controleur.getEtat().getImageEntiere());
         banc.main.lent = false;
         banc.attendreImage("l'image remplace le brouillon", attendue(L, H));
     }
@@ -78,7 +78,7 @@ class FenetreDessinTest extends EssaiFenetre {
         int[] avant = attendue(L, H);
         attendre("le coût se dit", () -> banc.resume.getText().contains("rayons"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin suivant a commencé", () -> banc.controleur.enCours && banc.main.getDessin() != null);
+        attendre("le dessin suivant a commencé", () -> banc.controleur.getEtat().enCours && banc.main.getDessin() != null);
         assertArrayEquals(avant, BancFenetre.codes(peinte().getSubimage((banc.panneau.getWidth() - L) / 2, 0, L, H)));
         assertFalse(surFilEvenements(banc.resume::getText).contains("rayons"), "le coût n'est plus celui de l'image qui vient");
         suite.countDown();
@@ -90,10 +90,10 @@ class FenetreDessinTest extends EssaiFenetre {
         banc = new BancFenetre(lente().lent());
         attendre("le brouillon est fait", () -> banc.main.brouillonFait());
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.getEtat().enCours);
         assertTrue(surFilEvenements(banc.resume::getText).startsWith("dessin "));
         attendre("plus aucun fil ne dessine", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertNull(banc.controleur.getImageEntiere());
+        assertNull(banc.controleur.getEtat().getImageEntiere());
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("F5 recommence", attendue(L, H));
@@ -139,12 +139,12 @@ class FenetreDessinTest extends EssaiFenetre {
         }));
         attendre("le dessin a commencé", () -> banc.main.getDessin() != null);
         repondA(50);
-        assertTrue(banc.controleur.enCours, "le dessin n'a pas eu à finir pour cela");
+        assertTrue(banc.controleur.getEtat().enCours, "le dessin n'a pas eu à finir pour cela");
         banc.frapper(KeyEvent.VK_F5);
         attendre("la lecture se dit", () -> banc.resume.getText().startsWith("lecture "));
         banc.frapper(KeyEvent.VK_F5);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("arrêté", () -> !banc.controleur.enCours);
+        attendre("arrêté", () -> !banc.controleur.getEtat().enCours);
         repondA(50);
         assertEquals(1, suite.getCount(), "la lecture n'a pas eu à finir pour cela");
         suite.countDown();
@@ -193,7 +193,7 @@ class FenetreDessinTest extends EssaiFenetre {
         attendre("elle se lit", () -> banc.resume.getText().startsWith("lecture "));
         attendre("le titre est le sien", () -> banc.cadre.getTitle().equals("lancer — longue.ini"));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la lecture est arrêtée", () -> !banc.controleur.enCours);
+        attendre("la lecture est arrêtée", () -> !banc.controleur.getEtat().enCours);
         inspecter();
         suite.countDown();
         banc.frapper(KeyEvent.VK_F5);
@@ -240,7 +240,7 @@ class FenetreDessinTest extends EssaiFenetre {
         choisir(longue);
         attendre("elle se prépare", () -> banc.resume.getText().startsWith("préparation "));
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("la préparation est arrêtée", () -> !banc.controleur.enCours);
+        attendre("la préparation est arrêtée", () -> !banc.controleur.getEtat().enCours);
         inspecter();
         suite.countDown();
         assertEquals("lancer — longue.ini", banc.cadre.getTitle());
@@ -255,8 +255,8 @@ class FenetreDessinTest extends EssaiFenetre {
         programme.retenue = true;
         banc.frapper(KeyEvent.VK_ADD);
         attendre("il se prépare", () -> banc.resume.getText().startsWith("préparation "));
-        assertNull(surFilEvenements(() -> banc.controleur.travail.dessin));
-        assertEquals(0, surFilEvenements(() -> banc.controleur.travail.getAvancement()));
+        assertNull(surFilEvenements(() -> banc.controleur.getEtat().travail.dessin));
+        assertEquals(0, surFilEvenements(() -> banc.controleur.getEtat().travail.getAvancement()));
         programme.retenue = false;
         banc.frapper(KeyEvent.VK_F5);
         banc.attendreImage("le suivant se fait", attendue("--reflets=10"));

@@ -95,7 +95,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         })));
         attendre("le brouillon est montré, et l'image retenue", () -> banc.panneau.montree != null && retenus.get() > 1);
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.enCours);
+        attendre("Échap l'arrête", () -> !banc.controleur.getEtat().enCours);
         assertTrue(Arrays.stream(banc.panneau.montree.codes).anyMatch(code -> code != 0), "les pixels qui sont là restent");
         retenu.set(false);
         banc.frapper(KeyEvent.VK_F5);
@@ -103,7 +103,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.attendreMessage("");
         suite.countDown();
         attendre("les fils retenus s'en vont", () -> !BancFenetre.vivent("lancer-1") && !BancFenetre.vivent("lancer-2"));
-        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
+        assertArrayEquals(codes, surFilEvenements(() -> banc.controleur.getEtat().getImageEntiere()).codes);
     }
 
     @Test
@@ -127,7 +127,7 @@ class FenetreFautesTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
         attendre("F3 essaie l'image montrée", () -> etat.getText().matches("(mesure en cours : [1-9]|La souris).*"));
-        assertFalse(surFilEvenements(() -> banc.controleur.enCours));
-        assertEquals(codes, surFilEvenements(() -> banc.controleur.getImageEntiere()).codes);
+        assertFalse(surFilEvenements(() -> banc.controleur.getEtat().enCours));
+        assertEquals(codes, surFilEvenements(() -> banc.controleur.getEtat().getImageEntiere()).codes);
     }
 }

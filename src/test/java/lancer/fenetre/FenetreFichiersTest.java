@@ -1,12 +1,9 @@
 package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
-import static lancer.fenetre.BancFenetre.faire;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
@@ -14,9 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import javax.swing.AbstractButton;
-import lancer.Scene;
-import lancer.SceneFautive;
 import lancer.essai.Essai;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
@@ -41,10 +35,10 @@ class FenetreFichiersTest extends EssaiFenetre {
         ImageMemoire image = ouvrir();
         Files.delete(scene);
         banc.attendreMessage(scene + " : fichier introuvable ; attendu : un fichier de scène");
-        assertSame(image, banc.controleur.getImageEntiere());
+        assertSame(image, banc.controleur.getEtat().getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.getImageEntiere() != null && banc.controleur.getImageEntiere() != image);
+        attendre("relue", () -> banc.controleur.getEtat().getImageEntiere() != null && banc.controleur.getEtat().getImageEntiere() != image);
     }
 
     @Test
@@ -96,27 +90,11 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertEquals("lancer — fautive.ini", banc.cadre.getTitle());
         assertArrayEquals(rouge, banc.imageAchevee().codes);
         banc.frapper(KeyEvent.VK_F5);
-        attendre("F5 la relit", () -> !banc.controleur.enCours);
+        attendre("F5 la relit", () -> !banc.controleur.getEtat().enCours);
         banc.attendreMessage(scene.toString());
         ecrire(BLEUE);
         banc.attendreMessage("");
         banc.attendreImage("enregistrée sans sa faute, elle est dessinée", attendue(L, H));
-    }
-
-    @Test
-    void leTexteDUneFauteSeCopie() throws Exception {
-        ouvrir();
-        AbstractButton article = article(0, "Copier le message");
-        assertFalse(article.isEnabled(), "rien à copier");
-        ecrire(FAUTIVE);
-        banc.attendreMessage(scene.toString());
-        String faute = assertThrows(SceneFautive.class, () -> new Scene(scene.toString())).getMessage();
-        banc.frapper(KeyEvent.VK_F10);
-        attendre("il y a de quoi copier", article::isEnabled);
-        faire(article::doClick);
-        assertEquals(faute, BancFenetre.copie());
-        banc.frapper(KeyEvent.VK_ESCAPE);
-        assertEquals(faute, banc.message());
     }
 
     @Test

@@ -29,13 +29,13 @@ class FenetreFiguresTest extends EssaiInspecteur {
         cliquer(150, 110);
         attendreRecit(couleur(codes[110 * L + 150]));
         attendre("la figure est sur l'image", () -> Ecran.trouver(codes, L) == null);
-        assertArrayEquals(codes, banc.controleur.getImageEntiere().codes, "et pas dans l'image");
-        ImageMemoire avant = banc.controleur.getImageEntiere();
+        assertArrayEquals(codes, banc.controleur.getEtat().getImageEntiere().codes, "et pas dans l'image");
+        ImageMemoire avant = banc.controleur.getEtat().getImageEntiere();
         banc.main.lent();
         banc.frapper(KeyEvent.VK_F5);
-        attendre("le dessin recommence", () -> banc.controleur.enCours && banc.panneau.montree != avant);
+        attendre("le dessin recommence", () -> banc.controleur.getEtat().enCours && banc.panneau.montree != avant);
         presser(KeyEvent.VK_ESCAPE);
-        attendre("le dessin est arrêté", () -> !banc.controleur.enCours);
+        attendre("le dessin est arrêté", () -> !banc.controleur.getEtat().enCours);
         assertNotNull(inspecteur(), "mais l'inspecteur reste");
         attendreVerdict("L'image n'est pas achevée");
         banc.main.lent = false;
@@ -56,7 +56,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getImageEntiere()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getEtat().getImageEntiere()) == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);

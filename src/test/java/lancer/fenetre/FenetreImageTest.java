@@ -38,7 +38,7 @@ class FenetreImageTest extends EssaiFenetre {
         Color milieu = new Color(image.codes[H / 2 * L + L / 2]);
         assertEquals(milieu.getRed(), new Color(vue.getRGB(L / 4, vue.getHeight() / 2)).getRed(), 25);
         attendre("la réduction se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels montrés à 50 %, "));
-        assertSame(image, banc.controleur.getImageEntiere(), "rien n'est redessiné");
+        assertSame(image, banc.controleur.getEtat().getImageEntiere(), "rien n'est redessiné");
     }
 
     @Test

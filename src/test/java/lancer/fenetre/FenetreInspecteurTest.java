@@ -7,6 +7,7 @@ import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.MouseInfo;
@@ -14,7 +15,11 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import javax.swing.JSplitPane;
@@ -101,6 +106,29 @@ class FenetreInspecteurTest extends EssaiInspecteur {
     }
 
     @Test
+    void unReglageDePlusNePublieQueTroisEtatsEtNExpliqueLePixelQuUneFois() throws Exception {
+        ouvrir();
+        cliquer(150, 100);
+        attendreVerdict("Au bit près");
+        JTree recit = composant("recit", JTree.class);
+        List<Etat> publies = new ArrayList<>();
+        AtomicInteger expliques = new AtomicInteger();
+        faire(() -> {
+            banc.controleur.prevenir(publies::add);
+            recit.addPropertyChangeListener(JTree.TREE_MODEL_PROPERTY, e -> expliques.incrementAndGet());
+        });
+        banc.frapper(KeyEvent.VK_ADD);
+        banc.attendreCodes("dix réflexions", attendue("--reflets=10"));
+        attendreVerdict("Au bit près");
+        attendre("expliqué", () -> expliques.get() > 0);
+        banc.robot.waitForIdle();
+        assertEquals(1, expliques.get());
+        assertEquals(3, publies.size(), "demandé, brouillon, achevé");
+        assertEquals(3, new HashSet<>(publies).size());
+        assertSame(publies.get(0).demande, publies.get(2).montre.dessin.demande, "un seul modèle");
+    }
+
+    @Test
     void unClicLentDUneMainQuiTrembleEnEstUn() throws Exception {
         ouvrir();
         banc.viser(banc.panneau, (banc.panneau.getWidth() - L) / 2 + 150, (banc.panneau.getHeight() - H) / 2 + 100);
@@ -145,9 +173,9 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.enCours && banc.controleur.montre.demande.reglages.get(Option.REFLETS) == 2);
+        attendre("deux réflexions", () -> banc.controleur.getEtat().enCours && banc.controleur.getEtat().montre.dessin.demande.reglages.get(Option.REFLETS) == 2);
         attendreVerdict("L'image n'est pas achevée");
-        assertTrue(surFilEvenements(() -> banc.controleur.enCours));
+        assertTrue(surFilEvenements(() -> banc.controleur.getEtat().enCours));
         banc.main.lent = false;
         int[] bleue = attendue("--reflets=2");
         banc.attendreCodes("la nouvelle image", bleue);

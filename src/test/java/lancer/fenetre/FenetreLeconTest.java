@@ -31,13 +31,13 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.controleur.montre.lancer.getCamera().projeter(p);
+        lancer.Point vue = banc.controleur.getEtat().montre.dessin.lancer.getCamera().projeter(p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }
 
     private Sphere sphere(int rang) {
-        return (Sphere) banc.controleur.demande.lue.objets.get(rang);
+        return (Sphere) banc.controleur.getEtat().demande.lue.objets.get(rang);
     }
 
     /** Tire, Maj tenue, d'autant de pixels. */
@@ -98,8 +98,8 @@ class FenetreLeconTest extends EssaiFenetre {
         lancer.Point voulu = sphere(0).getCentre();
         int[] deplacee = banc.imageAchevee().codes;
         banc.frapperCtrl('e');
-        attendre("écrite, la scène est relue", () -> !banc.cadre.getTitle().endsWith("•") && !banc.controleur.enCours
-                && banc.controleur.montre.demande.lue.objets.get(0) == sphere(0));
+        attendre("elle est écrite", () -> !banc.cadre.getTitle().endsWith("•") && !banc.controleur.getEtat().enCours
+                && banc.controleur.getEtat().montre.dessin.demande.lue.objets.get(0) == sphere(0));
         String ecrit = fichier();
         String valeur = ecrit.substring(ecrit.indexOf("Centre = ") + 9, ecrit.indexOf(" \r\nrayon=1\r"));
         assertEquals(ini.replace("0 0.2 6", valeur), ecrit);
@@ -140,10 +140,10 @@ class FenetreLeconTest extends EssaiFenetre {
             article(0, "Écrire dans la scène").doClick();
         });
         attendre("le message le dit", () -> banc.panneau.bandeau.getText().contains("a changé depuis sa lecture")
-                || banc.panneau.bandeau.getText().contains("scène relue"));
+                || banc.panneau.bandeau.getText().contains("est oublié"));
         assertEquals(BLEUE, fichier());
         attendre("relue, elle n'a plus rien de déplacé", () -> banc.panneau.bandeau.getText().contains(
-                "scène relue : ce qui était déplacé sans être écrit est revenu à sa place"));
+                "ce qui était déplacé dans boule.ini sans être écrit est oublié"));
         banc.attendreCodes("l'image est celle du fichier", attendue(L, H));
     }
 
@@ -166,8 +166,8 @@ class FenetreLeconTest extends EssaiFenetre {
     void uneLampeQuiSeVoitSePrendParSonEtoile() throws Exception {
         ecrire(ROUGE.replace("-4 6 -3", "0 1.5 5"));
         ouvrir();
-        tirer(surFilEvenements(() -> place(banc.controleur.demande.lue.lampes.get(0).getPosition())), -30, 10);
-        attendre("elle est plus à gauche", () -> banc.controleur.demande.lue.lampes.get(0).getPosition().x < -0.2);
+        tirer(surFilEvenements(() -> place(banc.controleur.getEtat().demande.lue.lampes.get(0).getPosition())), -30, 10);
+        attendre("elle est plus à gauche", () -> banc.controleur.getEtat().demande.lue.lampes.get(0).getPosition().x < -0.2);
     }
 
     @Test

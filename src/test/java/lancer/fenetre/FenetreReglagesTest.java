@@ -32,18 +32,9 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.frapper(KeyEvent.VK_ADD);
         banc.attendreImage("une", attendue("--reflets=1"));
         banc.frapper(KeyEvent.VK_F5);
-        attendre("la relecture s'achève", () -> !banc.controleur.enCours);
+        attendre("la relecture s'achève", () -> !banc.controleur.getEtat().enCours);
         banc.attendreImage("relire la scène les garde", attendue("--reflets=1"));
         assertArrayEquals(avant, Files.readAllBytes(scene));
-    }
-
-    @Test
-    void leMenuRevientAuxReglagesDeLaCommande() throws Exception {
-        ouvrir("--reflets=1");
-        banc.frapper(KeyEvent.VK_ADD);
-        banc.attendreImage("deux réflexions", attendue("--reflets=2"));
-        faire(article("Revenir aux réglages du fichier")::doClick);
-        banc.attendreImage("retour à une", attendue("--reflets=1"));
     }
 
     @Test
@@ -54,7 +45,7 @@ class FenetreReglagesTest extends EssaiFenetre {
         JTextField seuil = composant("seuil des reflets", JTextField.class);
         assertEquals("40", surFilEvenements(reflexions::getText));
         assertEquals("0.01", surFilEvenements(seuil::getText));
-        Reglages presents = banc.controleur.demande.reglages;
+        Reglages presents = banc.controleur.getEtat().demande.reglages;
         faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 0.25)));
         banc.attendreImage("un réglage venu d'ailleurs", attendue("--reflets=1000", "--seuil=0.25"));
         attendre("se voit", () -> reflexions.getText().equals("1000") && seuil.getText().equals("0.25"));
@@ -81,14 +72,14 @@ class FenetreReglagesTest extends EssaiFenetre {
         banc.attendreMessage("seuil des reflets : valeur impossible, « -1 » ; attendu : un nombre positif ou nul");
         banc.frapper(KeyEvent.VK_ESCAPE);
         attendre("Échap rend celui de l'image", () -> seuil.getText().equals("0.5"));
-        assertEquals(1000, surFilEvenements(() -> banc.controleur.demande.reglages.get(Option.REFLETS)), "− était un signe");
+        assertEquals(1000, surFilEvenements(() -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS)), "− était un signe");
     }
 
     @Test
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.demande.reglages.get(Option.REFLETS) == 10 && !banc.controleur.enCours);
+        attendre("dix réflexions", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == 10 && !banc.controleur.getEtat().enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

@@ -2,6 +2,7 @@ package lancer.fenetre;
 
 import static lancer.fenetre.BancFenetre.attendre;
 import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
 import static lancer.fenetre.BancFenetre.surFilEvenements;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -48,6 +49,8 @@ class FenetreTest extends EssaiFenetre {
         assertEquals(image, surFilEvenements(banc.panneau::getBounds), "l'image n'a pas bougé");
         banc.frapper(KeyEvent.VK_F3);
         attendreOnglet("Vitesse");
+        faire(banc.panneau::requestFocusInWindow);
+        attendre("le clavier est à l'image", banc.panneau::isFocusOwner);
         banc.frapper(KeyEvent.VK_ENTER);
         attendreOnglet("Pixel");
         banc.frapper(KeyEvent.VK_ESCAPE);

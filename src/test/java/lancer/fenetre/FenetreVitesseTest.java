@@ -14,6 +14,7 @@ import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import lancer.commande.Option;
 import lancer.fenetre.figures.GraphiqueVitesse;
 import org.junit.jupiter.api.Test;
 
@@ -40,7 +41,7 @@ class FenetreVitesseTest extends EssaiFenetre {
     }
 
     private void attendreLaFin() throws Exception {
-        attendre("tout est mesuré", () -> etat.getText().equals("La souris dit un point, et un clic montre son image."));
+        attendre("tout est mesuré", () -> etat.getText().matches("(?s)(Les flèches ou la souris|La machine est occupée).*"));
     }
 
     /** Met la souris sur le point le plus à gauche, et rend son texte. */
@@ -61,7 +62,7 @@ class FenetreVitesseTest extends EssaiFenetre {
             banc.robot.mouseMove(coin.x + ou.x + 3 + tremble++ % 2, coin.y + ou.y);
             return etat.getText().contains(" --reflets ");
         });
-        return surFilEvenements(etat::getText);
+        return surFilEvenements(() -> etat.getText().replaceFirst("[^\n]*\n", ""));
     }
 
     @Test
@@ -86,10 +87,10 @@ class FenetreVitesseTest extends EssaiFenetre {
         String avant = viserLePlusRapide();
         banc.main.lent = true;
         banc.frapper(KeyEvent.VK_SUBTRACT);
-        attendre("le texte le dit", () -> etat.getText().equals("Les mesures reprendront après ce dessin."));
+        attendre("le texte le dit", () -> etat.getText().startsWith("Les mesures reprendront après ce dessin."));
         assertEquals(avant, viserLePlusRapide(), "ils restent");
         banc.frapper(KeyEvent.VK_ESCAPE);
-        attendre("Échap l'arrête", () -> !banc.controleur.enCours);
+        attendre("Échap l'arrête", () -> !banc.controleur.getEtat().enCours);
         assertEquals(avant, viserLePlusRapide(), "après Échap aussi");
         banc.main.lent = false;
         banc.frapper(KeyEvent.VK_ADD);
@@ -100,6 +101,27 @@ class FenetreVitesseTest extends EssaiFenetre {
         banc.attendreCodes("elle est bleue", attendue(LARGEUR, HAUTEUR));
         attendreLaFin();
         assertFalse(viserLePlusRapide().equals(avant), "une autre scène est mesurée");
+    }
+
+    @Test
+    void lesDessinsSeComptentEchapArreteEtF3Reprend() throws Exception {
+        banc = new BancFenetre("--taille=640x480", scene.toString());
+        banc.imageAchevee();
+        banc.frapper(KeyEvent.VK_F3);
+        graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
+        etat = composant("vitesse.etat", JTextArea.class);
+        attendre("les dessins se comptent", () -> etat.getText().matches("mesure en cours : [2-9] dessins sur \\d+"));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("Échap arrête", () -> etat.getText().matches("arrêtée : \\d+ réglages? mesurés? ; F3 reprend"));
+        assertTrue(surFilEvenements(graphique::isShowing), "et le panneau reste");
+        banc.frapper(KeyEvent.VK_RIGHT);
+        attendre("une flèche désigne un point", () -> etat.getText().contains("--reflets "));
+        banc.frapper(KeyEvent.VK_F3);
+        attendre("F3 reprend", () -> etat.getText().startsWith("mesure en cours : "));
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        int reflets = surFilEvenements(() -> Integer.parseInt(etat.getText().replaceFirst("(?s).* --reflets (\\d+) .*", "$1")));
+        banc.frapper(KeyEvent.VK_ENTER);
+        attendre("Entrée le prend", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets);
     }
 
     @Test

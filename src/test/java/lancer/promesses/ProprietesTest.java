@@ -130,7 +130,7 @@ class ProprietesTest {
             Scene scene = Structuree.scene(scene(tirages.boules(2 + tirages.hasard.nextInt(20))), CAMERA);
             for (int k = 0; k < PAR_SCENE; k++) {
                 Rayon premier = new Rayon(tirages.point(), tirages.direction());
-                Couleur vue = scene.getCouleurVue(Rayon.norme(premier.getP(), premier.getV()), null, 12);
+                Couleur vue = scene.getCouleurVue(Rayon.unitaire(premier.getP(), premier.getV()), null, 12);
                 Couleur part = new Couleur(1);
                 Rayon rayon = premier;
                 PointContact contact = scene.getClosestIntersection(rayon);

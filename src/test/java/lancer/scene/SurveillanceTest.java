@@ -1,13 +1,16 @@
 package lancer.scene;
 
-import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
@@ -16,21 +19,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** L'observation du fichier d'une scène : sa date et sa taille disent qu'il a changé, une fois qu'il ne change plus. */
+/** L'observation du fichier d'une scène : sa version, dès que deux observations de suite l'ont trouvée. */
 @Timeout(60)
 class SurveillanceTest {
 
     @TempDir
     Path dossier;
-    private final LinkedBlockingQueue<Boolean> dits = new LinkedBlockingQueue<>();
-    private final Surveillance veille = new Surveillance(() -> dits.add(true));
+    private final LinkedBlockingQueue<String> dites = new LinkedBlockingQueue<>();
+    private final Surveillance veille = new Surveillance((nom, version) -> dites.add(nom + " " + version));
     private Path fichier;
 
     @BeforeEach
     void suivreUnFichier() throws IOException {
         fichier = dossier.resolve("s.ini");
         ecrire("un", 1);
-        veille.suivre(fichier.toString(), Surveillance.version(fichier.toString()));
+        veille.suivre(fichier.toString());
     }
 
     @AfterEach
@@ -45,35 +48,45 @@ class SurveillanceTest {
         Files.move(neuf, fichier, StandardCopyOption.ATOMIC_MOVE);
     }
 
-    private void attendre(String quoi) throws InterruptedException {
-        assertNotNull(dits.poll(40, TimeUnit.SECONDS), quoi);
-        assertNull(dits.poll(800, TimeUnit.MILLISECONDS), "cela ne se dit qu'une fois");
+    /** Attend que la version annoncée soit celle d'à présent de ce fichier ; ce qui a été observé avant peut la précéder. */
+    private String attendre(Path celui) throws InterruptedException {
+        String voulue = celui + " " + Surveillance.version(celui.toString());
+        String dite = dites.take();
+        while (!dite.equals(voulue)) {
+            dite = dites.take();
+        }
+        return dite;
     }
 
     @Test
-    void uneAutreDateOuUneAutreTailleSeDisentUneFois() throws Exception {
+    void uneAutreDateOuUneAutreTailleSontUneAutreVersion() throws Exception {
+        Set<String> versions = new HashSet<>();
+        assertTrue(versions.add(attendre(fichier)));
         ecrire("un", 2);
-        attendre("une autre date");
+        assertTrue(versions.add(attendre(fichier)), "une autre date");
         ecrire("trois", 2);
-        attendre("une autre taille");
+        assertTrue(versions.add(attendre(fichier)), "une autre taille");
     }
 
     @Test
-    void unFichierEffaceSeDitPuisSonRetour() throws Exception {
+    void unFichierEffaceSeDitPuisSonRetourALaMemeVersion() throws Exception {
+        String avant = attendre(fichier);
         Files.delete(fichier);
-        attendre("effacé");
+        assertNotEquals(avant, attendre(fichier));
         ecrire("un", 1);
-        attendre("revenu");
+        assertEquals(avant, attendre(fichier), "revenu tel qu'il était");
     }
 
     @Test
     void unFichierQuiNEstPlusSuiviNeDitPlusRien() throws Exception {
         Path autre = Files.write(dossier.resolve("autre.ini"), "deux".getBytes());
-        veille.suivre(autre.toString(), Surveillance.version(autre.toString()));
+        veille.suivre(autre.toString());
+        attendre(autre);
         ecrire("un", 2);
         Files.delete(fichier);
-        assertNull(dits.poll(1200, TimeUnit.MILLISECONDS));
+        Thread.sleep(800);
+        assertTrue(dites.stream().allMatch(dite -> dite.startsWith(autre + " ")), dites.toString());
         Files.delete(autre);
-        attendre("celui qui est suivi");
+        attendre(autre);
     }
 }

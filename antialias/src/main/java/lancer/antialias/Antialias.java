@@ -67,4 +67,11 @@ public final class Antialias implements Variante {
         }
         return proposees;
     }
+
+    @Override
+    public String getNomCourt(Section proposee) {
+        String n = proposee.mot("n", "" + N);
+        return n.equals("1") ? "un rayon"
+                : proposee.mot("methode", "coins") + " " + n + "/" + proposee.mot("seuil", "" + SEUIL);
+    }
 }

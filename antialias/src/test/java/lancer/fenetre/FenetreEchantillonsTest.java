@@ -99,7 +99,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
     void leResumeDUnReglageDeF3NeReduitPasLImage() throws Exception {
         banc = new BancFenetre("--taille=800x600", scene.toString());
         banc.imageAchevee();
-        Reglages presents = banc.controleur.demande.reglages;
+        Reglages presents = banc.controleur.getEtat().demande.reglages;
         Variante antialias = presents.getEssayee();
         Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
         faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias, section)));

@@ -109,7 +109,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     /** Règle la fenêtre, copie, met les lignes dans la scène, et essaie la commande. */
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
-            Reglages reglages = banc.controleur.demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
+            Reglages reglages = banc.controleur.getEtat().demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
             banc.controleur.regler(reglages.avecVariante(reglages.getVariante("Brume"), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
@@ -156,7 +156,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         ouvrir();
         int[] avant = banc.imageAchevee().codes;
         placer(glissiere("Brume.fin"), 4);
-        attendre("fin est réglée", () -> !banc.controleur.enCours);
+        attendre("fin est réglée", () -> !banc.controleur.getEtat().enCours);
         int[] cinq = sansFenetre(ROUGE + "[Brume]\nfin=5\n");
         banc.attendreImage("fin est réglée", cinq);
         JSlider debut = composant("Brume.debut", JSlider.class);
@@ -213,7 +213,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         }
         taper(couleur, "1 0.2 0");
         attendre("elle s'écrit", () -> {
-            Reglages reglages = banc.controleur.demande.reglages;
+            Reglages reglages = banc.controleur.getEtat().demande.reglages;
             return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
         });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));

@@ -34,6 +34,7 @@ import lancer.correction.note.Ajustements;
 import lancer.correction.note.Bareme;
 import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
+import lancer.correction.note.Ressemblances;
 import lancer.correction.page.Pages;
 
 /** La ligne de commande : juge les rendus d'une classe et les note, ou écrit le projet à compléter. */
@@ -140,7 +141,7 @@ public final class Correction {
         Confinement confinement = Confinement.essayer();
         if (!confinement.confine && !demande.containsKey("--sans-confinement")) {
             throw new Panne(1, "rien n'a été exécuté : " + confinement.manque
-                    + " ; sinon, un conteneur (docs/classe.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
+                    + " ; sinon, un conteneur (docs/confinement.md) ; à défaut, pour exécuter quand même le code des étudiants, qui pourra "
                     + "lire et écrire vos fichiers : SANS_CONFINEMENT=1 (--sans-confinement)");
         }
         DossierDeResultats resultats = new DossierDeResultats(dossier);
@@ -157,6 +158,10 @@ public final class Correction {
                 }
                 resultats.ecrire(grille);
             });
+            if (!demande.containsKey("--neuf")) {
+                resultats.remplaces(rendus).forEach(r -> suivi.println("correction : un autre travail va remplacer celui de « "
+                        + Texte.protege(r) + " » ; pour le garder : Ctrl+C, et --sortie (SORTIE=) dans un autre dossier"));
+            }
             AtomicInteger finis = new AtomicInteger();
             jury.juger(rendus, resultat -> {
                 try {
@@ -214,6 +219,7 @@ public final class Correction {
                 ajustements.de(r.id))).collect(Collectors.toList());
         eleves.sort(Comparator.comparing((Eleve e) -> e.resultat.nom, Depot::comparer).thenComparing(e -> e.resultat.id, Depot::comparer));
         List<String> avis = new ArrayList<>(ajustements.fautes);
+        Ressemblances.dire(eleves, avis);
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
         avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         ajustements.ecrireARemplir(dossier, eleves);

@@ -79,6 +79,10 @@ class BancTest extends ClasseEssai {
                     SourcesDuCours.DONNEES.forEach(c -> partie.put(c, SourcesDuCours.corrige(c)));
                 } else if (mots[0].equals("codage")) {
                     codage = Charset.forName(mots[1]);
+                } else if (mots[0].equals("squelette")) {
+                    partie.put(mots[1], SourcesDuCours.squelette(mots[1]));
+                } else if (mots[0].equals("texte")) {
+                    fichiers.put(mots[1], ligne.substring(7 + mots[1].length()).replace("\\n", "\n"));
                 } else if (mots[0].equals("fichier")) {
                     fichiers.put("lancer-base/" + mots[1], "");
                 } else if (mots[0].equals("copie")) {

@@ -72,7 +72,8 @@ class ClasseTest extends ClasseEssai {
     @Test
     void uneFauteDeSyntaxeNeCouteQueSaMethode() throws IOException {
         etapes("103", "7/7", "9/9", "0/7", "1/9", "1/9");
-        contient(page(dossier, "103"), "Sphere.java:31 : le compilateur dit « Syntax error, insert &quot;;&quot; to complete",
+        contient(page(dossier, "103"), "Sphere.java:31 : il manque « ; » ; le compilateur dit « Syntax error, "
+                + "insert &quot;;&quot; to complete",
                 "n&#39;est pas en UTF-8");
     }
 
@@ -203,10 +204,10 @@ class ClasseTest extends ClasseEssai {
             assertEquals(premiere == null ? ecrit : premiere, ecrit);
             premiere = ecrit;
             contient(classe(dossier).get("106").get("à regarder"), "note de la feuille gardée, que nous n'avons pas écrite : 8,50 ; la "
-                    + "nôtre serait 17.00");
+                    + "nôtre serait 17,00");
             contient(ecrit, "Participant106,\"8,50\",20.00,-,\n", "Participant104,12.00,20.00,-,Bien vu\n",
                     "Participant105," + classe.get("105").get("note") + ",20.00,-,\"Correction automatique : "
-                    + classe.get("105").get("note"),
+                    + classe.get("105").get("note").replace('.', ','),
                     "Participant103," + classe.get("103").get("note") + ",20.00,-,\"Absent Correction automatique : ",
                     "Participant102," + classe.get("102").get("note") + ",20.00,-,\n");
             // déposée, puis donnée de nouveau par Moodle, elle en reste là
@@ -245,7 +246,7 @@ class ClasseTest extends ClasseEssai {
         assertEquals("Identifier,Grade,Maximum Grade,Last modified (grade)\nParticipant 106,17.00,20.00,-\nParticipant 104,3.00,20.00,-\n"
                 + "Participant 105," + classe.get("105").get("note") + ",20.00,-\n",
                 Files.readString(dossier.resolve("notes-a-deposer.csv")));
-        contient(classe(dossier).get("104").get("à regarder"), "la nôtre serait " + classe.get("104").get("note"));
+        contient(classe(dossier).get("104").get("à regarder"), "la nôtre serait " + classe.get("104").get("note").replace('.', ','));
     }
 
     @Test

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledForJreRange(min = JRE.JAVA_17)
 class NomsTest extends ClasseEssai {
 
-    private static final Path DOCUMENT = Paths.get("..", "docs", "classe.md");
+    private static final Path DOCUMENT = Paths.get("..", "docs", "confinement.md");
     private static final List<String> NOMS = List.of("x".repeat(252), "\u001b[2K\rcorrection : 9/9 forge\ncorrection : 9/9 forge : 20",
             "a;=cmd|' C calc'!A0;b", "é".repeat(20_000) + "_11_assignsubmission_file");
 
@@ -85,7 +85,7 @@ class NomsTest extends ClasseEssai {
 
     @Test
     void sansBwrapRienNeSExecuteEtCeQuIlFautTaperEstDit() throws IOException, InterruptedException {
-        contient(sansConfinement(dossier), "rien n'a été exécuté : bwrap n'", "un conteneur (docs/classe.md)",
+        contient(sansConfinement(dossier), "rien n'a été exécuté : bwrap n'", "un conteneur (docs/confinement.md)",
                 "SANS_CONFINEMENT=1 (--sans-confinement)");
         contient(Files.readString(DOCUMENT), "Sans `bwrap` (Windows, Mac), rien n'est exécuté et le statut est 1",
                 "`SANS_CONFINEMENT=1`", "make profil-bwrap");

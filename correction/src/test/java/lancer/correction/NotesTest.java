@@ -2,6 +2,7 @@ package lancer.correction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -89,7 +90,7 @@ class NotesTest extends ClasseEssai {
         for (String maximum : List.of("Maximum grade", "Maximum Grade", "MAXIMUM GRADE", "Note maximale")) {
             Path feuille = feuille(TITRES.replace("Maximum grade", maximum) + "Participant 7001,Ólafur Þór,,40.00,-,\n");
             assertEquals(0, renoter("--notes", feuille).code);
-            contient(deposee(), "Participant 7001,Ólafur Þór,34.00,40.00,-,\"Correction automatique : 34.00,");
+            contient(deposee(), "Participant 7001,Ólafur Þór,34.00,40.00,-,\"Correction automatique : 34,00,");
         }
         assertEquals("34.00/40.00", note("7001"));
         contient(page(dossier, "7001"), "34 points sur 40", "<td class=\"n\">5 / 5");
@@ -103,14 +104,14 @@ class NotesTest extends ClasseEssai {
         baremer("rapport écrit=4\n");
         ajuster("7001,rapport écrit,3,\n");
         renoter("--notes", feuille(TITRES + "Participant 7001,x,9.00,20.00,-,\nParticipant 7002,x,,20.00,-,\n"));
-        assertEquals("16.67/20.00", note("7001"), "20 points sur 24");
+        assertEquals("9.00/20.00", note("7001"), "celle de l'enseignant, sur toutes les pages");
         String index = Files.readString(dossier.resolve("index.html"));
-        contient(index, "<td class=\"n\">16,67<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : "
-                + "9.00 ; la nôtre serait 16.67");
+        contient(index, "<td class=\"n\">9,00<td class=\"petit\">", "<div>note de la feuille gardée, que nous n&#39;avons pas écrite : "
+                + "9,00 ; la nôtre serait 16,67");
         assertEquals(2, index.split("sur 24").length, "dit une fois, et le reste est sur une seule échelle");
         contient(index, "dans bareme.ini et ajustements.csv, ils sont sur 24");
         assertFalse(page(dossier, "7001").contains("sur 24"), "une seule échelle");
-        contient(page(dossier, "7001"), "16,67 points sur 20");
+        contient(page(dossier, "7001"), "9 points sur 20, la note que l'enseignant a donnée");
     }
 
     @Test
@@ -132,12 +133,13 @@ class NotesTest extends ClasseEssai {
     void uneFeuilleEnregistreeParUnTableurFrancaisGardeSonSeparateurSonCodageEtSonSigneDecimal() throws IOException {
         String titres = "Identifiant;Nom complet;NOTE;Note Maximale;Dernière modification (note);Feedback par commentaires\r\n";
         Path feuille = dossier.resolve("tableur.csv");
-        Files.write(feuille, (titres + "Participant7001;Œuvrée, Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
+        Files.write(feuille, (titres + "Participant7001;Œuvrée, "
+                + "Maëlle;;50,00;-;\r\n;;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n")
                 .getBytes(CP1252));
         Essai essai = renoter("--notes", feuille);
         assertEquals(0, essai.code, essai.erreur);
         String ecrit = new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252);
-        contient(ecrit, titres + "Participant7001;Œuvrée, Maëlle;42,50;50,00;-;\"Correction automatique : 42.50, étape atteinte, « ",
+        contient(ecrit, titres + "Participant7001;Œuvrée, Maëlle;42,50;50,00;-;\"Correction automatique : 42,50, étape atteinte, « ",
                 ";;;;;\r\nParticipant7002;b;3,25;50,00;-;à « voir »\r\n");
         assertEquals(0, renoter("--notes", dossier.resolve("notes-a-deposer.csv")).code);
         assertEquals(ecrit, new String(Files.readAllBytes(dossier.resolve("notes-a-deposer.csv")), CP1252));
@@ -182,11 +184,51 @@ class NotesTest extends ClasseEssai {
         contient(Files.readString(dossier.resolve("index.html")), "notes-a-deposer.csv a été changé");
     }
 
+    /** Change l'un des résultats, tel que make noter le relit. */
+    private void changer(String id, String avant, String apres) throws IOException {
+        String texte = Files.readString(resultat(id));
+        assertTrue(texte.contains(avant), avant);
+        Files.writeString(resultat(id), texte.replace(avant, apres));
+    }
+
+    @Test
+    void laMemeNoteEstSurLaPageDansLeTableauEtDansLaFeuille() throws IOException {
+        ajuster("7001,sphere,0.625,\n");
+        renoter("--notes", feuille(TITRES + "Participant 7001,x,,20.00,-,\nParticipant 7002,y,3.5,20.00,-,\n"));
+        contient(page(dossier, "7001"), "15,13 points sur 20");
+        contient(deposee(), "7001,x,15.13,20.00,-,\"Correction automatique : 15,13, ");
+        assertEquals(List.of("15.13/20.00", "3.50/20.00"), List.of(note("7001"), note("7002")));
+        contient(page(dossier, "7002"), "3,5 points sur 20, la note que l'enseignant a donnée");
+        contient(Files.readString(dossier.resolve("index.html")), "moyenne 9,32 sur 20, médiane 9,32", "<h2>Les notes</h2>");
+    }
+
+    @Test
+    void quiNARienRenduEstNommeEtUnGroupeAussi() throws IOException {
+        changer("7002", "\"empreinte\":\"" + Files.readString(resultat("7002")).replaceFirst("(?s).*\"empreinte\":\"([^\"]*).*", "$1"),
+                "\"empreinte\":\"" + Files.readString(resultat("7001")).replaceFirst("(?s).*\"empreinte\":\"([^\"]*).*", "$1"));
+        contient(renoter("--notes", feuille(TITRES + "Participant 7001,x,,20.00,-,\nParticipant 7003,Zoé Roux,,20.00,-,\n")).erreur,
+                "dans la feuille, et sans rendu ici (1) : Zoé Roux\n",
+                "un même rendu pour 2 identifiants : Ólafur Þór (7001), Zoé N’Guyen (7002)\n");
+    }
+
+    @Test
+    void desClassesEcritesPareilSontDitesADeuxEtudiants() throws IOException {
+        changer("7001", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"a\"");
+        changer("7002", "\"formes\":{", "\"formes\":{\"Sphere\":\"s\",\"Scene\":\"b\"");
+        renoter();
+        contient(classe(dossier).get("7001").get("à regarder"), "écrit comme chez Zoé N’Guyen (7002), "
+                + "aux noms et aux commentaires près : "
+                + "Sphere");
+        contient(classe(dossier).get("7002").get("à regarder"), "écrit comme chez Ólafur Þór (7001), "
+                + "aux noms et aux commentaires près : "
+                + "Sphere");
+    }
+
     @Test
     void ceQueLaFeuilleDitDUnRetardEstSurLesPages() throws IOException {
         renoter("--notes", feuille("Identifiant,Statut,Note,Note maximale,Dernière modification (note)\n"
                 + "Participant7001,Remis pour évaluation - En retard de 2 jours,,20,-\nParticipant7002,Remis pour évaluation,,20,-\n"));
-        contient(page(dossier, "7001"), "En retard de 2 jours");
+        contient(page(dossier, "7001"), "<p>En retard de 2 jours</p>");
         contient(Files.readString(dossier.resolve("index.html")), "En retard de 2 jours");
         assertFalse(page(dossier, "7002").contains("retard"));
     }
@@ -204,7 +246,8 @@ class NotesTest extends ClasseEssai {
                 "distance = 3;");
         Essai essai = executer("--sans-confinement", "--sortie", dossier, tard);
         assertEquals(0, essai.code, essai.erreur);
-        contient(essai.erreur, "2 entrées, 2 lignes", "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
+        contient(essai.erreur, "2 entrées, 2 lignes", "un autre travail va remplacer celui de « Ólafur Þór, jugé le ",
+                "Ólafur Þór (7001) : jugé ; remplace un autre travail de « Ólafur Þór », jugé le ");
         contient(classe(dossier).get("7001").get("à regarder"), "remplace un autre travail de « Ólafur Þór », jugé le ");
         assertEquals(Set.of("7001", "7002", "7009"), classe(dossier).keySet());
         contient(Files.readString(dossier.resolve("index.html")), "3 entrées, 3 lignes");

@@ -1,6 +1,7 @@
 package lancer.correction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -11,6 +12,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.net.URISyntaxException;
 import java.net.URL;
@@ -88,6 +90,26 @@ class SqueletteTest extends ClasseEssai {
         assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
         BufferedImage image = dessiner(dossier.resolve("classes"), projet.resolve("scenes/scene1.ini"));
         assertTrue(Arrays.stream(image.getRGB(0, 0, 800, 600, null, 0, 800)).allMatch(c -> c == 0xFF00FF00));
+        String java = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
+        Process sansEcran = new ProcessBuilder(java, "-Djava.awt.headless=true", "-cp", dossier.resolve("classes") + File.pathSeparator
+                + ini4j(), "lancer.Main", projet.resolve("scenes/scene1.ini").toString()).redirectErrorStream(true).start();
+        String dit = new String(sansEcran.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(dit.matches("Pas d'.cran ici\\. Un second argument, image\\.png[^\n]*\n") && sansEcran.waitFor() == 1, dit);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "[Lampe a];position=0 0 0;couleur=1 1 1;[Lampe a];position=1 0 0;couleur=1 1 1 "
+            + "| :4, [Lampe a] : attendu, un autre nom : celui-ci est déjà pris",
+        "[Sphere a];rayon=1;centre=0,5 0 6 | :3, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, avec un point décimal ; "
+            + "obtenu, « 0,5 0 6 »",
+        "[Sphere a];rayon=1;[Sphere b];centre=0 0 6 | :1, [Sphere a], centre : attendu, 3 nombres séparés par des blancs, une fois",
+        "[Sphere a];centre=0 0 6;rayon=1;rayon=2 | :4, [Sphere a], rayon : attendu, un nombre, une fois"})
+    void uneSceneFautiveEstRefuseeAvecSaLigne(String scene, String refus) throws Exception {
+        Path fichier = Files.writeString(dossier.resolve("fautive.ini"), "\uFEFF" + scene.trim().replace(";", "\n") + "\n");
+        InvocationTargetException leve = assertThrows(InvocationTargetException.class, () -> new Programme(dossier).chargeur()
+                .loadClass("lancer.Scene").getConstructor(String.class).newInstance(fichier.toString()));
+        assertEquals(fichier + refus.trim(), leve.getCause().getMessage());
     }
 
     @Test
@@ -108,7 +130,7 @@ class SqueletteTest extends ClasseEssai {
 
     /** Le projet achevé, vide pour la base, ou la copie de cette extension. */
     private Path corrige(String variante) {
-        Path projet = dossier.resolve("corrige" + variante);
+        Path projet = dossier.resolve("corrigé" + variante);
         assertEquals(0, (variante.isEmpty() ? executer("--corrige", projet) : executer("--corrige", projet, "--variante", variante)).code);
         return projet;
     }
@@ -156,6 +178,8 @@ class SqueletteTest extends ClasseEssai {
         commande.addAll(List.of(arguments));
         ProcessBuilder make = new ProcessBuilder(commande).directory(projet.toFile()).redirectErrorStream(true);
         make.environment().keySet().removeAll(List.of("MAKEFLAGS", "MFLAGS", "MAKELEVEL"));
+        // le dossier a un accent, que seule une machine en UTF-8 lit
+        make.environment().put("LC_ALL", "C");
         make.environment().put("MAVEN_OPTS", "-XX:TieredStopAtLevel=1");
         Process lance = make.start();
         String dit = new String(lance.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -184,6 +208,11 @@ class SqueletteTest extends ClasseEssai {
         contient(ligne(dit, "4."), "; à commencer : getClosestIntersection ne trouve encore rien");
         contient(ligne(dit, "8."), "0/8");
         contient(ligne(dit, "L'étape suivante"), "4. Scène de sphères ; à compléter : Scene.java:");
+        Programme vierge = new Programme(dossier);
+        SourcesDuCours.A_COMPLETER.forEach(classe -> vierge.ecrire(classe, SourcesDuCours.squelette(classe)));
+        dit = vierge.bilan();
+        assertTrue(dit.matches("(?s)\\n([1-8]\\. [^\\n]* ; à commencer : [^\\n]*\\n){8}9.*") && !dit.contains("à reprendre"), dit);
+        contient(ligne(dit, "L'étape suivante"), "1. Points et vecteurs ; à compléter : Vecteur.java:");
 
         Path projet = dossier.resolve("projet");
         executer("--squelette", projet);
@@ -201,10 +230,11 @@ class SqueletteTest extends ClasseEssai {
         assertTrue(!dit.contains("[ERROR]") && !dit.contains("access$"), dit);
 
         completer(projet, "Sphere");
-        changer(projet.resolve(LANCER), "Sphere", "double racine", "duble racine");
+        // isBlank est de Java 11, et le projet de Java 8
+        changer(projet.resolve(LANCER), "Sphere", "double racine", "duble blanc = \"\".isBlank() ? 0 : 1, racine");
         dit = makeTest(projet);
         contient(dit, "Le projet ne se compile pas :\n  src/main/java/lancer/Sphere.java:[");
-        contient(dit, "class duble");
+        contient(dit, "class duble", "method isBlank");
         assertTrue(dit.endsWith("statut 2") && !dit.contains("renommée"), dit);
     }
 

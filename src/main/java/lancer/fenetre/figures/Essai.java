@@ -2,7 +2,7 @@ package lancer.fenetre.figures;
 
 import java.util.Locale;
 import lancer.commande.Reglages;
-import lancer.contrat.Section;
+import lancer.contrat.Variante;
 import lancer.dessin.Durees;
 
 /** Un réglage, l'erreur de son image, et les durées de ses dessins. Immuable. */
@@ -12,6 +12,9 @@ public final class Essai {
     private static final double ASSEZ_NS = 1.5e9;
     private static final int MOINS = 3;
     private static final int PLUS = 40;
+
+    /** Largeur de l'intervalle d'un temps, en part de ce temps, qui dit une machine occupée. */
+    private static final double VARIATION = 0.3;
 
     /** Erreur, en niveaux, qui s'écrirait 0,00. */
     private static final double ARRONDI = 0.005;
@@ -29,25 +32,40 @@ public final class Essai {
         this.incertitude = incertitude;
     }
 
+    /** Le nombre de dessins qui suffiront, d'après ceux qui sont faits. */
+    public int getVoulus() {
+        double suffisants = durees.getNombre() == 0 ? MOINS : ASSEZ_NS * durees.getNombre() / durees.getSomme();
+        return (int) Math.max(MOINS, Math.min(PLUS, Math.ceil(suffisants)));
+    }
+
     /** Dit si ce réglage a été assez dessiné. */
     public boolean suffit() {
-        return durees.getNombre() >= PLUS || durees.getNombre() >= MOINS && durees.getSomme() >= ASSEZ_NS;
+        return durees.getNombre() >= getVoulus();
+    }
+
+    /** Dit si ses temps, assez nombreux, varient trop pour une machine qui ne fait rien d'autre. */
+    public boolean varie() {
+        return suffit() && durees.getMax() - durees.getMin() > VARIATION * durees.getMediane();
     }
 
     /** Le temps et l'erreur, avec leurs intervalles. */
     public String dire() {
-        String ecart = erreur < ARRONDI ? "aucun écart vu" : "erreur de %.2f ± %.2f niveaux";
+        String ecart = estVue() ? "erreur de %.2f ± %.2f niveaux" : "aucun écart vu";
         return String.format(Locale.FRANCE, "%.3f s (de %.3f à %.3f), " + ecart, durees.getMediane() / 1e9,
                 durees.getMin() / 1e9, durees.getMax() / 1e9, erreur, incertitude);
     }
 
-    /** Le nom court de ce réglage. */
+    /** Dit si une erreur a été vue. */
+    boolean estVue() {
+        return erreur >= ARRONDI;
+    }
+
+    /** Le nom court de ce réglage, que n'a aucun autre de son échelle. */
     String getNom() {
-        if (reglages.getEssayee() == null) {
-            return reglages.getProfondeur() + (reglages.getProfondeur() > 1 ? " réflexions" : " réflexion");
+        Variante essayee = reglages.getEssayee();
+        if (essayee != null) {
+            return essayee.getNomCourt(reglages.getSectionEntiere(essayee));
         }
-        Section section = reglages.getSectionEntiere(reglages.getEssayee());
-        String n = section.mot("n", "");
-        return "1".equals(n) ? "un rayon" : section.mot("methode", "") + " n=" + n;
+        return reglages.getProfondeur() + (reglages.getProfondeur() > 1 ? " réflexions" : " réflexion");
     }
 }

@@ -8,85 +8,102 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import lancer.commande.Reglages;
-import lancer.texte.Nombre;
 
 /** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
 public final class GraphiqueVitesse extends JPanel {
 
-    private static final double Y_MIN = 0.1;
     private static final int MARGE = 50;
-    private static final int BORD = 20;
+    private static final int HAUT = 26;
+    private static final int BORD = 14;
     private static final int RAYON = 5;
     private static final Color POINT = new Color(0x2675BF);
 
-    /** Les réglages dessinés, du plus rapide au plus lent, et l'intervalle au milieu duquel chacun est placé. */
-    private final Map<Essai, double[]> places = new LinkedHashMap<>();
+    /** Rapport d'un bout d'axe au dernier point, et celui au-delà duquel les graduations sont 1, 2, 5, 10… */
+    private static final double AU_DELA = 1.25;
+    private static final double LARGE = 8;
+
+    /** Les réglages dessinés, du plus rapide au plus lent. */
+    private List<Essai> essais = Collections.emptyList();
     private Reglages present;
+    private Reglages vise;
     private double xMin;
     private double xMax;
+    private double yMin;
     private double yMax;
 
     public GraphiqueVitesse() {
         setName("vitesse.graphique");
+        setFocusable(true);
         getAccessibleContext().setAccessibleName("réglages, par temps et par erreur");
     }
 
-    /** @param celui le réglage de l'image montrée */
-    public void montrer(List<Essai> essais, Reglages celui) {
+    /** @param celui le réglage de l'image montrée @param entoure celui qui est entouré, ou {@code null} */
+    public void montrer(List<Essai> tous, Reglages celui, Reglages entoure) {
         present = celui;
-        places.clear();
-        double[] commun = {0, Double.MAX_VALUE};
-        for (Essai p : essais.stream().filter(essai -> essai.durees.getNombre() > 0)
-                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList())) {
-            // des réglages qui se suivent ont la même place tant que leurs intervalles ont un temps commun
-            if (p.durees.getMin() > commun[1] || p.durees.getMax() < commun[0]) {
-                commun = new double[] {0, Double.MAX_VALUE};
-            }
-            commun[0] = Math.max(commun[0], p.durees.getMin());
-            commun[1] = Math.min(commun[1], p.durees.getMax());
-            places.put(p, commun);
-        }
-        xMin = places.keySet().stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / 2.5;
-        xMax = places.keySet().stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * 1.5;
-        yMax = places.keySet().stream().mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1) + 2 * Y_MIN;
+        vise = entoure;
+        essais = tous.stream().filter(essai -> essai.durees.getNombre() > 0)
+                .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
+        xMin = essais.stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / AU_DELA;
+        xMax = essais.stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * AU_DELA;
+        yMin = essais.stream().filter(Essai::estVue).mapToDouble(p -> Math.max(p.erreur - p.incertitude, p.erreur / 2))
+                .min().orElse(0.1) / AU_DELA;
+        yMax = essais.stream().filter(Essai::estVue).mapToDouble(p -> p.erreur + p.incertitude).max().orElse(1)
+                * AU_DELA;
         repaint();
     }
 
     /** Le réglage sous ce point, ou {@code null}. */
     public Essai sous(Point ou) {
-        return places.keySet().stream().filter(p -> ou.distance(x(p), y(p.erreur)) < 2 * RAYON)
+        return essais.stream().filter(p -> ou.distance(x(p), y(p.erreur)) < 2 * RAYON)
                 .min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p.erreur)))).orElse(null);
     }
 
-    /** Les 1, 2 et 5 fois une puissance de dix entre ces bornes. */
+    /** Le réglage dessiné qui suit celui-ci, ou le précède ; le premier si celui-ci n'est pas dessiné. */
+    public Essai voisin(Reglages celui, int pas) {
+        int rang = IntStream.range(0, essais.size()).filter(k -> essais.get(k).reglages.equals(celui)).findFirst()
+                .orElse(-pas);
+        return essais.isEmpty() ? null : essais.get(Math.max(0, Math.min(essais.size() - 1, rang + pas)));
+    }
+
+    /** Les graduations d'un axe entre ces bornes : 1, 2 et 5 fois une puissance de dix ou, s'il est court, égales. */
     private static DoubleStream graduations(double min, double max) {
-        return IntStream.range(-18, 21).mapToDouble(k -> new int[] {1, 2, 5}[Math.floorMod(k, 3)]
-                * Math.pow(10, Math.floorDiv(k, 3))).filter(t -> t >= 0.999 * min && t <= max);
+        if (max > LARGE * min) {
+            return IntStream.range(-30, 30).mapToDouble(GraphiqueVitesse::ronde).filter(t -> t >= min && t <= max);
+        }
+        double pas = IntStream.range(-30, 30).mapToDouble(GraphiqueVitesse::ronde).filter(p -> max - min < 6 * p)
+                .findFirst().getAsDouble();
+        return IntStream.rangeClosed((int) Math.ceil(min / pas), (int) (max / pas)).mapToDouble(k -> k * pas);
+    }
+
+    private static double ronde(int k) {
+        return new int[] {1, 2, 5}[Math.floorMod(k, 3)] * Math.pow(10, Math.floorDiv(k, 3));
     }
 
     private double x(Essai p) {
-        return x((places.get(p)[0] + places.get(p)[1]) / 2);
+        return x(p.durees.getMediane());
     }
 
     private double x(double ns) {
         return MARGE + (getWidth() - MARGE - BORD) * Math.log(ns / xMin) / Math.log(xMax / xMin);
     }
 
+    /** Une erreur qui n'a pas été vue est au bas de l'axe. */
     private double y(double erreur) {
-        double part = Math.log(Math.max(erreur, Y_MIN) / Y_MIN) / Math.log(yMax / Y_MIN);
-        return getHeight() - MARGE - (getHeight() - MARGE - BORD) * part;
+        double part = Math.log(Math.max(erreur, yMin) / yMin) / Math.log(yMax / yMin);
+        return getHeight() - MARGE - (getHeight() - MARGE - HAUT) * part;
     }
 
     @Override
@@ -95,51 +112,78 @@ public final class GraphiqueVitesse extends JPanel {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(UIManager.getColor("Tree.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        if (!places.isEmpty()) {
+        if (!essais.isEmpty()) {
             peindreAxes(g, getWidth() - BORD, getHeight() - MARGE);
-            List<Rectangle2D> noms = new ArrayList<>();
-            places.keySet().stream().sorted(Comparator.comparing(p -> !p.reglages.equals(present)))
-                    .forEach(p -> peindre(g, p, noms));
+            essais.forEach(p -> peindre(g, p));
+            // un nom ne cache ni un point, ni un autre nom
+            List<Rectangle2D> pris = essais.stream().map(p -> new Rectangle2D.Double(x(p) - RAYON, y(p.erreur) - RAYON,
+                    2 * RAYON, 2 * RAYON)).collect(Collectors.toCollection(ArrayList::new));
+            essais.forEach(p -> nommer(g, p, pris));
         }
     }
 
     private void peindreAxes(Graphics2D g, int droite, int bas) {
         Color trame = UIManager.getColor("Panel.background");
+        double[] fin = {0};
         graduations(xMin / 1e9, xMax / 1e9).forEach(t -> {
+            double x = x(t * 1e9);
             g.setColor(trame);
-            g.draw(new Line2D.Double(x(t * 1e9), BORD, x(t * 1e9), bas));
-            ecrire(g, nombre(t), x(t * 1e9), bas + 15, 0.5);
+            g.draw(new Line2D.Double(x, HAUT, x, bas));
+            double demi = g.getFontMetrics().stringWidth(nombre(t)) / 2.0;
+            if (x - demi > fin[0]) {
+                ecrire(g, nombre(t), x, bas + 15, 0.5);
+                fin[0] = x + demi + RAYON;
+            }
         });
-        graduations(Y_MIN, yMax).forEach(e -> {
+        graduations(yMin, yMax).forEach(e -> {
             g.setColor(trame);
             g.draw(new Line2D.Double(MARGE, y(e), droite, y(e)));
             ecrire(g, nombre(e), MARGE - 6, y(e) + 4, 1);
         });
         ecrire(g, "temps du dessin, en secondes", (MARGE + droite) / 2, bas + 33, 0.5);
-        ecrire(g, "erreur, en niveaux", MARGE, 14, 0);
+        ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
-    /** Peint ce réglage, ses deux intervalles, et son nom s'il n'en touche pas un autre. */
-    private void peindre(Graphics2D g, Essai p, List<Rectangle2D> noms) {
+    /** Peint ce réglage et ses deux intervalles. */
+    private void peindre(Graphics2D g, Essai p) {
         double x = x(p);
         double y = y(p.erreur);
         g.setColor(POINT);
         g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
         g.draw(new Line2D.Double(x(p.durees.getMin()), y, x(p.durees.getMax()), y));
         g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
+        if (p.reglages.equals(vise)) {
+            g.setColor(UIManager.getColor("Component.focusColor"));
+            g.draw(new Ellipse2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
+        }
+    }
+
+    /** Écrit son nom à la plus proche place libre, à droite ou à gauche ; un trait les relie si elle est loin. */
+    private void nommer(Graphics2D g, Essai p, List<Rectangle2D> pris) {
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
-        // à droite, s'il y a la place
         double large = g.getFontMetrics().stringWidth(nom);
-        double gauche = x + 2 * RAYON + large < getWidth() ? x + 2 * RAYON : x - 2 * RAYON - large;
-        Rectangle2D place = new Rectangle2D.Double(gauche, y - 3 * RAYON, large, 2 * RAYON);
-        if (noms.stream().noneMatch(place::intersects)) {
-            noms.add(place);
-            ecrire(g, nom, gauche, y - RAYON, 0);
+        double haut = g.getFontMetrics().getHeight();
+        Rectangle2D cadre = new Rectangle2D.Double(0, HAUT - haut / 2, getWidth(), getHeight() - MARGE - HAUT + haut);
+        for (int k = 0; k < 2 * getHeight() / haut; k++) {
+            // au-dessus, au-dessous, puis de plus en plus loin
+            double milieu = y(p.erreur) + (k / 2 % 2 == 0 ? -1 : 1) * (0.6 + k / 4) * haut;
+            double gauche = k % 2 == 0 ? x(p) + 2 * RAYON : x(p) - 2 * RAYON - large;
+            Rectangle2D place = new Rectangle2D.Double(gauche, milieu - haut / 2, large, haut);
+            if (cadre.contains(place) && pris.stream().noneMatch(place::intersects)) {
+                pris.add(place);
+                if (k >= 4) {
+                    g.setColor(POINT);
+                    g.draw(new Line2D.Double(x(p), y(p.erreur), k % 2 == 0 ? gauche : gauche + large, milieu));
+                }
+                ecrire(g, nom, gauche, milieu + haut / 2 - g.getFontMetrics().getDescent(), 0);
+                return;
+            }
         }
     }
 
     private static String nombre(double t) {
-        return Nombre.ecrire(t).replace('.', ',');
+        // le produit d'un entier et d'un pas n'est pas toujours rond
+        return new BigDecimal(t).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('.', ',');
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */

@@ -3,6 +3,7 @@ package lancer.fenetre.figures;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
@@ -18,7 +19,6 @@ import lancer.Point;
 import lancer.PointContact;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.inspection.Eclairage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Segment;
 
@@ -27,9 +27,7 @@ import lancer.inspection.Segment;
 public final class VueDeCote extends JPanel {
 
     private static final int MARGE = 14;
-    private static final Color RAYON = new Color(0x2A90D8);
     private static final Color SPHERE = new Color(0x909090);
-    private static final Color LAMPE = new Color(0xC08000);
 
     private Inspection pixel;
     private double echelle;
@@ -90,33 +88,18 @@ public final class VueDeCote extends JPanel {
     }
 
     private void peindre(Graphics2D g) {
-        g.setColor(UIManager.getColor("Tree.textForeground"));
-        Point depart = pixel.camera.getOeil();
-        g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
-        g.fill(new Ellipse2D.Double(h(depart) - 3, v(depart) - 3, 6, 6));
-        g.drawString("œil", (float) h(depart), (float) v(depart) - 6);
         for (Segment segment : pixel.getSegments()) {
-            Point bout = segment.contact != null ? segment.contact
-                    : depart.add(2 * getWidth() / echelle, segment.rayon.getV());
             entourer(g, segment.contact);
-            segment.eclairages.forEach(eclairage -> eclairer(g, bout, eclairage));
-            g.setColor(RAYON);
-            g.draw(ligne(depart, bout));
-            if (segment.contact != null) {
-                g.setColor(UIManager.getColor("Tree.textForeground"));
-                g.drawString("" + segment.numero, (float) h(bout) + 4, (float) v(bout) - 4);
-            }
-            depart = bout;
+            segment.eclairages.forEach(lampe -> entourer(g, lampe.obstacle));
         }
-    }
-
-    /** Peint le rayon d'une lampe, ou l'objet qui la cache. */
-    private void eclairer(Graphics2D g, Point contact, Eclairage eclairage) {
-        entourer(g, eclairage.obstacle);
-        if (eclairage.eclaire()) {
-            g.setColor(LAMPE);
-            g.draw(ligne(contact, eclairage.lampe.getPosition()));
-        }
+        Color encre = UIManager.getColor("Tree.textForeground");
+        g.setColor(encre);
+        g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
+        new Figure(pixel).peindre(g, new Rectangle(getSize()), encre, this::ligne);
+        Point oeil = pixel.camera.getOeil();
+        g.setColor(encre);
+        g.fill(new Ellipse2D.Double(h(oeil) - 3, v(oeil) - 3, 6, 6));
+        g.drawString("œil", (float) h(oeil), (float) v(oeil) - 6);
     }
 
     /** Peint le bord visible d'une sphère : d'un grand cercle, Java ne peint juste qu'un petit arc. */

@@ -45,7 +45,7 @@ class EssaiTest {
     private static int[] abscisses(List<Essai> essais) {
         GraphiqueVitesse graphique = new GraphiqueVitesse();
         graphique.setSize(420, 400);
-        graphique.montrer(essais, essais.get(0).reglages);
+        graphique.montrer(essais, essais.get(0).reglages, null);
         int[] places = new int[essais.size()];
         for (int x = 0; x < 420; x++) {
             for (int y = 0; y < 400; y++) {
@@ -58,12 +58,38 @@ class EssaiTest {
     }
 
     @Test
-    void desTempsQuiNeSeDistinguentPasSontAuMemeEndroitEtLesAutresDansLeurOrdre() {
-        Essai un = essai(0, 30, 1, 1, 1.1, 1.3);
-        Essai deux = essai(1, 3, 1, 1, 1.05, 1.2);
-        Essai trois = essai(2, 0.5, 1, 1, 2, 2.1);
+    void chaqueReglageEstASaMedianeEtLesAxesVontDuPremierAuDernier() {
+        Essai un = essai(0, 30, 1, 1, 1.1, 1.1);
+        Essai deux = essai(1, 3, 1, 1, 1.2, 1.2);
+        Essai trois = essai(2, 0.5, 1, 1, 4, 4);
         int[] places = abscisses(Arrays.asList(un, deux, trois));
-        assertEquals(places[0], places[1], 1);
-        assertTrue(places[2] > places[0] + 20, Arrays.toString(places));
+        assertTrue(places[0] < places[1] && places[1] < places[2], "même si leurs intervalles se touchent : " + Arrays.toString(places));
+        assertEquals(Math.log(1.2 / 1.1) / Math.log(4 / 1.1), (places[1] - places[0]) / (double) (places[2] - places[0]), 0.02);
+        assertTrue(places[2] - places[0] > 250, "les points prennent la place : " + Arrays.toString(places));
+    }
+
+    @Test
+    void lesFlechesVontDUnPointAuSuivantSansSortir() {
+        List<Essai> essais = Arrays.asList(essai(2, 0.5, 4), essai(0, 30, 1), essai(1, 3, 2));
+        GraphiqueVitesse graphique = new GraphiqueVitesse();
+        graphique.montrer(essais, essais.get(0).reglages, null);
+        assertEquals(essais.get(1), graphique.voisin(null, 1), "le plus rapide d'abord");
+        assertEquals(essais.get(2), graphique.voisin(essais.get(1).reglages, 1));
+        assertEquals(essais.get(0), graphique.voisin(essais.get(0).reglages, 1));
+        assertEquals(essais.get(1), graphique.voisin(essais.get(1).reglages, -1));
+    }
+
+    @Test
+    void leNombreDeDessinsQuiSuffirontSuitLeTempsDesPremiers() {
+        assertEquals(3, new Essai(essai(1, 2, 1).reglages, new Durees(), 0, 0).getVoulus());
+        assertEquals(3, essai(1, 2, 10).getVoulus());
+        assertEquals(15, essai(1, 2, 0.1, 0.1).getVoulus());
+        assertEquals(40, essai(1, 2, 0.001).getVoulus());
+    }
+
+    @Test
+    void uneMachineOccupeeSeVoitAUnTempsQuiVarieDePlusDeTrentePourCent() {
+        assertFalse(essai(1, 2, 9, 9, 1, 1.2).varie());
+        assertTrue(essai(1, 2, 9, 9, 1, 1.4).varie());
     }
 }

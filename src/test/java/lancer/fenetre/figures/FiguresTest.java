@@ -9,7 +9,6 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
-import java.util.Arrays;
 import java.util.Collections;
 import javax.swing.UIManager;
 import lancer.Camera;
@@ -22,7 +21,6 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.essai.CameraDeplacee;
 import lancer.inspection.Inspection;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,7 +30,6 @@ class FiguresTest {
 
     private static final int L = 320;
     private static final int H = 240;
-    private static final int LOUPE = 16;
     private static final int CARACTERE = 12;
     private static final int BLANC = 200;
 
@@ -73,7 +70,7 @@ class FiguresTest {
             blancs += plusClair > BLANC ? 1 : 0;
         }
         assertTrue(blancs >= 12, blancs + " points blancs autour de " + i + ", " + j);
-        // le trait est devant tout, donc plein : jaune jusqu'à la lampe
+        // jaune jusqu'à la lampe
         Point lampe = camera.projeter(new Point(0.5, 0.5, 1));
         for (double part = 0.6; part < 0.95; part += 0.05) {
             assertTrue(voisins(image, i + 0.5 + part * (lampe.x - i - 0.5), j + 0.5 + part * (lampe.y - j - 0.5), false),
@@ -117,43 +114,6 @@ class FiguresTest {
             }
         }
         return false;
-    }
-
-    @Test
-    void aLaLoupeLesFlechesSontAuBordDeCeQuiSeVoit() {
-        Sphere boule = new Sphere(new Point(0, 0, 6), 1);
-        boule.setKd(new Couleur(1));
-        Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule), Arrays.asList(
-                new Lampe(new Point(-4, 6, -3), new Couleur(1)), new Lampe(new Point(0, 0, 1), new Couleur(1)))), chose -> null,
-                new Camera(L, H), 0, 150, 110);
-        pixel.faire();
-        Figure figure = new Figure(pixel);
-        Dimension vue = new Dimension(300, 200);
-        BufferedImage vues = peindre(figure, vue);
-        BufferedImage sansBord = peindre(figure, new Dimension(LOUPE * L, LOUPE * H));
-        int differents = 0;
-        Rectangle loinDuBord = new Rectangle(vue);
-        loinDuBord.grow(-CARACTERE, -CARACTERE);
-        for (int k = 0; k < vue.width * vue.height; k++) {
-            int x = k % vue.width;
-            int y = k / vue.width;
-            if (vues.getRGB(x, y) != sansBord.getRGB(x, y)) {
-                differents++;
-                assertTrue(!loinDuBord.contains(x, y), "une flèche en " + x + ", " + y);
-            }
-        }
-        assertTrue(differents > CARACTERE, "pas de flèche au bord");
-        assertEquals(vues.getRGB(1, 1), vues.getRGB(vue.width - 2, vue.height - 2), "ni là où rien ne sort");
-    }
-
-    /** Autour du pixel, sur une image où ne se voit qu'un morceau de la loupe. */
-    private static BufferedImage peindre(Figure figure, Dimension vue) {
-        BufferedImage image = new BufferedImage(300, 200, BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
-        figure.peindre(g, new Rectangle(150 - LOUPE * 150, 100 - LOUPE * 110, LOUPE * L, LOUPE * H), vue);
-        g.dispose();
-        return image;
     }
 
     @ParameterizedTest

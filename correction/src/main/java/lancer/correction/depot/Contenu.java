@@ -2,11 +2,13 @@ package lancer.correction.depot;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,6 +19,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.correction.enfant.Texte;
+import lancer.correction.modele.SourcesDuCours;
 import org.apache.commons.compress.archivers.zip.UnsupportedZipFeatureException;
 import org.apache.commons.compress.archivers.zip.ZipArchiveEntry;
 import org.apache.commons.compress.archivers.zip.ZipFile;
@@ -38,6 +41,8 @@ final class Contenu {
     private static final long OCTETS_MAX = 50L << 20;
     /** Taille maximale des sources d'un rendu, en octets. */
     private static final int PESEE_MAX = 6 << 20;
+    /** Nombre maximal de sources d'un rendu. */
+    private static final int SOURCES_MAX = 300;
     private static final int EMBOITEMENT_MAX = 3;
     private static final int CITES_MAX = 5;
     private static final int NOM_MAX = 70;
@@ -46,14 +51,18 @@ final class Contenu {
     /** Ce que des outils ajoutent, et que l'énoncé demande d'enlever. Un dossier de ce nom qui a des sources n'en est pas. */
     private static final Set<String> DOSSIERS_OUTILS =
             Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
+    /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
+    private static final Pattern DE_TEST = Pattern.compile("(?is)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes"
+            + "|module-info|package-info)\\.java)");
     private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
 
     private final Rendu rendu;
     /** Les fichiers et les dossiers d'outils, par leur chemin, et leur nom. */
     private final Map<String, String> outils = new TreeMap<>();
     private final Set<String> autres = new TreeSet<>();
+    /** Les archives .jar qui ont des sources, et le remède. */
+    private final Set<String> deSources = new TreeSet<>();
     private long octets;
-    private long pesee;
 
     Contenu(Rendu rendu) {
         this.rendu = rendu;
@@ -115,18 +124,30 @@ final class Contenu {
         boolean zip = bas.endsWith(".zip");
         if (bas.endsWith(".jar")) {
             rendu.bibliotheques.add(Texte.protege(fin, NOM_MAX));
+            compter(contenu, fin);
         }
         if (lien) {
             refuser("lien refusé : " + fin);
         } else if (AUTRE_ARCHIVE.matcher(fin).matches()) {
             refuser(chemin + A_DEPLIER + ", dans un dossier de même nom que ce rendu : « "
                     + Texte.protege(rendu.entrees.keySet().iterator().next(), NOM_MAX) + " »");
-        } else if (zip || bas.endsWith(".java")) {
+        } else if (zip || bas.endsWith(".java") && !DE_TEST.matcher(chemin).matches()) {
             lire(chemin, contenu, archive, niveau);
         } else if (autres.size() < CITES_MAX || bas.matches("(?s).*\\.(kt|class)")) {
             autres.add(Texte.protege(fin, NOM_MAX));
         }
         return true;
+    }
+
+    /** Compte les sources d'une archive .jar. */
+    private void compter(IOSupplier<InputStream> contenu, String nom) {
+        try (InputStream flux = contenu.get();
+                ZipFile zip = ZipFile.builder().setByteArray(flux.readNBytes((int) OCTETS_MAX)).get()) {
+            long sources = Collections.list(zip.getEntries()).stream().filter(e -> e.getName().endsWith(".java")).count();
+            deSources.add(sources == 0 ? "" : Texte.protege(nom, NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
+        } catch (IOException | RuntimeException e) {
+            // une bibliothèque, que rien ne lit
+        }
     }
 
     private void retenirLesOutils(List<String> noms) {
@@ -141,40 +162,65 @@ final class Contenu {
     }
 
     private void lire(String chemin, IOSupplier<InputStream> contenu, String archive, int niveau) {
-        boolean zip = chemin.toLowerCase(Locale.ROOT).endsWith(".zip");
+        boolean source = chemin.toLowerCase(Locale.ROOT).endsWith(".java");
         try (InputStream flux = contenu.get()) {
-            if (zip) {
-                deplier(flux, chemin, niveau);
-            } else {
-                ajouter(chemin, flux.readNBytes(PESEE_MAX + 1));
+            byte[] lus = flux.readNBytes((int) OCTETS_MAX + 1);
+            octets += lus.length;
+            if (source) {
+                ajouter(chemin, lus);
+            } else if (octets <= OCTETS_MAX) {
+                deplier(lus, chemin, niveau);
             }
         } catch (UnsupportedOperationException e) {
             refuser((archive.isEmpty() ? chemin : archive) + " : archive " + e.getMessage() + " ; à déplier à la main");
         } catch (IOException | RuntimeException e) {
-            refuser(chemin + " : " + (zip ? "archive illisible, abîmée ou protégée par un mot de passe" : "illisible")
+            refuser(chemin + " : " + (source ? "illisible" : "archive illisible, abîmée ou protégée par un mot de passe")
                     + " (" + e.getMessage() + ")");
         }
     }
 
     private void ajouter(String chemin, byte[] lus) {
-        octets += lus.length;
-        boolean trop = pesee + lus.length > PESEE_MAX;
-        pesee += trop ? 0 : lus.length;
-        if (trop) {
-            remarquer(chemin + DE_COTE + "plus de " + (PESEE_MAX >> 20) + " Mo de sources en tout");
+        String texte = Source.decoder(lus).replace("\0", "");
+        String pourquoi = texte.isBlank() ? "vide"
+                : texte.startsWith("version https://git-lfs.") ? "un renvoi de Git LFS, sans le texte" : "";
+        if (!pourquoi.isEmpty()) {
+            rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""), pourquoi);
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
-            remarquer(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
+            refuser(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
     }
 
-    private void deplier(InputStream flux, String chemin, int niveau) throws IOException {
-        if (niveau >= EMBOITEMENT_MAX) {
-            refuser(chemin + " : trop d'archives l'une dans l'autre");
-            return;
+    /** D'un rendu démesuré, garde d'abord les dossiers qui ont des classes du cours : le reste est une bibliothèque. */
+    private void alleger() {
+        Set<String> duCours = rendu.sources.keySet().stream().filter(s -> SourcesDuCours.A_COMPLETER.contains(s
+                .replaceFirst("(?s).*/", "").replace(".java", ""))).map(Contenu::dossier).collect(Collectors.toSet());
+        long pesee = 0;
+        int nombre = 0;
+        Map<String, Integer> laisses = new TreeMap<>();
+        for (String chemin : rendu.sources.keySet().stream().sorted(Comparator.comparing(s -> !duCours.contains(dossier(s))))
+                .collect(Collectors.toList())) {
+            pesee += rendu.sources.get(chemin).length;
+            if (++nombre > SOURCES_MAX || pesee > PESEE_MAX) {
+                pesee -= rendu.sources.remove(chemin).length;
+                String[] noms = chemin.split("/");
+                laisses.merge(noms[0] + (noms.length > 2 ? "/" + noms[1] : ""), 1, Integer::sum);
+            }
         }
-        byte[] archive = flux.readNBytes((int) OCTETS_MAX + 1);
-        octets += archive.length;
-        if (octets > OCTETS_MAX) {
+        laisses.forEach((ou, combien) -> refuser(ou + DE_COTE + combien + (combien > 1 ? " fichiers" : " fichier") + " au-delà de "
+                + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20) + " Mo de sources : une bibliothèque ?"));
+    }
+
+    private static String dossier(String chemin) {
+        return chemin.substring(0, chemin.lastIndexOf('/') + 1);
+    }
+
+    private void deplier(byte[] archive, String chemin, int niveau) throws IOException {
+        String sorte = sorte(archive);
+        if (!sorte.isEmpty()) {
+            refuser(chemin + " : c'est une archive " + sorte + ", malgré son nom ; " + A_DEPLIER.substring(3));
+            return;
+        } else if (niveau >= EMBOITEMENT_MAX) {
+            refuser(chemin + " : trop d'archives l'une dans l'autre");
             return;
         }
         try (ZipFile zip = ZipFile.builder().setByteArray(archive).get()) {
@@ -190,15 +236,17 @@ final class Contenu {
         }
     }
 
-    private void remarquer(String quoi) {
-        if (!rendu.remarques.contains(quoi)) {
-            rendu.remarques.add(quoi);
-        }
+    /** La sorte d'une archive qui n'est pas un zip, d'après ses premiers octets ; vide si c'en est un, ou si elle est abîmée. */
+    private static String sorte(byte[] archive) {
+        String debut = new String(archive, 0, Math.min(6, archive.length), StandardCharsets.ISO_8859_1);
+        return debut.startsWith("Rar!") ? "RAR" : debut.startsWith("7z\u00BC\u00AF") ? "7z"
+                : debut.startsWith("\u001F\u008B") ? "gzip" : "";
     }
 
     /** Conclut la lecture. */
     void finir() {
         outils.keySet().removeIf(dossier -> rendu.sources.keySet().stream().anyMatch(s -> s.startsWith(dossier + "/")));
+        alleger();
         if (octets > OCTETS_MAX) {
             rendu.refus.add("plus de " + (OCTETS_MAX >> 20) + " Mo de sources et d'archives une fois dépliées");
             rendu.sources.clear();
@@ -206,22 +254,43 @@ final class Contenu {
             autres.addAll(rendu.bibliotheques);
             autres.addAll(outils.values());
             rendu.refus.add(sansSource());
+        } else if (!finissantPar(".kt").isEmpty()) {
+            refuser("des sources Kotlin, qui ne sont pas jugées : " + finissantPar(".kt"));
+        }
+        if (!rendu.vides.isEmpty() && !rendu.sources.isEmpty()) {
+            refuser(vides());
         }
         rendu.outils.addAll(outils.values());
         Texte.abreger(rendu.refus);
         Texte.abreger(rendu.remarques);
     }
 
+    /** « vides : Point, Vecteur ; un renvoi de Git LFS, sans le texte : Sphere ». */
+    private String vides() {
+        Map<String, String> noms = new TreeMap<>();
+        rendu.vides.forEach((nom, pourquoi) -> noms.merge(pourquoi, Texte.protege(nom, NOM_MAX), (a, b) -> a + ", " + b));
+        return noms.entrySet().stream().map(e -> (e.getKey().equals("vide") ? "des fichiers vides" : e.getKey()) + " : " + e.getValue())
+                .collect(Collectors.joining(" ; "));
+    }
+
+    private String finissantPar(String fin) {
+        return autres.stream().filter(a -> a.endsWith(fin)).limit(CITES_MAX).collect(Collectors.joining(", "));
+    }
+
     /** Ce que contient un rendu sans source. */
     private String sansSource() {
-        for (String[] sorte : new String[][] {{".kt", "des sources Kotlin, et non Java"},
-            {".class", "des classes compilées, sans leurs sources"}}) {
-            String siens = autres.stream().filter(a -> a.endsWith(sorte[0])).limit(CITES_MAX).collect(Collectors.joining(", "));
-            if (!siens.isEmpty()) {
-                return "aucun fichier .java dans ce rendu : " + sorte[1] + " (" + siens + ")";
-            }
+        deSources.remove("");
+        String debut = "aucun fichier .java dans ce rendu";
+        if (!rendu.vides.isEmpty()) {
+            return vides();
+        } else if (!deSources.isEmpty()) {
+            return debut + " ; " + String.join(" ; ", deSources);
+        } else if (!finissantPar(".kt").isEmpty()) {
+            return debut + " : des sources Kotlin, et non Java (" + finissantPar(".kt") + ")";
+        } else if (!finissantPar(".class").isEmpty()) {
+            return debut + " : des classes compilées, sans leurs sources (" + finissantPar(".class") + ")";
         }
-        return "aucun fichier .java dans ce rendu ; " + (autres.isEmpty() ? "il est vide"
+        return debut + " ; " + (autres.isEmpty() ? "il est vide"
                 : "il contient : " + autres.stream().limit(CITES_MAX).collect(Collectors.joining(", ")));
     }
 }

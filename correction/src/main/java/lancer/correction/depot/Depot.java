@@ -79,6 +79,12 @@ public final class Depot {
 
     private void repartir(Path lieu, Map<String, Boolean> noms) {
         Map<String, Matcher> canvas = deCanvas(noms);
+        List<String> deProjet = noms.keySet().stream().filter(n -> DE_PROJET.matcher(n).matches() && !deMoodle(n)
+                && !canvas.containsKey(n)).collect(Collectors.toList());
+        if (2 * deProjet.size() > noms.size() || noms.containsKey("src") && noms.keySet().stream().noneMatch(Depot::deMoodle)) {
+            throw new Panne(2, "rien n'est jugé : « " + deProjet.get(0) + " » n'est pas le rendu d'un étudiant ; attendu : une entrée par "
+                    + "étudiant ; " + pourUnSeul(lieu));
+        }
         noms.forEach((nom, fichier) -> {
             Matcher moodle = MOODLE.matcher(nom);
             Matcher sien = canvas.get(nom);
@@ -91,13 +97,21 @@ public final class Depot {
                 if (sien.group(2) != null && rendu.remarques.isEmpty()) {
                     rendu.remarques.add("rendu en retard, d'après Canvas");
                 }
-            } else if (DE_PROJET.matcher(nom).matches()) {
-                throw new Panne(2, "rien n'est jugé : « " + nom + " » n'est pas le rendu d'un étudiant ; attendu : une entrée par étudiant "
-                        + "; pour un seul rendu : make corriger UN=" + lieu + " (--un)");
+            } else if (deProjet.contains(nom)) {
+                Rendu rendu = rendu(nom, nom);
+                rendu.entrees.put(nom, nom);
+                rendu.refus.add("un fichier seul n'est le rendu d'aucun étudiant ; " + pourUnSeul(lieu));
             } else {
-                rendu(nom, nom).entrees.put(nom, fichier ? nom : "");
+                // un nom qui serait celui de la ligne d'un autre
+                boolean pris = nom.matches("\\d{1,18}") || canvas.values().stream()
+                        .anyMatch(m -> nom.equals(m.group(1) + "_" + m.group(3)));
+                rendu(pris ? nom + "/" : nom, nom).entrees.put(nom, fichier ? nom : "");
             }
         });
+    }
+
+    private static String pourUnSeul(Path lieu) {
+        return "pour un seul rendu : make corriger UN=" + lieu + " (--un)";
     }
 
     /** Les fichiers que Canvas a nommés, aucun s'ils ont tous le même début, ou si deux noms ont le même numéro : « TP1_2026_11_… ». */

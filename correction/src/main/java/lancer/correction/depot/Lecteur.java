@@ -1,5 +1,6 @@
 package lancer.correction.depot;
 
+import com.sun.source.tree.AnnotationTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.IdentifierTree;
@@ -18,10 +19,14 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.lang.model.element.Modifier;
 import javax.tools.Diagnostic;
@@ -49,6 +54,9 @@ public final class Lecteur {
         final int entete;
         /** Le paquet, puis les préfixes de chaque importation, du plus long au plus court. */
         final List<Nom> noms = new ArrayList<>();
+        /** Les importations, puis les annotations. */
+        final List<Nom> importations = new ArrayList<>();
+        final List<Nom> annotations = new ArrayList<>();
         final List<Type> types;
         final List<Integer> fautes;
 
@@ -60,7 +68,7 @@ public final class Lecteur {
         }
     }
 
-    /** Un nom d'un en-tête, et sa place. */
+    /** Un nom, et la place de ce qui le contient : un paquet, une importation, une annotation. */
     static final class Nom {
 
         final String texte;
@@ -73,6 +81,8 @@ public final class Lecteur {
             this.fin = fin;
         }
     }
+
+    private static final Pattern NOM = Pattern.compile("[\\w$]+");
 
     private final String texte;
     private final CompilationUnitTree fichier;
@@ -120,22 +130,36 @@ public final class Lecteur {
         Tree paquet = fichier.getPackageName();
         int entete = fin(fichier.getPackage());
         List<Nom> noms = new ArrayList<>(List.of(nom(paquet)));
+        List<Nom> importations = new ArrayList<>();
         for (ImportTree importation : fichier.getImports()) {
             Tree nom = importation.getQualifiedIdentifier();
             for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
                 noms.add(nom(((MemberSelectTree) nom).getExpression()));
             }
             entete = Math.max(entete, fin(importation));
+            importations.add(new Nom(importation.getQualifiedIdentifier().toString(), debut(importation), fin(importation)));
         }
         Fichier lu = new Fichier(paquet == null ? "" : paquet.toString(), entete, fichier.getTypeDecls().stream()
                 .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
                 fautes);
         lu.noms.addAll(noms);
+        lu.importations.addAll(importations);
+        new TreeScanner<Void, Void>() {
+            @Override
+            public Void visitAnnotation(AnnotationTree annotation, Void rien) {
+                if (lu.annotations.size() < NOMS_MAX) {
+                    lu.annotations.add(new Nom(annotation.getAnnotationType().toString(), debut(annotation), fin(annotation)));
+                }
+                return super.visitAnnotation(annotation, rien);
+            }
+        }.scan(fichier.getTypeDecls(), null);
         return lu;
     }
 
     private Type classe(ClassTree classe) {
         Set<String> noms = new TreeSet<>();
+        // dans l'ordre où ils viennent
+        Set<String> locaux = new LinkedHashSet<>();
         new TreeScanner<Void, Void>() {
             @Override
             public Void scan(Tree arbre, Void rien) {
@@ -143,13 +167,21 @@ public final class Lecteur {
                     noms.add(arbre.toString());
                 } else if (arbre instanceof VariableTree) {
                     noms.add(((VariableTree) arbre).getName().toString());
+                    locaux.add(((VariableTree) arbre).getName().toString());
                 } else if (arbre instanceof MemberSelectTree) {
                     noms.add(((MemberSelectTree) arbre).getIdentifier().toString());
                 }
                 return super.scan(arbre, rien);
             }
         }.scan(classe, null);
-        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()));
+        Map<String, String> siens = new TreeMap<>();
+        locaux.forEach(nom -> siens.put(nom, "n" + siens.size()));
+        String forme = NOM.matcher(classe.getMembers().toString())
+                .replaceAll(m -> siens.getOrDefault(m.group(), m.group()).replace("$", ""));
+        Type lu = new Type(classe.getSimpleName().toString(), debut(classe), fin(classe), condense(classe.toString()),
+                classe.getKind().name().equals("RECORD"));
+        lu.forme = condense(forme);
+        lu.longueur = forme.length();
         noms.stream().limit(NOMS_MAX).forEach(lu.noms::add);
         classe.getMembers().stream().filter(MethodTree.class::isInstance).limit(NOMS_MAX)
                 .forEach(m -> lu.methodes.add(methode((MethodTree) m, classe)));

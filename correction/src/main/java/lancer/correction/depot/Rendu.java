@@ -26,6 +26,8 @@ public final class Rendu {
     public final Map<String, String> entrees = new TreeMap<>();
     /** Les fichiers .java, par chemin. */
     public final Map<String, byte[]> sources = new TreeMap<>();
+    /** Les classes dont le fichier est vide, et pourquoi ; ce fichier n'est pas parmi les sources. */
+    public final Map<String, String> vides = new TreeMap<>();
     /** Ce qui n'a pu être lu, et pourquoi. Sans aucune source, le rendu ne peut être jugé. */
     public final List<String> refus = new ArrayList<>();
     public final List<String> remarques = new ArrayList<>();
@@ -40,8 +42,11 @@ public final class Rendu {
         this.nom = propre.isEmpty() ? "sans nom" : propre;
     }
 
-    /** Lit ses fichiers. Tout ce qui arrive alors ne coûte que ce rendu. @param seul vrai si tout ce lieu est ce rendu */
+    /** Lit ses fichiers, si rien ne l'a refusé. Ce qui arrive alors ne coûte que ce rendu. @param seul vrai si ce lieu est ce rendu */
     void lire(Lieu ici, boolean seul) {
+        if (!refus.isEmpty()) {
+            return;
+        }
         try {
             Contenu contenu = new Contenu(this);
             ici.lire(seul ? ici.noms().keySet().stream().collect(Collectors.toMap(n -> n, n -> n)) : entrees, contenu);

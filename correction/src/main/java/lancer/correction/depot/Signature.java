@@ -2,6 +2,7 @@ package lancer.correction.depot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lancer.correction.enfant.Texte;
@@ -52,6 +53,12 @@ public final class Signature {
             }
         }
         return ponts.toString();
+    }
+
+    /** Dit si elle prend et rend ce que prend et rend celle-là. @param duCours noms des classes du cours, par ceux de l'étudiant */
+    boolean memesTypes(Signature attendue, Map<String, String> duCours) {
+        return duCours.getOrDefault(rend, rend).equals(attendue.rend) && types.stream().map(t -> duCours.getOrDefault(t, t))
+                .collect(Collectors.toList()).equals(attendue.types);
     }
 
     private String pont(Signature attendue) {

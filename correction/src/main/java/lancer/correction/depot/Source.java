@@ -10,7 +10,9 @@ import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
@@ -32,6 +34,11 @@ public final class Source {
     /** Les classes de la correction qui sont dans le paquet d'un rendu. */
     static final List<String> NOTRES = List.of("Appels", "Sonde");
 
+    /** Les annotations que Java ou la correction définissent. */
+    private static final Pattern CONNUES = Pattern.compile("Override|Deprecated|SuppressWarnings|FunctionalInterface|SafeVarargs"
+            + "|(java|org\\.junit\\.jupiter)\\..*");
+    private static final Pattern CONFLIT = Pattern.compile("(?m)^(<{7}|>{7}) ");
+
     private static final List<String> DU_COURS = SourcesDuCours.classes();
 
     /** Lecture de textes Java : voir {@link Lecteur#lire}. */
@@ -44,31 +51,36 @@ public final class Source {
     private final String nu;
     /** Vrai si le fichier est dans le dossier du paquet qu'il déclare. */
     private final boolean aSaPlace;
+    final String dossier;
     /** Le dossier où commencent les paquets. */
     final String racine;
     /** Le paquet, après correction. */
     String paquet;
-    /** Remarques sur les corrections faites. */
-    final List<String> remarques = new ArrayList<>();
+    /** Remarques sur les corrections faites, et la consigne que chacune concerne, vide si ce n'est aucune. */
+    final Map<String, String> remarques = new TreeMap<>();
+    final List<Type> types;
     private final String texte;
     private final Lecteur.Fichier lu;
-    private final List<Type> types;
 
-    private Source(String chemin, byte[] octets, Lecteur.Fichier lu) {
+    /** @param declares les noms des classes du rendu */
+    private Source(String chemin, byte[] octets, Lecteur.Fichier lu, Set<String> declares) {
         this.chemin = chemin;
         this.lu = lu;
-        texte = decoder(octets);
+        texte = sansAnnotations(decoder(octets), declares);
         paquet = lu.paquet;
         types = lu.types;
         // macOS décompose les accents des noms de fichiers
         String compose = Normalizer.normalize(chemin, Normalizer.Form.NFC);
         nu = compose.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", "");
-        String dossier = compose.substring(0, compose.lastIndexOf('/') + 1);
+        dossier = compose.substring(0, compose.lastIndexOf('/') + 1);
         String suffixe = paquet.isEmpty() ? "lancer/" : Normalizer.normalize(paquet, Normalizer.Form.NFC).replace('.', '/') + "/";
         racine = dossier.endsWith(suffixe) ? dossier.substring(0, dossier.length() - suffixe.length()) : dossier;
         aSaPlace = paquet.isEmpty() || dossier.endsWith(suffixe);
         if (codage(octets) != StandardCharsets.UTF_8) {
-            remarques.add("n'est pas en UTF-8, lu en " + codage(octets).name());
+            remarques.put("n'est pas en UTF-8, lu en " + codage(octets).name(), Projet.TEXTE);
+        }
+        if (CONFLIT.matcher(texte).find()) {
+            remarques.put("des marques de conflit de git (<<<<<<<, >>>>>>>) y restent : il faut choisir une des deux versions", "");
         }
     }
 
@@ -78,27 +90,44 @@ public final class Source {
         return Stream.of(lecture.lire(textes)).map(lu -> lu.types.get(0)).collect(Collectors.toMap(t -> t.nom, t -> t));
     }
 
-    /** Les classes de ces fichiers. @param remarques reçoit les fichiers illisibles */
-    static List<Type> lire(Map<String, byte[]> octets, Lecture lecture, List<String> remarques) throws Arret {
-        Iterator<Lecteur.Fichier> lus = Arrays.asList(lecture.lire(octets.values().stream().map(Source::decoder)
-                .collect(Collectors.toList()))).iterator();
+    /** Ces fichiers, lus. @param illisibles reçoit ceux qui ne le sont pas */
+    static List<Source> lire(Map<String, byte[]> octets, Lecture lecture, List<String> illisibles) throws Arret {
+        List<Lecteur.Fichier> lus = Arrays.asList(lecture.lire(octets.values().stream().map(Source::decoder).collect(Collectors.toList())));
+        Set<String> declares = lus.stream().filter(Objects::nonNull).flatMap(f -> f.types.stream()).map(t -> t.nom)
+                .collect(Collectors.toSet());
         List<Source> fichiers = new ArrayList<>();
-        for (String chemin : octets.keySet()) {
-            Lecteur.Fichier lu = lus.next();
+        Iterator<Lecteur.Fichier> suite = lus.iterator();
+        octets.forEach((chemin, siens) -> {
+            Lecteur.Fichier lu = suite.next();
             if (lu == null) {
-                remarques.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
+                illisibles.add(chemin + Contenu.DE_COTE + "le compilateur ne peut pas le lire : trop de parenthèses, ou d'accolades, l'une "
                         + "dans l'autre");
             } else {
-                fichiers.add(new Source(chemin, octets.get(chemin), lu));
+                fichiers.add(new Source(chemin, siens, lu, declares));
             }
-        }
-        Set<String> paquets = fichiers.stream().filter(Source::declare).map(f -> f.paquet)
-                .collect(Collectors.toCollection(TreeSet::new));
-        return fichiers.stream().flatMap(f -> f.classes(paquets).stream()).collect(Collectors.toList());
+        });
+        return fichiers;
+    }
+
+    /** Ce texte, où des blancs remplacent les annotations que rien ne définit, et leurs importations. */
+    private String sansAnnotations(String lui, Set<String> declares) {
+        List<Lecteur.Nom> inconnues = lu.annotations.stream().filter(a -> inconnue(a.texte, declares)).collect(Collectors.toList());
+        inconnues.forEach(a -> remarques.put("jugé sans l'annotation @" + a.texte + ", que rien ne définit ici", ""));
+        StringBuilder reste = new StringBuilder(lui);
+        Stream.concat(inconnues.stream(), lu.importations.stream().filter(i -> inconnues.stream()
+                .anyMatch(a -> i.texte.endsWith("." + a.texte)))).filter(q -> q.debut >= 0 && q.fin > q.debut)
+                .forEach(q -> reste.replace(q.debut, q.fin, lui.substring(q.debut, q.fin).replaceAll("[^\n]", " ")));
+        return reste.toString();
+    }
+
+    /** Dit si rien ne définit cette annotation : ni Java, ni le rendu, ni ce que la correction fournit. */
+    private boolean inconnue(String nom, Set<String> declares) {
+        String complet = lu.importations.stream().map(i -> i.texte).filter(i -> i.endsWith("." + nom)).findFirst().orElse(nom);
+        return !CONNUES.matcher(complet).matches() && Stream.of(complet.split("\\.")).noneMatch(declares::contains);
     }
 
     /** Dit s'il déclare une classe du cours. */
-    private boolean declare() {
+    boolean declare() {
         return types.stream().anyMatch(t -> DU_COURS.contains(t.nom));
     }
 
@@ -126,15 +155,17 @@ public final class Source {
         if (paquets.contains(paquet) && !paquet.equals("lancer")) {
             // sur la première ligne : les numéros de ligne de l'étudiant ne changent pas
             neuf.insert(0, paquet.isEmpty() ? "package lancer; " : "");
-            remarques.add(paquet.isEmpty() ? "la ligne « package lancer; » manque" : "le paquet est « " + paquets.stream()
-                    .filter(p -> !p.isEmpty() && !p.equals("lancer")).collect(Collectors.joining(" », « ")) + " » au lieu de « lancer »");
+            String autres = paquets.stream().filter(p -> !p.equals("lancer")).map(p -> p.isEmpty() ? "aucun" : "« " + p + " »")
+                    .collect(Collectors.joining(", "));
+            remarques.put(autres.equals("aucun") ? "la ligne « package lancer; » manque"
+                    : "le paquet est " + autres + " au lieu de « lancer »", Projet.NOMS);
             paquet = "lancer";
         }
         return neuf.toString();
     }
 
     /** Ses classes, chacune avec son texte, aux mêmes lignes. Un fichier de plusieurs classes, dont une du cours, est séparé. */
-    private List<Type> classes(Set<String> paquets) {
+    List<Type> classes(Set<String> paquets) {
         String debut = arranger(paquets);
         // « Vecteur (1).java », « AncienVecteur.java » : le nom déclaré est plus sûr que celui du fichier
         String nom = types.size() == 1 || !deClasse(nu) && !types.isEmpty() ? types.get(0).nom : nu;
@@ -145,8 +176,8 @@ public final class Source {
             return List.of(sien.placer(this, debut + texte.substring(lu.entete), texte.length() - sien.fin));
         }
         if (types.stream().anyMatch(t -> DU_COURS.contains(t.nom) && !t.nom.equals(nom))) {
-            remarques.add("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
-                    + ") : jugées à part");
+            remarques.put("contient plusieurs classes (" + types.stream().map(t -> t.nom).collect(Collectors.joining(", "))
+                    + ") : jugées à part", Projet.NOMS);
         }
         int avant = lu.entete;
         for (Type t : types) {

@@ -15,6 +15,11 @@ public final class Type {
     final int fin;
     /** Empreinte de l'arbre syntaxique, qui ignore les commentaires et la présentation. */
     public final String empreinte;
+    /** Empreinte du même arbre, où chaque variable a pour nom son rang, et longueur de cet arbre. */
+    String forme;
+    int longueur;
+    /** Vrai pour un {@code record}. */
+    final boolean enregistrement;
     /** Noms utilisés, {@code float} compris. */
     public final Set<String> noms = new TreeSet<>();
     public final List<Signature> methodes = new ArrayList<>();
@@ -25,16 +30,17 @@ public final class Type {
     /** Longueur du texte après la fin de la classe. */
     private transient int reste;
 
-    Type(String nom, int debut, int fin, String empreinte) {
+    Type(String nom, int debut, int fin, String empreinte, boolean enregistrement) {
         this.nom = nom;
         this.debut = debut;
         this.fin = fin;
         this.empreinte = empreinte;
+        this.enregistrement = enregistrement;
     }
 
     /** Une classe dont seul le nom est connu. */
     static Type rien(String nom) {
-        return new Type(nom, 0, 0, "");
+        return new Type(nom, 0, 0, "", false);
     }
 
     Type placer(Source fichier, String sien, int suite) {
@@ -62,6 +68,11 @@ public final class Type {
                 .collect(Collectors.toCollection(TreeSet::new));
         nommees.removeAll(List.of("toString", "equals", "hashCode"));
         return nommees;
+    }
+
+    /** Dit si un constructeur prend deux listes ; vrai aussi pour une classe qui n'est pas rendue. */
+    public boolean parListes() {
+        return methodes.isEmpty() || methodes.stream().anyMatch(m -> m.rend.isEmpty() && m.types.equals(List.of("List", "List")));
     }
 
     /** Nombre de ces méthodes que la classe contient. */

@@ -39,11 +39,13 @@ public final class Execution {
 
     /** Sorte d'une réponse : le résultat de la méthode. */
     public static final String RENDU = "R";
-    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation, ce qui ne peut être demandé. */
+    /** Autres sortes de réponses : une exception, une récursion sans fin, une faute de compilation. */
     public static final String EXCEPTION = "E";
     public static final String SANS_FIN = "S";
     public static final String FAUTE = "F";
-    public static final String IMPOSSIBLE = "I";
+
+    /** Début du message que le compilateur met dans une méthode fautive. */
+    private static final String NON_COMPILE = "Unresolved compilation problem";
 
     private Classes classes;
     /** Les méthodes déjà appelées, par leur nom complet : les chercher durerait plus que l'appel. */
@@ -205,7 +207,16 @@ public final class Execution {
     private static List<?> cause(Throwable e) {
         String message = String.valueOf(e.getMessage());
         String nom = e.getClass().getName();
-        boolean compile = nom.equals("java.lang.Error") && message.startsWith("Unresolved compilation problem");
+        Throwable statique = e instanceof NoClassDefFoundError ? e.getCause() : e;
+        if (statique instanceof ExceptionInInitializerError) {
+            // la première fois, sa cause ; ensuite, ce que Java en a gardé
+            String dit = statique.getCause() != null ? statique.getCause().toString() : String.valueOf(statique.getMessage())
+                    .replaceFirst("^Exception ", "").replaceFirst(" \\[in thread [^]]*]$", "");
+            return dit.contains(NON_COMPILE) ? List.of(FAUTE, ou(statique), "")
+                    : List.of(EXCEPTION, "un champ statique échoue : " + dit.replaceFirst("^(\\w+\\.)+", "")
+                    + ou(statique.getCause() == null ? statique : statique.getCause()), "");
+        }
+        boolean compile = nom.equals("java.lang.Error") && message.startsWith(NON_COMPILE);
         if (e instanceof StackOverflowError) {
             return List.of(SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
         } else if (compile) {
@@ -213,8 +224,6 @@ public final class Execution {
         } else if (e instanceof LinkageError && !(e instanceof UnsatisfiedLinkError) && !message.startsWith("java")) {
             // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment
             return List.of(FAUTE, ou(e), "");
-        } else if (nom.equals("lancer.Appels$Impossible")) {
-            return List.of(IMPOSSIBLE, message, "");
         }
         return List.of(EXCEPTION, nom.replaceFirst(".*\\.", "") + (e.getMessage() == null ? "" : " : " + message) + ou(e), "");
     }
@@ -222,7 +231,7 @@ public final class Execution {
     private static String ou(Throwable e) {
         for (StackTraceElement ou : e.getStackTrace()) {
             if (ou.getClassName().startsWith("lancer.") && !ou.getClassName().startsWith("lancer.correction.")) {
-                return ou.getClassName().matches("lancer\\.(Appels|Sonde)") ? ", appelé par la vérification"
+                return ou.getClassName().matches("lancer\\.(Appels|Sonde)") ? ""
                         : ", " + ou.getFileName() + ":" + ou.getLineNumber() + " (" + ou.getMethodName() + ")";
             }
         }

@@ -5,7 +5,7 @@ public final class Arret extends Exception {
 
     private static final long serialVersionUID = 1;
 
-    /** Vrai si un autre programme que le correcteur l'a tué. */
+    /** Vrai si son statut est celui d'un programme que le système a tué ; un rendu peut se le donner. */
     public final boolean tue;
 
     public Arret(String cause, boolean tue) {

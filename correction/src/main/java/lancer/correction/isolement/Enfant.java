@@ -29,9 +29,12 @@ public final class Enfant implements AutoCloseable {
     private static final byte[] FIN = new byte[0];
     /** Taille, en octets, d'une demande que le tube d'un processus retient toujours : les précédentes ont été lues. */
     private static final int TUBE = 4000;
-    /** Statuts de Java à court de mémoire, et d'un programme que le système a tué. */
-    private static final int MEMOIRE = 3;
+    /** Statut d'un programme que le système a tué, s'il ne se l'est pas donné lui-même. */
     private static final int TUE = 128 + 9;
+    /** Temps permis sans rien faire, toutes demandes ensemble, en fois celui d'une demande. */
+    private static final int SOMMEIL = 2;
+    /** Nombre de tours permis sans rien faire à une machine qui en remplace une, arrêtée parce qu'elle dormait. */
+    private static final int RESTE = 20;
     /** Numéro attendu entre deux demandes. */
     private static final int RIEN = 0;
 
@@ -46,6 +49,8 @@ public final class Enfant implements AutoCloseable {
     private volatile int longueurMax;
     private volatile boolean inattendu;
     private double calculMax;
+    /** Nombre de tours passés sans rien faire, toutes demandes ensemble. */
+    public int endormi;
     /** Temps de processeur au premier et au dernier contrôle de la demande, instants du commencement et du dernier contrôle. */
     private double debut;
     private double dernier;
@@ -143,13 +148,16 @@ public final class Enfant implements AutoCloseable {
                 throw mort();
             }
             if (System.nanoTime() - controle > TOUR_MS * 1_000_000) {
-                immobile = controler() ? 0 : immobile + 1;
+                boolean travaille = controler();
+                immobile = travaille ? 0 : immobile + 1;
+                endormi += travaille ? 0 : 1;
             }
             if (reponse != null) {
                 return reponse;
             }
-            if (immobile * TOUR_MS > 1000 * limites.attente) {
-                throw arreter("arrêté : plus de " + (int) limites.attente + " s sans rien faire, bloqué ou endormi");
+            int trop = immobile * TOUR_MS > 1000 * limites.attente ? 1 : endormi * TOUR_MS > 1000 * limites.attente * SOMMEIL ? SOMMEIL : 0;
+            if (trop > 0) {
+                throw arreter("arrêté : plus de " + (int) (trop * limites.attente) + " s sans rien faire, bloqué ou endormi");
             }
         }
     }
@@ -207,11 +215,12 @@ public final class Enfant implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         close();
-        if (statut == TUE) {
-            return new Arret("arrêté : tué par le système, à court de mémoire", true);
-        }
-        return new Arret("arrêté : " + (statut == MEMOIRE ? "mémoire épuisée"
-                : "il s'est arrêté de lui-même (System.exit ?), statut " + statut), false);
+        return new Arret("arrêté : s'est arrêté, statut " + statut, statut == TUE);
+    }
+
+    /** Celle-ci en remplace une autre, qui a passé tant de tours sans rien faire. */
+    public void remplacer(int avant) {
+        endormi = Math.max(0, Math.min(avant, (int) (1000 * SOMMEIL * limites.attente / TOUR_MS) - RESTE));
     }
 
     /** Tue la machine virtuelle et ses descendants. */

@@ -3,7 +3,6 @@ package lancer.correction.jugement;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.correction.depot.Faute;
 import lancer.correction.depot.Projet;
@@ -13,8 +12,7 @@ import lancer.correction.modele.SourcesDuCours;
 /** Constats sur un rendu déjà jugé : les consignes, et ce que l'enseignant doit examiner. */
 final class Constats {
 
-    /** Message d'une récursion sans fin, à distinguer d'une boucle sans fin. */
-    private static final Pattern SANS_FIN = Pattern.compile("(?<!boucle )sans fin");
+    private static final List<String> FENETRES = List.of("JOptionPane", "JFrame", "JDialog", "JFileChooser");
 
     private final JugeRendu juge;
     private final Projet projet;
@@ -33,9 +31,9 @@ final class Constats {
     }
 
     /** Classes du rendu qui utilisent ce nom. */
-    private String emploient(String nom) {
-        return juge.changees(SourcesDuCours.classes()).stream().filter(c -> projet.type(c).noms.contains(nom))
-                .collect(Collectors.joining(", "));
+    private List<String> emploient(String nom) {
+        return juge.changees(SourcesDuCours.classes()).stream().filter(c -> !c.equals("Main") && projet.type(c).noms.contains(nom))
+                .collect(Collectors.toList());
     }
 
     private void consignes() {
@@ -57,15 +55,18 @@ final class Constats {
             resultat.regarder("étapes toutes réussies, mais une autre image : « " + String.join(" », « ", autres) + " »"
                     + (resultat.classesFautives.isEmpty() ? "" : ", par " + String.join(", ", resultat.classesFautives)));
         }
-        String enFloat = emploient("float");
+        if (!projet.type("Scene").parListes() && perdues.stream().filter(v -> v.classe.equals("Scene")).count() > 1) {
+            resultat.regarder("Scene n'a pas de constructeur par deux listes, et ses vérifications échouent : à vérifier à la main");
+        }
+        List<String> fenetres = FENETRES.stream().flatMap(f -> emploient(f).stream()).distinct().collect(Collectors.toList());
+        if (!fenetres.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
+            resultat.regarder("ouvre une fenêtre (" + String.join(", ", fenetres) + ") : la correction n'a pas d'écran");
+        }
+        String enFloat = String.join(", ", emploient("float"));
         if (!enFloat.isEmpty() && (!autres.isEmpty() || !perdues.isEmpty())) {
             String grain = "des calculs en float (" + enFloat + ") : de là peut venir du grain, que le cours évite par des double";
             resultat.remarques.add(0, grain);
             resultat.regarder(grain);
-        }
-        if (resultat.verdicts.entrySet().stream().filter(e -> e.getValue().rate() && SANS_FIN.matcher(e.getValue().message).find())
-                .map(e -> e.getKey().matches("(reflets|" + GrilleDeNotation.IMAGE + ")\\..*")).reduce(Boolean::logicalAnd).orElse(false)) {
-            resultat.regarder("appels sans fin d'un miroir à l'autre : la profondeur ne diminue pas, ou ne les arrête pas");
         }
     }
 
@@ -73,10 +74,11 @@ final class Constats {
     private void compiler() {
         Set<String> perdues = resultat.verdicts.values().stream().filter(Verdict::rate).map(v -> v.classe).collect(Collectors.toSet());
         List<Faute> siennes = juge.siennes();
-        siennes.sort(Comparator.comparing(f -> !perdues.contains(f.classe())));
+        siennes.sort(Comparator.comparing((Faute f) -> !perdues.contains(f.classe())).thenComparing(f -> f.remede.isEmpty()));
         siennes.forEach(f -> resultat.fautes.add(f.toString()));
-        if (!siennes.isEmpty() && perdues.contains(siennes.get(0).classe())) {
-            resultat.aRegarder.add(0, JugeRendu.NE_SE_COMPILE_PAS + " : " + siennes.get(0));
-        }
+        // là où git a laissé deux versions, ce que dit le compilateur ne sert à rien
+        siennes.stream().filter(f -> perdues.contains(f.classe()) && !projet.texte(f.classe()).contains("\n>>>>>>> ")).findFirst()
+                .ifPresent(f -> resultat.aRegarder.add(0, "ne se compile pas : " + f + " ; pour juger le reste, réparez-la dans une "
+                        + "copie du rendu, et jugez cette copie"));
     }
 }

@@ -65,16 +65,16 @@ public final class Dialogue {
 
         private static final long serialVersionUID = 1;
 
-        /** Vrai si rien ne peut être demandé au rendu : il n'est pas en faute. */
-        final boolean impossible;
+        /** Ce que dit le compilateur de la méthode appelée, vide s'il ne se sait pas ; {@code null} si elle se compile. */
+        final String faute;
 
         Echec(String message) {
-            this(message, false);
+            this(message, null);
         }
 
-        Echec(String message, boolean impossible) {
+        Echec(String message, String faute) {
             super(message);
-            this.impossible = impossible;
+            this.faute = faute;
         }
     }
 
@@ -126,7 +126,10 @@ public final class Dialogue {
         try {
             return rendre(rend, ici.machine.appeler(methode, Arrays.asList(arguments)));
         } catch (Arret e) {
-            ici.refus = e.getMessage();
+            // la doublure qui appelle a le nom de la méthode
+            StackWalker.StackFrame appelee = StackWalker.getInstance().walk(pile -> pile.skip(1).findFirst()).get();
+            ici.refus = e.getMessage() + " (" + appelee.getClassName().replace("lancer.", "") + "." + appelee.getMethodName()
+                    .replace("<init>", "new") + ")";
             throw new Echec(ici.refus);
         }
     }
@@ -173,8 +176,13 @@ public final class Dialogue {
         }
     }
 
-    /** Ce qui suit la sorte d'une réponse : le résultat. @throws Echec si le rendu n'a pas répondu */
-    static List<?> resultat(List<?> reponse) {
+    /**
+     * Ce qui suit la sorte d'une réponse : le résultat.
+     *
+     * @param fautes les fautes de compilation de ces classes : ce qu'un rendu en dit n'est cru que si le compilateur l'a dit
+     * @throws Echec si le rendu n'a pas répondu
+     */
+    static List<?> resultat(List<?> reponse, List<Faute> fautes) {
         Object sorte = reponse.get(0);
         if (sorte.equals(Execution.RENDU)) {
             return reponse.subList(1, reponse.size());
@@ -184,8 +192,12 @@ public final class Dialogue {
         if (sorte.equals(Execution.SANS_FIN)) {
             // les vérifications des reflets attendent cette exception
             throw new StackOverflowError(ou);
+        } else if (!sorte.equals(Execution.FAUTE)) {
+            throw new Echec(ou);
+        } else if (fautes.isEmpty()) {
+            throw new Echec("erreur de Java" + ou);
         }
-        throw sorte.equals(Execution.FAUTE) ? new Echec(JugeRendu.NE_SE_COMPILE_PAS + ou + (quoi.isEmpty() ? "" : " : "
-                + Faute.citer(quoi)), false) : new Echec(ou, sorte.equals(Execution.IMPOSSIBLE));
+        boolean dite = fautes.stream().anyMatch(f -> f.message.equals(quoi));
+        throw new Echec("ne se compile pas" + ou + (dite ? " : " + Faute.citer(quoi) : ""), dite ? quoi : "");
     }
 }

@@ -13,10 +13,12 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.Panne;
+import lancer.correction.depot.Rendu;
 
 /**
  * Le dossier {@code resultats} : un fichier par rendu, du nom de son identifiant, et rien d'autre qui les compte. Chacun est écrit à part,
@@ -108,6 +110,13 @@ public final class DossierDeResultats {
             }
         }
         deposer(fichier, resultat);
+    }
+
+    /** Ce que ces rendus vont remplacer : le jugement d'un autre travail de la même ligne. */
+    public List<String> remplaces(List<Rendu> rendus) {
+        Map<String, Resultat> avant = resultats().stream().collect(Collectors.toMap(r -> r.id, r -> r));
+        return rendus.stream().filter(r -> avant.containsKey(r.id) && !avant.get(r.id).empreinte.equals(r.empreinte()))
+                .map(r -> avant.get(r.id).nom + ", jugé le " + avant.get(r.id).date).collect(Collectors.toList());
     }
 
     /** Un demi-caractère, que l'UTF-8 n'a pas, devient « ? ». */

@@ -25,13 +25,8 @@ import lancer.correction.modele.SourcesDuCours;
 /** Juge un rendu : toutes ses classes ensemble, puis chacune seule avec celles du corrigé. Une faute n'en cache ainsi pas d'autres. */
 final class JugeRendu implements AutoCloseable {
 
-    /** Début du message d'une méthode qui ne se compile pas. */
-    static final String NE_SE_COMPILE_PAS = "ne se compile pas";
-
     /** Étapes qui complètent une méthode déjà écrite pour une étape précédente. */
     private static final Set<String> DANS_LA_MEME_METHODE = Set.of("phong", "ombres", "reflets");
-
-    private static final String NON_COMMENCEE = "étape non commencée : ";
 
     final Reference reference;
     private final Machines.Compilation compilation;
@@ -55,7 +50,7 @@ final class JugeRendu implements AutoCloseable {
         this.machines = machines;
         this.projet = projet;
         this.resultat = resultat;
-        vives = new Machines.Rendue[] {machines.new Rendue(Map.of()), machines.new Rendue(Map.of())};
+        vives = new Machines.Rendue[] {machines.new Rendue(null), machines.new Rendue(null)};
         images = new JugeImage(this, reference);
         ensemble = assembler(base(Map.of()));
     }
@@ -78,9 +73,9 @@ final class JugeRendu implements AutoCloseable {
 
     Machines.Rendue machine(Assemblage assemblage) {
         int place = assemblage == ensemble ? 0 : 1;
-        if (vives[place].classes != assemblage.classes) {
+        if (vives[place].assemblage != assemblage) {
             vives[place].close();
-            vives[place] = machines.new Rendue(assemblage.classes);
+            vives[place] = machines.new Rendue(assemblage);
         }
         return vives[place];
     }
@@ -93,10 +88,11 @@ final class JugeRendu implements AutoCloseable {
     }
 
     /** @throws Arret si ces classes ne se compilent pas, ou si une machine virtuelle ne peut les charger */
-    Resultat juger() throws Arret {
+    void juger() throws Arret {
         machine(ensemble).commencer(1);
         resultat.remarques.addAll(projet.remarques);
         resultat.aRegarder.addAll(projet.aRegarder);
+        resultat.formes.putAll(projet.formes);
         SourcesDuCours.A_COMPLETER.stream().filter(c -> projet.texte(c) == null).forEach(c -> resultat.remarques.add("la classe " + c
                 + " manque : celle du projet à compléter en tient lieu"));
         Verifications.Bilan toutes = lancer(ensemble, reference.verifications);
@@ -107,6 +103,13 @@ final class JugeRendu implements AutoCloseable {
             if (!aReprendre.isEmpty()) {
                 parSeule.putAll(lancer(seule(classe), aReprendre).verdicts);
             }
+        }
+        Set<String> fausses = verifications(v -> toutes.verdicts.get(v.id()).etat != Etat.REUSSI).stream().map(v -> v.classe)
+                .collect(Collectors.toSet());
+        if (fausses.contains("Objet3D") && projet.changees.contains("Lancer")) {
+            // elles prennent pour attendu ce que rend getColor : elles ne valent que s'il est juste
+            parSeule.putAll(lancer(seule("Lancer"), verifications(v -> v.classe.equals("Lancer"))).verdicts);
+            verifications(v -> v.classe.equals("Lancer")).forEach(v -> toutes.verdicts.put(v.id(), parSeule.get(v.id())));
         }
         for (Verification v : reference.verifications) {
             resultat.verdicts.put(v.id(), conclure(v, toutes.verdicts.get(v.id()), parSeule.get(v.id())));
@@ -125,7 +128,6 @@ final class JugeRendu implements AutoCloseable {
             images.montrer(variante.getKey(), assembler(base(variante.getValue())));
         }
         new Constats(this, projet).dire();
-        return resultat;
     }
 
     /**
@@ -288,37 +290,30 @@ final class JugeRendu implements AutoCloseable {
         }
         if (seule != null && seule.etat == Etat.REUSSI) {
             cachees.add(v);
-            return new Verdict(Etat.REUSSI, "", ensemble.message.replace(NON_COMMENCEE, ""));
+            return new Verdict(Etat.REUSSI, "", ensemble.message);
         }
         // si elle ne se compile que dans le rendu, elle y est jugée
-        Verdict verdict = seule == null || seule.message.startsWith(NE_SE_COMPILE_PAS)
-                && !ensemble.message.startsWith(NE_SE_COMPILE_PAS) ? ensemble : seule;
+        Verdict verdict = seule == null || seule.neSeCompilePas() && !ensemble.neSeCompilePas() ? ensemble : seule;
         montrer(v, v.classe);
         if (verdict.etat == Etat.NON_EVALUABLE) {
-            return verdict;
+            return new Verdict(Etat.NON_EVALUABLE, "", verdict.message);
         } else if (verdict.etat == Etat.NON_COMMENCE) {
-            return verdict.message.startsWith("étape non évaluable") ? new Verdict(Etat.NON_EVALUABLE, "", verdict.message)
-                    : commencee(v, verdict);
-        }
-        if (verdict.message.startsWith(NE_SE_COMPILE_PAS)) {
-            return fauteDeCompilation(v, verdict.message);
+            return commencee(v, verdict);
+        } else if (verdict.neSeCompilePas()) {
+            return fauteDeCompilation(v, verdict);
         }
         return verdict.message.equals(reference.duSquelette(v).message)
                 && !nommees(v, v.classe).stream().allMatch(methodes(v.classe)::get)
                 ? new Verdict(Etat.NON_COMMENCE, v.classe, "rend ce que rend le projet à compléter : " + verdict.message) : verdict;
     }
 
-    private Verdict fauteDeCompilation(Verification v, String message) {
-        String appelee = NE_SE_COMPILE_PAS + ", appelé par la vérification : ";
+    private Verdict fauteDeCompilation(Verification v, Verdict verdict) {
         if (dependances.containsKey(v.classe)) {
             return new Verdict(Etat.NON_EVALUABLE, dependances.get(v.classe), "dépend de " + dependances.get(v.classe));
-        } else if (message.startsWith(appelee)) {
-            return new Verdict(Etat.FAUSSE, v.classe, message.substring(appelee.length()));
-        } else if (message.contains(" : ")) {
-            return new Verdict(Etat.FAUSSE, v.classe, message);
         }
-        return new Verdict(Etat.FAUSSE, v.classe, message + Stream.concat(ensemble.fautesDe(v.classe).stream(), siennes().stream())
-                .findFirst().map(f -> " ; " + f).orElse(""));
+        return !verdict.faute.isEmpty() ? verdict : new Verdict(Etat.FAUSSE, v.classe, verdict.message
+                + Stream.concat(ensemble.fautesDe(v.classe).stream(), siennes().stream()).findFirst().map(f -> " ; " + f).orElse(""),
+                verdict.faute);
     }
 
     /** Pour chaque méthode à compléter de cette classe, dit si l'étudiant l'a modifiée. */
@@ -343,7 +338,7 @@ final class JugeRendu implements AutoCloseable {
 
     /** Verdict d'une étape sans effet visible, dont la méthode est écrite : la faute est dans cette classe ou dans une autre. */
     private Verdict commencee(Verification v, Verdict verdict) {
-        String message = verdict.message.replace(NON_COMMENCEE, "");
+        String message = verdict.message;
         String ecrite = changees(SourcesDuCours.A_COMPLETER).stream()
                 .filter(c -> !(c.equals(v.classe) && DANS_LA_MEME_METHODE.contains(v.etape))
                 && methodes(c).entrySet().stream().anyMatch(m -> m.getValue() && message.contains(m.getKey())))

@@ -127,15 +127,10 @@ public class Jury implements AutoCloseable {
         }
         Machines.Compilation libre = compilations.poll();
         Machines.Compilation compilation = libre == null ? machines.new Compilation() : libre;
-        Resultat resultat = null;
-        try {
-            // de plusieurs copies, celle qui réussit le plus de critères est gardée
-            for (Projet copie : Projet.copies(rendu, compilation::lire, reference.cours)) {
-                try (JugeRendu juge = new JugeRendu(reference, compilation, machines, copie, new Resultat(rendu, confinement.manque))) {
-                    Resultat sien = juge.juger();
-                    resultat = resultat == null || sien.reussis() > resultat.reussis() ? sien : resultat;
-                }
-            }
+        Resultat resultat = new Resultat(rendu, confinement.manque);
+        try (JugeRendu juge = new JugeRendu(reference, compilation, machines, Projet.lire(rendu, compilation::lire, reference.cours),
+                resultat)) {
+            juge.juger();
         } catch (Arret e) {
             return refuse(rendu, List.of(e.getMessage() + " (à la compilation, ou en prenant ses classes)"));
         } finally {

@@ -100,6 +100,7 @@ final class Machines {
     private abstract class Machine implements AutoCloseable {
 
         Enfant enfant;
+        private int endormi;
 
         /**
          * Lance la machine virtuelle si besoin, et attend une première réponse : un arrêt ultérieur vient alors de la demande.
@@ -114,6 +115,7 @@ final class Machines {
             boolean executee = principale == Execution.class;
             enfant = new Enfant(confinement.java(principale, chemin, !executee, outillage.getParent(), siennes), siennes,
                     confinement.confine);
+            enfant.remplacer(endormi);
             try {
                 enfant.commencer(Limites.DE_COMPILATION.calcul);
                 demander(premiere, Echange.REPONSE_MAX, DataInputStream::readAllBytes);
@@ -145,6 +147,7 @@ final class Machines {
         @Override
         public void close() {
             if (enfant != null) {
+                endormi = enfant.endormi;
                 enfant.close();
                 enfant = null;
             }
@@ -217,16 +220,16 @@ final class Machines {
     /** Machine virtuelle qui exécute un rendu, avec les seules classes de son assemblage. */
     final class Rendue extends Machine {
 
-        final Map<String, byte[]> classes;
+        final Assemblage assemblage;
 
-        Rendue(Map<String, byte[]> classes) {
-            this.classes = classes;
+        Rendue(Assemblage assemblage) {
+            this.assemblage = assemblage;
         }
 
         /** Demande ceci à un rendu, et rend ce que donne sa réponse. */
         private <T> T demander(int max, Function<List<?>, T> lecture, Object... demande) throws Arret {
             return demander(Echange.message(Arrays.asList(demande), o -> (Echange.Objet) o), max, reponse ->
-                    lecture.apply(Dialogue.resultat((List<?>) Echange.lire(reponse, Dialogue.Recu::new))));
+                    lecture.apply(Dialogue.resultat((List<?>) Echange.lire(reponse, Dialogue.Recu::new), assemblage.fautes)));
         }
 
         /** Commence une demande qui n'utilise plus les objets de la précédente. */
@@ -246,7 +249,7 @@ final class Machines {
         void commencer(double fois) throws Arret {
             if (lancer(Execution.class, outillage.toString(), limites, Echange.message(List.of(Execution.CLASSES), o -> null))) {
                 List<Object> demande = new ArrayList<>(List.of(Execution.CLASSES));
-                classes.forEach((nom, octets) -> demande.addAll(List.of(nom, octets)));
+                assemblage.classes.forEach((nom, octets) -> demande.addAll(List.of(nom, octets)));
                 demander(Echange.REPONSE_MAX, r -> r, demande.toArray());
             }
             enfant.commencer(fois * limites.calcul);

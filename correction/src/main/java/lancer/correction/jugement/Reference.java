@@ -50,7 +50,7 @@ public final class Reference implements AutoCloseable {
         Rendu squelette = new Rendu("", "");
         SourcesDuCours.tout(SourcesDuCours::squelette).forEach((nom, texte) -> squelette.sources.put(nom + ".java",
                 texte.getBytes(StandardCharsets.UTF_8)));
-        Projet projet = Projet.copies(squelette, compilation::lire, cours).get(0);
+        Projet projet = Projet.lire(squelette, compilation::lire, cours);
         // les vérifications sont compilées avec les doublures des classes du projet à compléter
         Doublures doublures = new Doublures(compilation.compiler(projet.base).classes);
         appels = doublures.getAppels();

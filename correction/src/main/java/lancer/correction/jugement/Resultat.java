@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import lancer.correction.depot.Rendu;
 
 /**
@@ -37,6 +38,8 @@ public final class Resultat {
     public final List<String> aRegarder = new ArrayList<>();
     /** Méthode de l'étudiant que vise chaque critère raté. */
     public final Map<String, String> methodes = new LinkedHashMap<>();
+    /** Les empreintes des classes, sans les noms de leurs variables. */
+    public final Map<String, String> formes = new TreeMap<>();
     /** Les images dessinées : par scène, avec toutes les classes du rendu ; par extension, celle de l'extension. */
     public final Map<String, Image> images = new LinkedHashMap<>();
     /** Vrai si les rayons passent au centre des pixels, et non aux coordonnées entières. */
@@ -64,9 +67,5 @@ public final class Resultat {
     /** Verdict d'un critère ; « non commencé » s'il n'a pas été essayé. */
     public Verdict verdict(Verification critere) {
         return verdicts.getOrDefault(critere.id(), new Verdict(Verdict.Etat.NON_COMMENCE, "", ""));
-    }
-
-    long reussis() {
-        return verdicts.values().stream().filter(Verdict::compte).count();
     }
 }

@@ -23,11 +23,23 @@ public final class Verdict {
     /** La classe en cause, vide s'il n'y en a pas. */
     public final String classe;
     public final String message;
+    /** Ce que dit le compilateur, vide s'il ne se sait pas ; {@code null} si ce n'est pas une faute de compilation. */
+    final String faute;
 
     public Verdict(Etat etat, String classe, String message) {
+        this(etat, classe, message, null);
+    }
+
+    Verdict(Etat etat, String classe, String message, String faute) {
         this.etat = etat;
         this.classe = classe;
         this.message = message;
+        this.faute = faute;
+    }
+
+    /** Dit si la méthode vérifiée ne se compile pas. */
+    public boolean neSeCompilePas() {
+        return faute != null;
     }
 
     /** Dit si la vérification échoue. */

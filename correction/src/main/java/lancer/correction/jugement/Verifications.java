@@ -30,6 +30,9 @@ final class Verifications {
     private static final String GRAINE = "tests.graine";
     /** Nombre de vérifications sans fin après lequel les suivantes ne sont pas exécutées. */
     private static final int ARRETS_MAX = 3;
+    /** Débuts de ce que dit une vérification abandonnée. */
+    private static final String NON_EVALUABLE = "étape non évaluable : ";
+    private static final String NON_COMMENCEE = "étape non commencée : ";
 
     private final ClassLoader chargeur;
     private final long graine;
@@ -89,17 +92,18 @@ final class Verifications {
                 }
             }
             Verification v = new Verification("", test);
-            verdicts.put(v.id(), arret != null ? new Verdict(Etat.FAUSSE, v.classe, arret)
-                    : new Verdict(etat(fin), v.classe, fin.getThrowable().map(Bilan::message).orElse("")));
+            verdicts.put(v.id(), arret != null ? new Verdict(Etat.FAUSSE, v.classe, arret) : verdict(v, fin));
         }
 
-        private static Etat etat(TestExecutionResult fin) {
+        private static Verdict verdict(Verification v, TestExecutionResult fin) {
             Throwable cause = fin.getThrowable().orElse(null);
-            if (cause instanceof Dialogue.Echec && ((Dialogue.Echec) cause).impossible) {
-                return Etat.NON_EVALUABLE;
+            String message = cause == null ? "" : message(cause);
+            if (fin.getStatus() == TestExecutionResult.Status.ABORTED) {
+                Etat etat = message.startsWith(NON_EVALUABLE) ? Etat.NON_EVALUABLE : Etat.NON_COMMENCE;
+                return new Verdict(etat, v.classe, message.replaceFirst("^(" + NON_EVALUABLE + "|" + NON_COMMENCEE + ")", ""));
             }
-            return fin.getStatus() == TestExecutionResult.Status.SUCCESSFUL ? Etat.REUSSI
-                    : fin.getStatus() == TestExecutionResult.Status.ABORTED ? Etat.NON_COMMENCE : Etat.FAUSSE;
+            return new Verdict(cause == null ? Etat.REUSSI : Etat.FAUSSE, v.classe, message,
+                    cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null);
         }
 
         private static String message(Throwable e) {

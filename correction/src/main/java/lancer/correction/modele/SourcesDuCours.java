@@ -96,11 +96,9 @@ public final class SourcesDuCours {
             } else if (nue.startsWith("//{")) {
                 dansReponse = true;
                 resultat.append(reponses || nue.length() == 3 ? "" : marge + "// FIXME" + nue.substring(3) + "\n");
-            } else if (nue.startsWith("//=")) {
+            } else if (nue.startsWith("//=") || nue.equals("//}")) {
                 dansReponse = false;
-                resultat.append(reponses ? "" : marge + nue.substring(4) + "\n");
-            } else if (nue.equals("//}")) {
-                dansReponse = false;
+                resultat.append(reponses || nue.equals("//}") ? "" : marge + nue.substring(4) + "\n");
             } else if (!dansReponse || reponses) {
                 resultat.append((pour == null ? ligne : ligne.replaceFirst("//\\+ ?", "")).stripTrailing()).append('\n');
             }

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import lancer.correction.Panne;
 import lancer.correction.depot.Source;
+import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.modele.SourcesDuCours;
 import org.ini4j.Ini;
@@ -25,6 +26,8 @@ import org.ini4j.Profile;
  */
 public final class Bareme {
 
+    /** Une ligne vide, un commentaire, une section, ou une valeur. */
+    private static final String LIGNE = "\\s*([;#].*|\\[.+\\]\\s*|[^=:]+[=:].*)?";
     private static final String NOMBRE = "\\d{1,4}(\\.\\d{1,6})?";
 
     /** Points de chaque ligne dans le fichier ; négatifs si elle en enlève. */
@@ -44,14 +47,17 @@ public final class Bareme {
     public Bareme(Path fichier, GrilleDeNotation grille, double maximum) {
         List<String> etapes = grille.etapes.stream().map(e -> e.nom).collect(Collectors.toList());
         Profile.Section section;
+        String lu = "";
         try {
             if (!Files.exists(fichier)) {
                 Files.writeString(fichier, SourcesDuCours.ressource("bareme.ini"));
             }
-            section = new Ini(new StringReader(Source.decoder(Files.readAllBytes(fichier)))).get("Barème");
+            lu = Source.decoder(Files.readAllBytes(fichier));
+            section = new Ini(new StringReader(lu)).get("Barème");
         } catch (InvalidFileFormatException e) {
-            throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points ("
-                    + e.getMessage().replace("parse error (at line: ", "ligne ").replaceFirst("\\)", "") + ")");
+            long ligne = lu.lines().takeWhile(l -> l.matches(LIGNE)).count();
+            throw new Panne(2, fichier + " : ligne incomprise ; attendu : étape=points (ligne " + (ligne + 1) + " : "
+                    + Texte.protege(lu.lines().skip(ligne).findFirst().orElse("")) + ")");
         } catch (IOException e) {
             throw new Panne(2, "barème illisible : " + fichier + " (" + e.getMessage() + ")");
         }

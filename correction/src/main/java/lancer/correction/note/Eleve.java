@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Resultat;
@@ -55,9 +56,9 @@ public final class Eleve {
             return verdicts.stream().filter(v -> v.etat == etat).count();
         }
 
-        /** Points perdus par les critères non évaluables ; aucun si l'enseignant a donné les points. */
-        private double perdus() {
-            return ajustement != null || comptent == 0 ? 0 : sur * nombre(Verdict.Etat.NON_EVALUABLE) / comptent;
+        /** Points perdus par ces critères ; aucun si l'enseignant a donné les points. */
+        private double perdus(Predicate<Verdict> lesquels) {
+            return ajustement != null || comptent == 0 ? 0 : sur * verdicts.stream().filter(lesquels).count() / comptent;
         }
 
         /** Dit si tout est réussi, ou si l'enseignant a donné tous les points. */
@@ -83,8 +84,10 @@ public final class Eleve {
     public final String arret;
     /** Ce que la feuille de Moodle dit de ce rendu : remis, en retard de deux jours ; vide sans feuille. */
     public String statut = "";
-    /** La note, de 0 à {@link Bareme#total}. */
-    public final double note;
+    /** La note que donnent les parts, au centième, de 0 à {@link Bareme#total}. */
+    public final double calculee;
+    /** La note de l'étudiant : celle-là, ou celle que l'enseignant a mise dans la feuille. */
+    public double note;
 
     /** @param siens points que l'enseignant a donnés à cet étudiant */
     public Eleve(Resultat resultat, String page, GrilleDeNotation grille, Bareme bareme, Map<String, Ajustements.Ligne> siens) {
@@ -109,13 +112,19 @@ public final class Eleve {
                 (part.aNoter ? aNoter : extensions).add(etape.court);
             }
         }
-        note = Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()));
+        // arrondie une fois : toutes les pages et les feuilles écrivent la même
+        calculee = Math.round(100 * Math.max(0, Math.min(bareme.total, parts.values().stream().mapToDouble(p -> p.points).sum()))) / 100.0;
+        note = calculee;
         arret = avant.isEmpty() ? "" : avant.get(0).nom;
         String aucune = note > 0 ? "aucune en entier" : "aucune";
         atteinte = (derniere.isEmpty() ? aucune : derniere) + suite(", mais reste à compléter : ", manquent)
                 + suite(" ; extensions : ", extensions) + suite(" ; extensions à noter : ", aNoter);
         if (nonEvaluables() > 0) {
-            aRegarder.add(String.format(Locale.FRANCE, "%.2f points perdus par ce qui n'a pu être évalué", nonEvaluables()));
+            aRegarder.add(perdus(nonEvaluables(), "ce qui n'a pu être évalué"));
+        }
+        double nonCompiles = perdus(Verdict::neSeCompilePas);
+        if (nonCompiles > 0) {
+            aRegarder.add(perdus(nonCompiles, "ce qui ne se compile pas"));
         }
     }
 
@@ -130,7 +139,15 @@ public final class Eleve {
 
     /** Points perdus par ce qui n'a pu être évalué. */
     public double nonEvaluables() {
-        return parts.values().stream().mapToDouble(p -> p.perdus()).sum();
+        return perdus(v -> v.etat == Verdict.Etat.NON_EVALUABLE);
+    }
+
+    private double perdus(Predicate<Verdict> lesquels) {
+        return parts.values().stream().mapToDouble(p -> p.perdus(lesquels)).sum();
+    }
+
+    private static String perdus(double points, String pourquoi) {
+        return String.format(Locale.FRANCE, "%.2f %s par %s", points, points < 2 ? "point perdu" : "points perdus", pourquoi);
     }
 
     public boolean illisible() {

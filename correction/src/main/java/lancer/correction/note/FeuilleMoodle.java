@@ -41,8 +41,10 @@ public final class FeuilleMoodle {
     private static final Pattern NUMERO = Pattern.compile("\\D*(\\d+)\\s*");
     private static final String DEBUT = "Correction automatique : ";
     private static final String FIN = " ; le détail est dans le fichier de retour.";
-    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+\\.\\d\\d), étape atteinte, « [^\n»]* »"
+    private static final Pattern NOTRE = Pattern.compile("\\s*" + DEBUT + "(\\d+[.,]\\d\\d), étape atteinte, « [^\n»]* »"
             + Pattern.quote(FIN));
+    /** Le statut de qui a remis son travail, que tous ont. */
+    private static final String REMIS = "^(Remis pour évaluation|Submitted for grading)[ -]*";
     private static final String BOM = "\uFEFF";
 
     private final Path fichier;
@@ -58,6 +60,7 @@ public final class FeuilleMoodle {
     private final int commentaire;
     private final int modifiable;
     private final int statut;
+    private final int nom;
 
     /** @throws Panne si Moodle n'accepterait pas cette feuille de notes, ou si la note maximale ne s'y lit pas */
     public FeuilleMoodle(Path fichier) {
@@ -82,6 +85,7 @@ public final class FeuilleMoodle {
         commentaire = colonne(false, "Feedback comments", "Feedback par commentaires");
         modifiable = colonne(false, "Grade can be changed", "La note peut être modifiée");
         statut = colonne(false, "Status", "Statut");
+        nom = colonne(false, "Full name", "Nom complet");
         sur = maximum();
     }
 
@@ -136,15 +140,23 @@ public final class FeuilleMoodle {
     public Collection<Eleve> ecrire(Path dossier, List<Eleve> eleves, List<String> avis) throws IOException {
         Map<String, Eleve> parId = new LinkedHashMap<>();
         eleves.forEach(e -> parId.put(e.resultat.id, e));
+        List<String> sansRendu = new ArrayList<>();
         for (List<String> ligne : lignes.subList(1, lignes.size())) {
             Eleve eleve = parId.get(numero(ligne));
             if (eleve != null) {
-                eleve.statut = Texte.protege(valeur(ligne, statut));
+                eleve.statut = Texte.protege(valeur(ligne, statut).replaceFirst(REMIS, "").replaceFirst("[ -]+$", ""));
+            } else if (!numero(ligne).isEmpty()) {
+                sansRendu.add(Texte.protege(valeur(ligne, nom).isBlank() ? numero(ligne) : valeur(ligne, nom)));
             }
             if (eleve != null && ligne.size() > note && !valeur(ligne, modifiable).trim().matches("(?i)no|non")) {
                 parId.remove(numero(ligne));
                 remplir(ligne, eleve);
+            } else if (eleve != null && reel(valeur(ligne, note)) <= sur) {
+                eleve.note = reel(valeur(ligne, note));
             }
+        }
+        if (!sansRendu.isEmpty()) {
+            avis.add("dans la feuille, et sans rendu ici (" + sansRendu.size() + ") : " + String.join(", ", sansRendu));
         }
         StringWriter ecrit = new StringWriter();
         ecrit.append(texte.startsWith(BOM) ? BOM : "");
@@ -179,18 +191,19 @@ public final class FeuilleMoodle {
     /** Remplit les deux cases de la ligne de cet élève, et lui dit ce qu'il faut examiner. */
     private void remplir(List<String> ligne, Eleve eleve) {
         boolean juge = !eleve.illisible();
-        String neuve = juge ? String.format(Locale.ROOT, "%.2f", eleve.note) : "";
+        String neuve = juge ? String.format(Locale.FRANCE, "%.2f", eleve.calculee) : "";
         String ancienne = ligne.get(note);
         String dit = valeur(ligne, commentaire);
         boolean aNous = estNotre(ancienne, dit);
         if (aNous && juge) {
             // le signe décimal est celui de la note maximale
-            ligne.set(note, valeur(ligne, maximum).contains(",") ? neuve.replace('.', ',') : neuve);
+            ligne.set(note, valeur(ligne, maximum).contains(",") ? neuve : neuve.replace(',', '.'));
         } else if (!ancienne.isBlank()) {
             String aQui = aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
                     : "note de la feuille gardée, que nous n'avons pas écrite : ";
-            eleve.aRegarder.add(aQui + ancienne + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
+            eleve.aRegarder.add(aQui + ancienne.replace('.', ',') + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
                     + (juge ? " ; la nôtre serait " + neuve : ""));
+            eleve.note = juge && reel(ancienne) <= sur ? reel(ancienne) : eleve.note;
         }
         if (commentaire >= 0 && commentaire < ligne.size() && (juge || !aNous)) {
             // le texte de l'enseignant est gardé ; celui de la correction est remplacé avec la note

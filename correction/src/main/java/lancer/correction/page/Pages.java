@@ -10,12 +10,14 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import lancer.correction.enfant.Texte;
 import lancer.correction.jugement.GrilleDeNotation;
 import lancer.correction.jugement.Reference;
@@ -44,7 +46,7 @@ public final class Pages {
         gabarits.setDefaultEncoding("UTF-8");
         gabarits.setURLEscapingCharset("UTF-8");
         gabarits.setLocale(Locale.FRANCE);
-        gabarits.setNumberFormat("0.##");
+        gabarits.setNumberFormat("0.##;; roundingMode=halfUp");
         gabarits.setTemplateExceptionHandler(TemplateExceptionHandler.RETHROW_HANDLER);
         gabarits.setLogTemplateExceptions(false);
         DefaultObjectWrapperBuilder objets = new DefaultObjectWrapperBuilder(Configuration.VERSION_2_3_34);
@@ -130,18 +132,44 @@ public final class Pages {
         return eleves.stream().mapToDouble(e -> e.note).average().orElse(0);
     }
 
+    public double mediane(List<Eleve> eleves) {
+        double[] notes = eleves.stream().mapToDouble(e -> e.note).sorted().toArray();
+        return (notes[notes.length / 2] + notes[(notes.length - 1) / 2]) / 2;
+    }
+
+    /** Nombre de notes de chaque dixième de la note maximale, du plus bas au plus haut. */
+    public List<Integer> histogramme(List<Eleve> eleves) {
+        Integer[] nombres = new Integer[10];
+        Arrays.fill(nombres, 0);
+        eleves.forEach(e -> nombres[(int) Math.min(9, 10 * e.note / bareme.total)]++);
+        return List.of(nombres);
+    }
+
     /** Vrai la première fois que la page en cours demande ce texte. */
     public boolean nouveau(String texte) {
         return deplies.add(texte);
     }
 
-    /** La première faute à corriger, dans l'ordre des étapes : l'étape, le critère et le verdict ; {@code null} s'il n'y en a pas. */
-    public List<?> aReprendre(Eleve eleve) {
+    /**
+     * La première faute à corriger, dans l'ordre des étapes ou, si rien de commencé n'est faux, ce qui est à commencer : quoi faire,
+     * l'étape, le critère et le verdict ; {@code null} s'il n'y a rien à faire.
+     */
+    public List<?> aFaire(Eleve eleve) {
+        List<?> faute = premier(eleve, (etape, verdict) -> verdict.rate() && bareme.poids(etape.nom) != 0, "à reprendre d'abord");
+        if (faute != null && ((GrilleDeNotation.Etape) faute.get(1)).duCours() || eleve.arret.isEmpty()) {
+            return faute;
+        }
+        List<?> suivante = premier(eleve, (etape, verdict) -> etape.nom.equals(eleve.arret)
+                && verdict.etat == Verdict.Etat.NON_COMMENCE, "à commencer");
+        return suivante == null ? faute : suivante;
+    }
+
+    private List<?> premier(Eleve eleve, BiPredicate<GrilleDeNotation.Etape, Verdict> lequel, String quoi) {
         for (GrilleDeNotation.Etape etape : grille.etapes) {
             for (Verification critere : etape.criteres) {
                 Verdict verdict = eleve.resultat.verdict(critere);
-                if (verdict.rate() && bareme.poids(etape.nom) != 0) {
-                    return List.of(etape, critere, verdict);
+                if (lequel.test(etape, verdict)) {
+                    return List.of(quoi, etape, critere, verdict);
                 }
             }
         }

@@ -51,7 +51,7 @@ abstract class DepotEssai {
     static Projet projet(Rendu rendu) {
         try {
             cours = cours == null ? new Cours(Lecteur::lire) : cours;
-            return Projet.copies(rendu, Lecteur::lire, cours).get(0);
+            return Projet.lire(rendu, Lecteur::lire, cours);
         } catch (Arret e) {
             throw new AssertionError(e);
         }

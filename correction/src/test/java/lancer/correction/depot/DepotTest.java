@@ -88,7 +88,9 @@ class DepotTest extends DepotEssai {
         // rien ne disparaît
         "dupont.zip;rapport.pdf;rapport.docx;tp.jar;sans-fin;martin.rar | dupont.zip;martin.rar;rapport.docx;rapport.pdf;sans-fin;tp.jar",
         "src/lancer/Vecteur.java;pom.xml | !pom.xml", "dupont/src/lancer/Vecteur.java | !Vecteur.java",
-        "a.zip;b.zip;c.zip;d.zip;Vecteur.java | !Vecteur.java"})
+        "a.zip;b.zip;c.zip;d.zip;Vecteur.java | Vecteur.java;a.zip;b.zip;c.zip;d.zip",
+        // un numéro, ou un nom, qui serait celui de la ligne d'un autre
+        "101/lancer/A.java;Alice Martin_101_assignsubmission_file/lancer/A.java | 101;101/"})
     void uneEntreeEstUneLigneQuelQueSoitSonNom(String fichiers, String lignes) throws IOException {
         for (String fichier : fichiers.split(";")) {
             ecrire(rendus.resolve(fichier), "x");
@@ -318,11 +320,62 @@ class DepotTest extends DepotEssai {
         Path rendu = rendus.resolve("Étudiant 1_11_assignsubmission_file");
         ecrire(rendu.resolve("проект/Vecteur.java"), CLASSE);
         ecrire(rendu.resolve("проект/Point.java"), "la même");
-        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", new byte[9], "Point.java",
+        Rendu lu = deposer("проект.zip", zip(Map.of("Vecteur.java", "autre".getBytes(StandardCharsets.UTF_8), "Point.java",
                 "la même".getBytes(StandardCharsets.UTF_8))));
         assertEquals(CLASSE, new String(lu.sources.get("проект/Vecteur.java"), StandardCharsets.UTF_8));
         assertEquals(List.of("проект/Vecteur.java : laissé de côté, un autre fichier a ce chemin, dans ce dossier ou dans une archive"),
-                projet(lu).aRegarder);
+                lu.refus);
+    }
+
+    @Test
+    void desFichiersVidesNOntPasDeNoteEtSontNommes() throws IOException {
+        byte[] lfs = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12\n".getBytes(StandardCharsets.UTF_8);
+        Rendu vide = deposer("tp.zip", zip(Map.of("a/Vecteur.java", new byte[0], "a/Point.java", new byte[300], "a/Rayon.java",
+                " \n".getBytes(StandardCharsets.UTF_8), "a/Sphere.java", lfs, "src/test/java/lancer/Tests.java", new byte[] {'x'})));
+        assertEquals(List.of("un renvoi de Git LFS, sans le texte : Sphere ; des fichiers vides : Point, Rayon, Vecteur"), vide.refus);
+        assertEquals(Map.of(), vide.sources);
+        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Étudiant 2_12_assignsubmission_file/lancer/Point.java"), "");
+        Rendu partie = lire(rendus).get("12");
+        assertEquals(List.of("des fichiers vides : Point"), partie.refus);
+        assertTrue(projet(partie).aRegarder.stream().noneMatch(r -> r.matches(".*Point.* absentes?.*")),
+                projet(partie).aRegarder.toString());
+    }
+
+    @Test
+    void uneArchiveQuiNEstPasCeQueDitSonNomEstNommeeAvecLeRemede() throws IOException {
+        for (String[] une : new String[][] {{"Rar!\u001A", "RAR"}, {"7z\u00BC\u00AF", "7z"}}) {
+            Rendu rendu = deposer("tp.zip", une[0].getBytes(StandardCharsets.ISO_8859_1));
+            assertTrue(rendu.refus.get(0).startsWith("tp.zip : c'est une archive " + une[1] + ", malgré son nom ; à déplier à la main"),
+                    rendu.refus.toString());
+        }
+        Files.delete(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp.zip"));
+        assertEquals(List.of("aucun fichier .java dans ce rendu ; tp.jar, qui en a 2, est à renommer en .zip"),
+                deposer("tp.jar", zip(Map.of("A.java", new byte[9], "B.java", new byte[9]))).refus);
+    }
+
+    @Test
+    void lesSourcesDUneBibliothequeSontLaisseesEtNommees() throws IOException {
+        Map<String, byte[]> bibliotheque = new TreeMap<>();
+        for (int k = 0; k < 2500; k++) {
+            bibliotheque.put("org/C" + k + ".java", ("package org; class C" + k + " { }").getBytes(StandardCharsets.UTF_8));
+        }
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/tp/lancer/Vecteur.java"), CLASSE);
+        Rendu rendu = deposer("src.zip", zip(bibliotheque));
+        Projet lu = projet(rendu);
+        assertEquals(List.of("src/org : laissé de côté, 2201 fichiers au-delà de 300, ou de 6 Mo de sources : une bibliothèque ?"),
+                rendu.refus);
+        assertTrue(lu.base.containsKey("lancer/Vecteur"));
+    }
+
+    @Test
+    void unFichierSeulEstUneLigneSansNote() throws IOException {
+        ecrire(rendus.resolve("dupont/lancer/Vecteur.java"), CLASSE);
+        ecrire(rendus.resolve("Vecteur.java"), CLASSE);
+        Rendu seul = lire(rendus).get("Vecteur.java");
+        assertEquals(Map.of(), seul.sources);
+        assertTrue(seul.refus.get(0).startsWith("un fichier seul n'est le rendu d'aucun étudiant ; pour un seul rendu : make corriger UN="),
+                seul.refus.toString());
     }
 
     @Test

@@ -28,6 +28,27 @@ class LecteurTest {
     }
 
     @Test
+    void uneFauteDitEnFrancaisCeQuIlFaut() {
+        int ici = Runtime.version().feature();
+        for (String[] une : new String[][] {{"Syntax error, insert \"}\" to complete ClassBody", "il manque « } »"},
+            {"The Java feature 'Record Pattern' is only available with source level 21 and above", "il faut Java 21, "
+                    + "et ici juge Java " + ici},
+            {"The method clamp(double, int, int) is undefined for the type java.lang.Math",
+                "clamp n'est pas dans Java " + ici + ", qui juge ici : est-elle d'une version plus récente ?"}}) {
+            assertEquals("A.java:3 : " + une[1] + " ; le compilateur dit « " + une[0] + " »", new Faute("lancer/A.java", 3,
+                    une[0]).toString());
+        }
+    }
+
+    @Test
+    void niLesNomsDesVariablesNeFontUneAutreForme() {
+        Type une = Lecteur.lire(List.of("class A { int f(int p) { int a = p; return a * p; } }"))[0].types.get(0);
+        assertEquals(une.forme,
+                Lecteur.lire(List.of("class A { int f(int q) { int b = q; /* vu */ return b * q; } }"))[0].types.get(0).forme);
+        assertNotEquals(une.forme, Lecteur.lire(List.of("class A { int f(int q) { int b = q; return q * b; } }"))[0].types.get(0).forme);
+    }
+
+    @Test
     void unTexteTropEmboiteNeCouteQueLui() {
         String emboite = "class B { int b = " + "(".repeat(60_000) + "1" + ")".repeat(60_000) + "; }";
         Lecteur.Fichier[] lus = Lecteur.lire(List.of("class A { }", emboite, "class C {"));

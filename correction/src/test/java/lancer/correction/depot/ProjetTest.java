@@ -1,7 +1,6 @@
 package lancer.correction.depot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -34,7 +33,8 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals("package lancer; // été\npublic class Vecteur {}\n", lu.texte("Vecteur"));
         assertEquals("package lancer;\nimport lancer.Vecteur;\nclass Point {}\n", lu.texte("Point"));
-        assertEquals(3, lu.remarques.size(), lu.remarques.toString());
+        assertEquals(List.of("le paquet est aucun, « monpaquet » au lieu de « lancer » (2 fichiers)",
+                "TP/Vecteur.java : n'est pas en UTF-8, lu en windows-1252"), lu.remarques);
     }
 
     @Test
@@ -75,9 +75,10 @@ class ProjetTest extends DepotEssai {
         }
         Rendu rendu = lire(rendus).get("11");
         Projet lu = projet(rendu);
-        assertEquals(List.of("Sphere.getNormale absente ; prend et rend la même chose : normale",
-                "Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, remplacez partout Monde par Scene dans une copie "
-                + "du rendu, et jugez cette copie", "Objet3D.getNormale absente ; prend et rend la même chose : normale",
+        assertEquals(List.of("Scene absente ; Monde a 3 de ses 3 méthodes : pour la juger, "
+                + "remplacez partout Monde par Scene dans une copie "
+                + "du rendu, et jugez cette copie", "Sphere.getNormale absente ; prend et rend la même chose : normale",
+                "Objet3D.getNormale absente ; prend et rend la même chose : normale",
                 "le même texte que le corrigé, aux commentaires près : Vecteur, Point, Rayon, Camera"), lu.aRegarder);
     }
 
@@ -208,7 +209,8 @@ class ProjetTest extends DepotEssai {
         Projet lu = projet(lire(rendus).get("11"));
         assertEquals(7, lu.base.size(), lu.base.keySet().toString());
         assertEquals("package lancer; // src/Vecteur", lu.texte("Vecteur"));
-        assertEquals(List.of("plusieurs copies du projet : jugée, « src/ » ; laissée, « vieux/ »"), lu.remarques);
+        assertEquals(List.of("src2/ : hors du projet, le complète par Objet3D, Scene, Sphere",
+                "vieux/ : laissé de côté, le projet a les siennes : Point, Rayon, Vecteur"), lu.remarques);
     }
 
     @Test
@@ -235,8 +237,8 @@ class ProjetTest extends DepotEssai {
         ecrire(projet.resolve("D.java"), "package lancer; class D { " + "/*".repeat(3) + " /*".repeat(300_000));
         ecrire(projet.resolve("Vecteur.java"), "package lancer; class Vecteur { " + "public ".repeat(100_000) + "}");
         Projet lu = projet(lire(rendus).get("11"));
-        assertEquals("[A, lancer/B, lancer/D, lancer/Vecteur]", lu.base.keySet().toString());
-        assertTrue(lu.remarques.get(0).startsWith("lancer/C.java : laissé de côté, le compilateur ne peut pas le lire"),
+        assertEquals("[lancer/B, lancer/D, lancer/Vecteur]", lu.base.keySet().toString());
+        assertTrue(lu.remarques.get(1).startsWith("lancer/C.java : laissé de côté, le compilateur ne peut pas le lire"),
                 "seul celui qui est trop emboîté : " + lu.remarques);
     }
 
@@ -282,9 +284,8 @@ class ProjetTest extends DepotEssai {
         classes("lancer-base", SourcesDuCours::squelette, toutes);
         Projet intact = projet(lire(rendus).get("11"));
         assertEquals(Set.of(), intact.changees, "rien n'y est de lui");
-        assertTrue(intact.aRegarder.contains("base-java/src/lancer/ : laissé de côté, c'est le texte du corrigé ; un autre est jugé : "
-                + String.join(", ", toutes)), intact.aRegarder.toString());
-        assertFalse(intact.aRegarder.toString().contains("plusieurs copies"), "une seule est jugée, et ce n'est pas celle du corrigé");
+        assertTrue(intact.aRegarder.contains("base-java/src/ : laissé de côté, c'est le texte du corrigé : Camera, Lancer, Objet3D, "
+                + "Point, Rayon…"), intact.aRegarder.toString());
         // ce qu'il a écrit, même faux ; ce qu'il a laissé est celui du projet à compléter
         classes("lancer-base", c -> SourcesDuCours.corrige(c).replace("* v.y", "* v.x"), "Vecteur");
         Projet commence = projet(lire(rendus).get("11"));
@@ -299,6 +300,48 @@ class ProjetTest extends DepotEssai {
         classes("lancer-base", c -> SourcesDuCours.corrige(c).replaceFirst("\\}\\s*$", "int enPlus; }"), siennes);
         classes("distribue", SourcesDuCours::squelette, SourcesDuCours.A_COMPLETER.toArray(new String[0]));
         assertEquals(new TreeSet<>(SourcesDuCours.A_COMPLETER), new TreeSet<>(projet(lire(rendus).get("11")).changees));
+    }
+
+    /** Hors du dossier du projet : les fichiers d'un autre travail, puis ce qu'il faut en dire. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "TP3/src/cartes/Couleur.java=package cartes; public enum Couleur { TREFLE, PIQUE }",
+        "TP2/Constantes.java=public class Constantes { static final int TAILLE = 3; }",
+        "TP2/src/Lampe.java=class Lampe { void allumer() { } }", "TP2/Main.java=class Main { void jouer() { } }",
+        "TP2/src/geo/Vecteur.java=package geo; class Vecteur { double longueur() { return 0; } }",
+        "lancer-base/src/lancer/ancien/Couleur.java=package lancer; class Couleur { int rouge() { return 0; } }"})
+    void unAutreTravailNeRemplaceAucuneClasseDonneeOuEcrite(String fichier) throws IOException {
+        classes("lancer-base", c -> SourcesDuCours.corrige(c).replaceFirst("\\}\\s*$", "int enPlus; }"),
+                SourcesDuCours.classes().toArray(new String[0]));
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file").resolve(fichier.split("=")[0]), fichier.split("=")[1]);
+        Projet lu = projet(lire(rendus).get("11"));
+        String classe = fichier.replaceFirst("(?s).*/(\\w+)\\.java=.*", "$1");
+        assertTrue(lu.texte(classe).contains("enPlus"), lu.texte(classe));
+        assertEquals(List.of(fichier.replaceFirst("(cartes/|geo/)?\\w+\\.java=.*", "") + " : laissé de côté, hors du projet ; " + classe
+                + " n'y est pas du cours"), lu.aRegarder);
+        assertEquals(Map.of(), lu.ecarts);
+    }
+
+    @Test
+    void uneAnnotationQueRienNeDefinitNeCouteRienEtCEstDit() throws IOException {
+        ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/Vecteur.java"), "package lancer;\nimport lombok.Getter;\n"
+                + "import java.util.List;\n@Getter @Deprecated class Vecteur {\n@fr.moi.NotNull(\n1) List<String> f(@Mien int p) { }\n}\n"
+                + "@interface Mien { }\n");
+        Projet lu = projet(lire(rendus).get("11"));
+        assertEquals("package lancer;\n\nimport java.util.List;\n@Deprecated class Vecteur {\n\nList<String> f(@Mien int p) { }\n}",
+                lu.texte("Vecteur").replaceAll("(?m)^ +| +$", ""));
+        assertEquals(List.of("lancer/Vecteur.java : jugé sans l'annotation @Getter, que rien ne définit ici",
+                "lancer/Vecteur.java : jugé sans l'annotation @fr.moi.NotNull, que rien ne définit ici"), lu.aRegarder.subList(1, 3));
+    }
+
+    @Test
+    void desNomsChangesSontUnEcartAuxConsignes() throws IOException {
+        for (String classe : SourcesDuCours.A_COMPLETER) {
+            ecrire(rendus.resolve("Étudiant 1_11_assignsubmission_file/lancer/" + classe.replace("Vecteur", "Vecteur3D") + ".java"),
+                    SourcesDuCours.corrige(classe).replaceAll("\\bVecteur\\b", "Vecteur3D").replace("getNormale", "normaleEn"));
+        }
+        assertEquals("Vecteur s'appelle Vecteur3D ; Sphere.getNormale s'appelle normaleEn ; Objet3D.getNormale s'appelle normaleEn",
+                projet(lire(rendus).get("11")).ecarts.get(Projet.NOMS));
     }
 
     @Test

@@ -35,13 +35,14 @@ class EnfantTest {
     /** Répète ce qu'on lui dit, ou fait autre chose de ce qui l'y invite. */
     static final class Echo {
 
-        public static void main(String[] args) throws IOException {
+        public static void main(String[] args) throws IOException, InterruptedException {
             DataInputStream entree = new DataInputStream(System.in);
             DataOutputStream sortie = new DataOutputStream(System.out);
             while (true) {
                 int numero = entree.readInt();
                 byte[] dit = entree.readNBytes(entree.readInt());
                 String texte = new String(dit, StandardCharsets.UTF_8);
+                Thread.sleep(texte.equals("dort") ? 800 : 0);
                 int longueur = texte.equals("trop long") ? Integer.MAX_VALUE : texte.equals("négatif") ? -1 : dit.length;
                 for (int k = texte.equals("deux fois") ? 2 : 1; k > 0; k--) {
                     sortie.writeInt(texte.equals("autre numéro") ? numero + 1 : numero);
@@ -119,7 +120,7 @@ class EnfantTest {
     }
 
     @Test
-    void aCourtDeMemoireLeNoyauTueDAbordCeQuiEstJugeEtCEstDit() throws Exception {
+    void aCourtDeMemoireLeNoyauTueDAbordCeQuiEstJugeEtSonStatutEstDit() throws Exception {
         Confinement confinement = Confinement.essayer();
         assumeTrue(confinement.confine, confinement.manque);
         try (Enfant enfant = echo(confinement)) {
@@ -131,8 +132,22 @@ class EnfantTest {
             // ce que fait le noyau à court de mémoire
             siens.get(0).destroyForcibly();
             Arret arret = assertThrows(Arret.class, () -> demander(enfant, "après"));
-            assertEquals("arrêté : tué par le système, à court de mémoire", arret.getMessage());
+            assertEquals("arrêté : s'est arrêté, statut 137", arret.getMessage());
             assertTrue(arret.tue);
+        }
+    }
+
+    @Test
+    void leTempsPasseADormirSAjouteDUneDemandeALAutre() throws Exception {
+        Confinement confinement = Confinement.essayer();
+        assumeTrue(confinement.confine, confinement.manque);
+        try (Enfant enfant = echo(confinement)) {
+            repete(enfant, "dort");
+            repete(enfant, "dort");
+            assertEquals("arrêté : plus de 2 s sans rien faire, bloqué ou endormi", assertThrows(Arret.class, () -> {
+                demander(enfant, "dort");
+                demander(enfant, "dort");
+            }).getMessage());
         }
     }
 

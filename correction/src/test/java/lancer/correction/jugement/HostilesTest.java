@@ -59,7 +59,7 @@ class HostilesTest extends JuryEssai {
         Map<String, Resultat> resultats = juger(rendus, confinement, COURTES);
         assertEquals(new TreeSet<>(), ratees(resultats.get("ordinaire")));
         rate(resultats, "boucle", "s de calcul");
-        rate(resultats, "sortie", "arrêté de lui-même");
+        rate(resultats, "sortie", "s'est arrêté, statut 0 (Vecteur.sub)");
         rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
     }
 
@@ -107,13 +107,13 @@ class HostilesTest extends JuryEssai {
         rate(resultats, "imprime", "a répondu ce qu'on ne lui demandait pas");
         rate(resultats, "boucle", "s de calcul");
         rate(resultats, "interblocage", "bloqué");
-        rate(resultats, "sortie", "arrêté de lui-même");
-        rate(resultats, "memoire", "mémoire épuisée");
+        rate(resultats, "sortie", "s'est arrêté, statut 0 (Vecteur.sub)");
+        rate(resultats, "memoire", "s'est arrêté, statut 3");
         rate(resultats, "memoire-native", "OutOfMemoryError");
         rate(resultats, "processus", "Operation not permitted");
         rate(resultats, "fils-sans-fin", "lance sans fin des fils");
         rate(resultats, "message", "s de calcul");
-        rate(resultats, "pile", "arrêté de lui-même");
+        rate(resultats, "pile", "s'est arrêté, statut");
         rate(resultats, "mathematiques", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "falsification", "obtenu : (1.0, 1.0, 1.0)");
         rate(resultats, "faux-junit", "obtenu : (1.0, 1.0, 1.0)");

@@ -15,6 +15,7 @@ import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.TestExecutionResult.Status;
 import org.junit.platform.engine.TestTag;
@@ -34,8 +35,13 @@ public class Etapes implements TestExecutionListener {
     /** Les étapes qui complètent une méthode déjà écrite pour une autre, où aucun FIXME ne les annonce. */
     private static final List<String> DANS_LA_MEME_METHODE = Arrays.asList("phong", "ombres", "reflets");
 
-    /** Ce qui suit un lieu où le squelette demande encore d'écrire. */
-    private static final String FIXME = " (FIXME)";
+    /** Un FIXME et ce qui tient lieu de réponse dans le squelette : qui l'a remplacé a commencé. */
+    private static final Pattern A_ECRIRE = Pattern.compile(
+            "// FIXME.*\\R\\s*(?:super\\(0, 0, 0\\)|(?:return|.* =) (?:[01]|null|new \\w+\\((?:[01], [01], 0)?\\)));");
+
+    /** Un calcul dont rien ne garde le résultat : les opérations du cours ne changent pas ce à quoi on les demande. */
+    private static final Pattern PERDU = Pattern.compile(
+            "(?m)^\\s*((?:this\\.)?(\\w+)\\.(?:add|sub|mul|div|neg|normalized?)\\(.*\\);)");
 
     private final Map<TestIdentifier, TestExecutionResult> resultats = new HashMap<>();
 
@@ -59,12 +65,12 @@ public class Etapes implements TestExecutionListener {
             if (!manques.isEmpty()) {
                 Manque premier = manques.stream().filter(m -> !m.nonEvaluable).findFirst().orElse(manques.get(0));
                 bilan.append(premier.nonEvaluable ? " ; le reste n'est pas évaluable"
-                        : premier.aCommencer ? " ; à commencer : " + premier.dit
-                        : " ; à reprendre d'abord : " + premier.intitule);
+                        : (premier.aCommencer ? " ; à commencer : " : " ; à reprendre d'abord : ") + premier.titre);
                 // ce qu'une étape d'après explique n'est pas imputé à celle-ci
                 if (aReprendre == null || premier.rang < aReprendre.rang) {
                     aReprendre = premier;
-                    detail = manques.stream().map(Manque::toString).distinct().collect(Collectors.joining());
+                    detail = Stream.concat(Stream.of(premier), manques.stream()).map(Manque::toString).distinct()
+                            .collect(Collectors.joining());
                     suivante = "L'étape suivante : " + etape.getDisplayName() + " ; à " + premier.aFaire;
                 }
             }
@@ -92,7 +98,7 @@ public class Etapes implements TestExecutionListener {
     /** Une vérification qui n'a pas réussi : ce qu'elle dit, la ligne qui le demande, et celle où le reprendre. */
     private final class Manque {
 
-        private final String intitule;
+        private final String titre;
         private final String dit;
         private final String question;
         private final String aFaire;
@@ -102,7 +108,7 @@ public class Etapes implements TestExecutionListener {
         private final int rang;
 
         Manque(TestIdentifier qui, TestIdentifier etape) {
-            intitule = qui.getDisplayName();
+            String intitule = qui.getDisplayName();
             TestExecutionResult resultat = resultats.getOrDefault(qui, resultats.get(etape));
             Throwable faute = resultat.getThrowable().get();
             String methode = ((MethodSource) qui.getSource().get()).getMethodName();
@@ -113,28 +119,38 @@ public class Etapes implements TestExecutionListener {
             while (cause.getCause() != null) {
                 cause = cause.getCause();
             }
-            String classe = qui.getTags().stream().map(TestTag::getName).filter(t -> Files.exists(fichier(t)))
+            String classe = qui.getTags().stream().map(TestTag::getName).filter(t -> Files.exists(Lieu.fichier(t)))
                     .findFirst().orElse("");
-            String lieu;
+            Lieu lieu;
+            String message;
             if (abandonnee || cause instanceof AssertionError) {
-                dit = String.valueOf(cause.getMessage()).replaceFirst("^Assumption failed: (étape non commencée : )?", "");
-                lieu = lieu(classe, intitule + " : " + dit);
+                message = String.valueOf(cause.getMessage()).replaceFirst("^Assumption failed: (étape non commencée : )?", "");
+                lieu = Lieu.nomme(classe, intitule + " : " + message);
             } else if (cause instanceof StackOverflowError && premiere(cause, p -> p.getMethodName().equals("getColor")).isPresent()) {
                 // en haut de la pile, la dernière méthode appelée, qui n'y est pour rien
-                dit = "des appels sans fin : la profondeur ne diminue pas, ou rien ne la regarde, dans Objet3D.getColor";
-                lieu = lieu("Objet3D", "getColor");
+                message = "des appels sans fin : la profondeur ne diminue pas, ou rien ne la regarde, dans Objet3D.getColor";
+                lieu = Lieu.nomme("Objet3D", "getColor");
             } else {
-                // une exception : elle est née dans une des classes de l'étudiant
-                dit = cause instanceof StackOverflowError ? "des appels sans fin : une méthode s'appelle elle-même, ou par une autre"
+                boolean sansFin = cause instanceof StackOverflowError;
+                message = sansFin ? "des appels sans fin : une méthode s'appelle elle-même, ou par une autre"
                         : cause.toString().replaceFirst("^java\\.lang\\.(Error: )?", "");
-                lieu = premiere(cause, Causes::deLEtudiant)
-                        .map(p -> p.getFileName() + ":" + p.getLineNumber()).orElse(lieu(classe, intitule));
+                // une exception est née dans une des classes de l'étudiant ; de méthodes qui s'appellent en rond, celle que
+                // demande la vérification
+                boolean enRond = sansFin
+                        && premiere(cause, p -> intitule.matches(".*\\b" + p.getMethodName() + "\\b.*")).isPresent();
+                lieu = premiere(cause, Causes::deLEtudiant).filter(p -> !enRond).map(Lieu::new)
+                        .orElse(Lieu.nomme(classe, intitule));
             }
-            nonEvaluable = abandonnee && dit.startsWith("étape non évaluable");
-            aCommencer = abandonnee && (lieu.endsWith(FIXME) || cause.getMessage().contains("étape non commencée")
-                    && etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName())));
+            boolean expliquee = abandonnee && message.startsWith("étape non évaluable");
+            nonEvaluable = expliquee && !lieu.aEcrire;
+            Lieu perdu = nonEvaluable ? null : lieu.perdu();
+            boolean memeMethode = etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName()));
+            aCommencer = perdu == null && !nonEvaluable
+                    && (lieu.aEcrire || memeMethode && abandonnee && cause.getMessage().contains("étape non commencée"));
             rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
-            aFaire = (aCommencer || lieu.endsWith(FIXME) ? "compléter : " : "reprendre : ") + lieu;
+            titre = aCommencer && abandonnee && !expliquee ? message : intitule;
+            dit = perdu == null ? message : "rien ne garde le résultat de « " + perdu.texte.trim() + " » ; " + message;
+            aFaire = (aCommencer ? "compléter : " : "reprendre : ") + (perdu == null ? lieu : perdu);
         }
 
         private Optional<StackTraceElement> premiere(Throwable faute, Predicate<StackTraceElement> voulue) {
@@ -143,51 +159,106 @@ public class Etapes implements TestExecutionListener {
 
         @Override
         public String toString() {
-            return aCommencer ? "\n- " + dit + "\n  à " + aFaire + "\n"
-                    : "\n- " + intitule + "\n  " + dit + "\n  " + question + " ; à " + aFaire + "\n";
+            return "\n- " + titre + "\n  " + (aCommencer ? "" : dit + "\n  " + question + " ; ") + "à " + aFaire + "\n";
         }
     }
 
-    private static Path fichier(String classe) {
-        return SOURCES.resolve(classe + ".java");
-    }
+    /** Une ligne d'une classe de l'étudiant. */
+    private static final class Lieu {
 
-    /** Où est, dans cette classe, la première méthode que nomme un texte ; à défaut celle à compléter, ou le premier FIXME. */
-    private static String lieu(String classe, String dit) {
-        String texte;
-        try {
-            texte = new String(Files.readAllBytes(fichier(classe)), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            return classe;
-        }
-        // un nom suivi d'un point est celui d'une classe ; si aucun n'est dit, celui de la méthode à compléter
-        Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?").matcher(dit + " getIntersectionDistance getColor getRayon");
-        int ou = -1;
-        while (ou < 0 && nom.find()) {
-            ou = methode(texte, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
-        }
-        ou = ou >= 0 ? ou : texte.indexOf("// FIXME");
-        return classe + ".java" + (ou < 0 ? "" : ":" + texte.substring(0, ou).split("\n", -1).length
-                + (texte.startsWith("// FIXME", ou) ? FIXME : ""));
-    }
+        private final String classe;
+        private final int ligne;
+        /** Ce qui y est écrit, et ce qui suit ; vide s'il n'est pas lu. */
+        private final String texte;
+        private final boolean aEcrire;
 
-    /** La place d'une méthode dans un texte, de son FIXME s'il y est encore ; -1 si elle n'y est pas. */
-    private static int methode(String texte, String nom, String parametres) {
-        int ou = -1;
-        int meilleur = Integer.MIN_VALUE;
-        Matcher m = Pattern.compile("(?m)^    (?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\n    }")
-                .matcher(texte);
-        while (m.find()) {
-            // de deux méthodes de ce nom, celle qui a ces paramètres, et aucun autre ; puis celle qui a le plus à dire
-            int accord = m.group().length() - (parametres.isEmpty() ? 0 : 5_000 * m.group(1).split(",").length);
-            for (String parametre : parametres.split("\\W+")) {
-                accord += m.group(1).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
+        private Lieu(String classe, String source, int debut, int fin) {
+            this.classe = classe;
+            ligne = source.substring(0, debut).split("\n", -1).length;
+            texte = source.substring(debut, fin);
+            aEcrire = A_ECRIRE.matcher(texte).lookingAt();
+        }
+
+        Lieu(StackTraceElement appel) {
+            classe = appel.getFileName().replace(".java", "");
+            ligne = appel.getLineNumber();
+            texte = "";
+            aEcrire = false;
+        }
+
+        private static Path fichier(String classe) {
+            return SOURCES.resolve(classe + ".java");
+        }
+
+        /**
+         * Où est, dans cette classe, le champ statique ou la première méthode que nomme un texte ; à défaut celle à
+         * compléter, ou le premier FIXME.
+         */
+        static Lieu nomme(String classe, String dit) {
+            String source = source(classe);
+            Matcher champ = Pattern.compile("gardé dans un champ : (\\w+)").matcher(dit);
+            if (champ.find()) {
+                Matcher ecrit = Pattern.compile("(?m)^.*\\bstatic\\b[^(\\n]* " + champ.group(1) + " *[=;]").matcher(source);
+                if (ecrit.find()) {
+                    return new Lieu(classe, source, ecrit.start(), ecrit.end());
+                }
             }
-            if (accord > meilleur) {
-                meilleur = accord;
-                ou = m.start() + Math.max(0, m.group().indexOf("// FIXME"));
+            // un nom suivi d'un point est celui d'une classe ; si aucun n'est dit, celui de la méthode à compléter
+            Matcher nom = Pattern.compile("\\b(\\w+)\\b(?!\\.)(?:\\(([^)]*)\\))?")
+                    .matcher(dit + " getIntersectionDistance getColor getRayon");
+            Lieu ou = null;
+            while (ou == null && nom.find()) {
+                ou = methode(classe, source, nom.group(1), nom.group(2) == null ? "" : nom.group(2));
+            }
+            return ou != null ? ou : new Lieu(classe, source, Math.max(0, source.indexOf("// FIXME")), source.length());
+        }
+
+        private static String source(String classe) {
+            try {
+                return new String(Files.readAllBytes(fichier(classe)), StandardCharsets.UTF_8);
+            } catch (IOException e) {
+                return "";
             }
         }
-        return ou;
+
+        /** Une méthode dans un texte, ou son FIXME s'il y est encore ; {@code null} si elle n'y est pas. */
+        private static Lieu methode(String classe, String source, String nom, String parametres) {
+            Lieu ou = null;
+            int meilleur = Integer.MIN_VALUE;
+            Matcher m = Pattern.compile("(?m)^(\\h+)(?:[\\w<>]+ )+" + nom + "\\(([^)]*)\\)[^;{]*\\{(?s:.*?)\\n\\1}")
+                    .matcher(source);
+            while (m.find()) {
+                // de deux méthodes de ce nom, celle qui a ces paramètres, et aucun autre ; puis celle qui a le plus à dire
+                int accord = m.group().length() - (parametres.isEmpty() ? 0 : 5_000 * m.group(2).split(",").length);
+                for (String parametre : parametres.split("\\W+")) {
+                    accord += m.group(2).matches(".* " + parametre + "\\b.*") ? 10_000 : 0;
+                }
+                if (accord > meilleur) {
+                    meilleur = accord;
+                    Matcher fixme = A_ECRIRE.matcher(m.group());
+                    ou = new Lieu(classe, source, m.start() + (fixme.find() ? fixme.start() : 0), m.end());
+                }
+            }
+            return ou;
+        }
+
+        /** Le premier calcul de cette méthode dont rien ne garde le résultat ; {@code null} s'il n'y en a pas. */
+        Lieu perdu() {
+            Matcher m = PERDU.matcher(texte);
+            while (m.find()) {
+                // une liste, elle, change
+                if (m.group(2).equals("Vecteur")
+                        || source(classe).matches("(?s).*\\b(Couleur|Vecteur|Point) " + m.group(2) + "\\b.*")) {
+                    int ici = source(classe).indexOf(texte) + m.start(1);
+                    return new Lieu(classe, source(classe), ici, ici + m.group(1).length());
+                }
+            }
+            return null;
+        }
+
+        @Override
+        public String toString() {
+            return classe + ".java" + (ligne == 1 ? "" : ":" + ligne) + (aEcrire ? " (FIXME)" : "");
+        }
     }
 }

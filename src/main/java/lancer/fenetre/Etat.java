@@ -1,0 +1,193 @@
+package lancer.fenetre;
+
+import java.io.File;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import lancer.commande.Messages;
+import lancer.dessin.Demande;
+import lancer.dessin.Dessin;
+import lancer.fils.Fautes;
+import lancer.image.ImageMemoire;
+import lancer.scene.SceneLue;
+import lancer.texte.Texte;
+
+/**
+ * L'état de la fenêtre, que {@link Controleur} publie à chaque changement. Immuable : une méthode dont le nom commence
+ * par {@code avec} rend le même état, à son argument près.
+ */
+final class Etat {
+
+    /** Le plus grand nombre de pixels d'une image « avant » gardée. */
+    private static final int PIXELS_GARDES = 16_000_000;
+
+    final Source source;
+    /** Ce qui est demandé de la scène montrée, déplacements compris ; {@code null} avant la première. */
+    final Demande demande;
+    final Deplaces deplaces;
+    /** Le dernier travail commencé, ou {@code null}, et vrai tant qu'il n'est pas fini. */
+    final Travail travail;
+    final boolean enCours;
+    final Montre montre;
+
+    private Etat(Source source, Demande demande, Deplaces deplaces, Travail travail, boolean enCours, Montre montre) {
+        this.source = source;
+        this.demande = demande;
+        this.deplaces = deplaces;
+        this.travail = travail;
+        this.enCours = enCours;
+        this.montre = montre;
+    }
+
+    /** Celui d'une fenêtre sans scène. */
+    Etat() {
+        this(new Source(null, null, null), null, new Deplaces(null, Collections.emptyList(), false), null, false,
+                new Montre(null, false, null));
+    }
+
+    /** Le fichier de la scène demandée en dernier, même fautif : celui du titre, de F5 et de la surveillance. */
+    static final class Source {
+
+        final String fichier;
+        /** La version qui a été lue, ou écrite par cette fenêtre ; {@code null} pendant une lecture. */
+        final String version;
+        /** Ce qui a échoué avec cette version ; {@code null} si rien. */
+        final String faute;
+
+        Source(String fichier, String version, String faute) {
+            this.fichier = fichier;
+            this.version = version;
+            this.faute = faute;
+        }
+    }
+
+    /** Les déplacements de la scène montrée. */
+    static final class Deplaces {
+
+        /** La scène que contient le fichier. */
+        final SceneLue ecrite;
+        /** La scène avant chaque déplacement, le dernier à la fin. */
+        final List<SceneLue> avant;
+        /** Vrai pendant l'écriture des déplacements. */
+        final boolean enEcriture;
+
+        Deplaces(SceneLue ecrite, List<SceneLue> avant, boolean enEcriture) {
+            this.ecrite = ecrite;
+            this.avant = avant;
+            this.enEcriture = enEcriture;
+        }
+
+        /** Les mêmes, avec un déplacement de plus à défaire. */
+        Deplaces apres(SceneLue scene) {
+            List<SceneLue> autres = new ArrayList<>(avant);
+            autres.add(scene);
+            return new Deplaces(ecrite, autres, enEcriture);
+        }
+
+        Deplaces sansLeDernier() {
+            return new Deplaces(ecrite, avant.subList(0, avant.size() - 1), enEcriture);
+        }
+
+        Deplaces enEcriture(boolean commencee) {
+            return new Deplaces(ecrite, avant, commencee);
+        }
+    }
+
+    /** L'image montrée. */
+    static final class Montre {
+
+        /** Le dessin de l'image ou du brouillon, ou {@code null}, et vrai si cette image est achevée. */
+        final Dessin dessin;
+        final boolean entier;
+        /** Le dessin achevé avant le dernier changement ; {@code null} s'il n'y en a pas, ou s'il est trop grand. */
+        final Dessin avant;
+
+        Montre(Dessin dessin, boolean entier, Dessin avant) {
+            this.dessin = dessin;
+            this.entier = entier;
+            this.avant = avant;
+        }
+
+        /** L'image achevée devient celle d'avant, sauf si elle est trop grande ou si c'est une vue. */
+        Montre retenu() {
+            if (!entier || dessin.demande.vue != null) {
+                return this;
+            }
+            return new Montre(dessin, true, dessin.image.codes.length <= PIXELS_GARDES ? dessin : null);
+        }
+
+        /** Phrase qui donne le nombre de pixels fautifs ; {@code null} s'il n'y en a pas. */
+        String direFautes() {
+            return dessin == null ? null : dessin.lancer.getAtelier().getFautes().enMots();
+        }
+    }
+
+    Etat avec(Source autre) {
+        return new Etat(autre, demande, deplaces, travail, enCours, montre);
+    }
+
+    Etat avec(Demande autre) {
+        return new Etat(source, autre, deplaces, travail, enCours, montre);
+    }
+
+    Etat avec(Deplaces autres) {
+        return new Etat(source, demande, autres, travail, enCours, montre);
+    }
+
+    Etat avec(Travail autre, boolean commence) {
+        return new Etat(source, demande, deplaces, autre, commence, montre);
+    }
+
+    Etat avec(Montre autre) {
+        return new Etat(source, demande, deplaces, travail, enCours, autre);
+    }
+
+    /** Le nom, sans dossier, du fichier de la scène montrée. */
+    String getNom() {
+        return Texte.echappe(new File(demande.lue.nom).getName());
+    }
+
+    /** Dit si l'image montrée est d'une autre scène que celle qui est demandée. */
+    boolean montreUneAutre() {
+        return demande != null && !demande.lue.nom.equals(source.fichier);
+    }
+
+    /** Dit si la scène montrée est celle que contient cette version du fichier demandé. */
+    boolean connait(String version) {
+        return demande != null && !montreUneAutre() && version.equals(deplaces.ecrite.getVersion());
+    }
+
+    /** Dit si un déplacement n'est pas dans le fichier de la scène montrée. */
+    boolean estDeplace() {
+        return demande != null && demande.lue != deplaces.ecrite;
+    }
+
+    /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
+    ImageMemoire getImageEntiere() {
+        return montre.entier ? montre.dessin.image : null;
+    }
+
+    /** La version connue du fichier demandé, ou celle qui se lit ; {@code null} si elle n'est pas encore connue. */
+    String getVersion() {
+        return source.version != null || travail == null ? source.version : travail.version;
+    }
+
+    /** Ce qui a échoué, une ligne chacun : du fichier demandé, puis du dessin. */
+    List<String> getFautes() {
+        List<String> fautes = new ArrayList<>();
+        fautes.add(source.faute);
+        fautes.add(source.faute == null || !montreUneAutre() ? null : "l'image qui reste est celle de " + getNom());
+        Throwable echec = enCours || travail == null ? null : travail.getEchec();
+        boolean magenta = montre.direFautes() != null && (montre.entier || !enCours);
+        if (magenta && !(echec instanceof Error)) {
+            Fautes pixels = montre.dessin.lancer.getAtelier().getFautes();
+            fautes.add(pixels.enMots() + " ; le premier : "
+                    + montre.dessin.demande.nommer(pixels.getPremiere()).getMessage());
+        } else {
+            fautes.add(echec == null || !travail.lue ? null : Messages.message(echec));
+        }
+        fautes.removeIf(Objects::isNull);
+        return fautes;
+    }
+}

@@ -1,0 +1,218 @@
+package lancer.fenetre;
+
+import static lancer.fenetre.BancFenetre.attendre;
+import static lancer.fenetre.BancFenetre.composant;
+import static lancer.fenetre.BancFenetre.faire;
+import static lancer.fenetre.BancFenetre.surFilEvenements;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.geom.Point2D;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.JOptionPane;
+import lancer.Sphere;
+import org.junit.jupiter.api.Test;
+
+/** Ce qui est tiré n'est jamais perdu sans être dit ou demandé, quoi qui se lise ou s'écrive pendant ce temps. */
+class FenetreDeplacementsTest extends EssaiFenetre {
+
+    /** Plus que deux observations du fichier. */
+    private static final int OBSERVE_MS = 900;
+
+    private final AtomicInteger lectures = new AtomicInteger();
+
+    private void ouvrirEnComptant() throws Exception {
+        banc = new BancFenetre(lente().avantLecture((fichier, suivi) -> lectures.incrementAndGet()));
+        banc.imageAchevee();
+    }
+
+    private lancer.Point centre() throws Exception {
+        return surFilEvenements(() -> ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre());
+    }
+
+    private Point place() throws Exception {
+        lancer.Point centre = centre();
+        return surFilEvenements(() -> {
+            lancer.Point vue = banc.controleur.getEtat().montre.dessin.lancer.getCamera().projeter(centre);
+            Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
+            return new Point((int) ou.getX(), (int) ou.getY());
+        });
+    }
+
+    private void saisir() throws Exception {
+        Point ou = place();
+        banc.viser(banc.panneau, ou.x, ou.y);
+        banc.robot.keyPress(KeyEvent.VK_SHIFT);
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.waitForIdle();
+    }
+
+    /** Mène la souris à tant de pixels de là. */
+    private void mener(Point de, int dx, int dy) throws Exception {
+        Point coin = surFilEvenements(banc.panneau::getLocationOnScreen);
+        for (int k = 1; k <= 4; k++) {
+            banc.robot.mouseMove(coin.x + de.x + dx * k / 4, coin.y + de.y + dy * k / 4);
+            banc.robot.waitForIdle();
+        }
+    }
+
+    private void lacher() {
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.keyRelease(KeyEvent.VK_SHIFT);
+        banc.robot.waitForIdle();
+    }
+
+    private void tirer(int dx, int dy) throws Exception {
+        Point de = place();
+        saisir();
+        mener(de, dx, dy);
+        lacher();
+    }
+
+    private String fichier() throws Exception {
+        return new String(Files.readAllBytes(scene), StandardCharsets.UTF_8);
+    }
+
+    private void attendreEcrit() throws Exception {
+        attendre("écrit", () -> !banc.controleur.getEtat().estDeplace());
+    }
+
+    private void repondre(String reponse) throws Exception {
+        JOptionPane question = composant(null, JOptionPane.class);
+        assertEquals("Ce qui est déplacé dans « boule.ini » n'y est pas écrit.", question.getMessage());
+        faire(() -> question.setValue(reponse));
+        attendre("la question est fermée", () -> !question.isShowing());
+    }
+
+    @Test
+    void ceQuiSeTireJusteApresCtrlEResteEtLeFichierEcritNEstNiReluNiRedessine() throws Exception {
+        ouvrirEnComptant();
+        tirer(20, 0);
+        banc.imageAchevee();
+        Travail dernier = banc.controleur.getEtat().travail;
+        banc.frapperCtrl('e');
+        attendreEcrit();
+        Thread.sleep(OBSERVE_MS);
+        assertSame(dernier, banc.controleur.getEtat().travail, "rien ne se redessine");
+        Point de = place();
+        tirer(0, -10);
+        banc.frapperCtrl('e');
+        saisir();
+        mener(de, 0, -30);
+        Thread.sleep(OBSERVE_MS);
+        mener(de, 0, -50);
+        lacher();
+        String ecrit = fichier();
+        assertTrue(centre().y > 0.5, "tiré plus haut que ce qui est écrit : " + centre());
+        assertFalse(ecrit.contains("centre=0 0.2 6"), ecrit);
+        assertEquals(1, lectures.get(), "une seule lecture, la première");
+        assertTrue(banc.cadre.getTitle().endsWith(" •"));
+        banc.frapperCtrl('e');
+        attendreEcrit();
+        assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(centre())));
+        banc.frapperCtrl('z');
+        attendre("Ctrl+Z défait aussi ce qui est écrit", () -> banc.controleur.getEtat().estDeplace());
+    }
+
+    @Test
+    void unFichierQuiRevientTelQuIlEtaitNEstPasReluEtSonMessageSEnVaAvecSaVersion() throws Exception {
+        ouvrirEnComptant();
+        tirer(20, 0);
+        lancer.Point voulu = centre();
+        Path ailleurs = dossier.resolve("ailleurs");
+        Files.move(scene, ailleurs);
+        banc.frapperCtrl('e');
+        banc.attendreMessage(scene.toString());
+        attendre("son absence se dit", () -> banc.panneau.bandeau.getText().contains("introuvable"));
+        Files.move(ailleurs, scene);
+        attendre("le message s'en va", () -> !banc.panneau.bandeau.getText().contains(scene.toString()));
+        assertEquals(voulu, centre(), "et ce qui était tiré reste");
+        banc.frapperCtrl('e');
+        attendreEcrit();
+        assertEquals(2, lectures.get(), "la première, et celle qui n'a rien trouvé");
+    }
+
+    @Test
+    void ouvrirUneAutreSceneOuQuitterDemandeCeQuiEstAFaireDeCeQuiEstTire() throws Exception {
+        ouvrirEnComptant();
+        Path autre = dossier.resolve("autre.ini");
+        Files.write(autre, BLEUE.getBytes(StandardCharsets.UTF_8));
+        tirer(20, 0);
+        lancer.Point voulu = centre();
+        banc.frapperCtrl('q');
+        repondre("Rester");
+        assertTrue(banc.cadre.isDisplayable());
+        assertEquals(voulu, centre());
+        banc.frapperCtrl('o');
+        choisir(autre);
+        repondre("Écrire");
+        attendre("l'autre est ouverte", () -> banc.cadre.getTitle().equals("lancer — autre.ini"));
+        assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(voulu)), fichier());
+        attendre("et dessinée", () -> !banc.controleur.getEtat().montreUneAutre());
+        banc.imageAchevee();
+        String ecrit = fichier();
+        banc.frapperCtrl('o');
+        choisir(scene);
+        attendre("rien n'y est tiré, rien n'est demandé", () -> !banc.controleur.getEtat().montreUneAutre()
+                && banc.cadre.getTitle().equals("lancer — boule.ini"));
+        banc.imageAchevee();
+        tirer(20, 0);
+        banc.frapperCtrl('q');
+        repondre("Oublier");
+        attendre("fermée", () -> !banc.cadre.isDisplayable());
+        assertEquals(ecrit, fichier());
+    }
+
+    @Test
+    void ceQuiEstTireGardeLeNomDeSaSceneQuandUneAutreEstFautive() throws Exception {
+        ouvrirEnComptant();
+        tirer(20, 0);
+        Path autre = dossier.resolve("autre.ini");
+        Files.write(autre, FAUTIVE.getBytes(StandardCharsets.UTF_8));
+        banc.frapperCtrl('o');
+        choisir(autre);
+        repondre("Oublier");
+        banc.attendreMessage(autre.toString());
+        assertEquals("lancer — autre.ini (boule.ini •)", banc.cadre.getTitle());
+        banc.frapperCtrl('e');
+        attendreEcrit();
+        assertTrue(fichier().contains("centre=" + lancer.scene.SceneLue.ecrire(centre())));
+        assertEquals(FAUTIVE, new String(Files.readAllBytes(autre), StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void echapRemetCeQuiEstTireUnClicDroitNonEtCeQuiNeBougePasGardeSesDecimales() throws Exception {
+        ecrire(ROUGE.replace("0 0.2 6", "0 0.123456789 6"));
+        ouvrirEnComptant();
+        lancer.Point avant = centre();
+        Point de = place();
+        saisir();
+        mener(de, 30, 0);
+        banc.robot.mousePress(InputEvent.BUTTON3_DOWN_MASK);
+        banc.robot.mouseRelease(InputEvent.BUTTON3_DOWN_MASK);
+        mener(de, 60, 0);
+        assertEquals(60, place().x - de.x, 1, "le clic droit ne lâche rien");
+        assertEquals(0.123456789, centre().y);
+        assertFalse(banc.panneau.bandeau.isVisible(), "le bas de l'image se voit");
+        assertTrue(banc.resume.getText().startsWith("[Sphere 1] ligne 1 : centre="), banc.resume.getText());
+        banc.robot.keyRelease(KeyEvent.VK_SHIFT);
+        banc.frapper(KeyEvent.VK_ESCAPE);
+        attendre("il revient", () -> centreIci().equals(avant));
+        mener(de, 80, 0);
+        lacher();
+        assertEquals(avant, centre());
+        assertFalse(banc.cadre.getTitle().endsWith("•"));
+    }
+
+    private lancer.Point centreIci() {
+        return ((Sphere) banc.controleur.getEtat().demande.lue.objets.get(0)).getCentre();
+    }
+}

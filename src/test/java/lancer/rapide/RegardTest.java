@@ -1,0 +1,74 @@
+package lancer.rapide;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import lancer.Camera;
+import lancer.Objet3D;
+import lancer.Scene;
+import lancer.Sphere;
+import org.junit.jupiter.api.Test;
+
+/** Le regard voit une recherche qui cache un objet ; il ne voit rien d'une recherche juste. */
+class RegardTest {
+
+    private static final Camera CAMERA = new Camera(97, 61);
+
+    /** Une sphère dont l'enveloppe n'a que cette part du rayon. */
+    private static final class Debordante extends Sphere {
+
+        private final double part;
+
+        Debordante(Sphere sphere, double part) {
+            super(sphere.getCentre(), sphere.getRayon());
+            this.part = part;
+        }
+
+        @Override
+        public Sphere getEnveloppe() {
+            return new Sphere(getCentre(), part * getRayon());
+        }
+    }
+
+    private static boolean trouve(Scene scene) {
+        return Regard.trouveUneReponseCachee(Structuree.scene(scene, CAMERA), CAMERA);
+    }
+
+    @Test
+    void dUneRechercheJusteIlNeVoitRienEtNeCompteRien() {
+        Map<String, Scene> scenes = new HashMap<>(ScenesDEssai.toutes(60));
+        scenes.putAll(ScenesDEssai.toutes(20));
+        scenes.putAll(ScenesDEssai.extremes(60));
+        scenes.putAll(ScenesDEssai.hostiles(300));
+        scenes.forEach((nom, scene) -> {
+            assertFalse(trouve(scene), nom);
+            assertEquals(0, ComptesTest.cout(scene.getCompteurs()), nom);
+        });
+    }
+
+    @Test
+    void unObjetPlusGrandQueSonEnveloppeEstVu() {
+        for (double part : new double[] {0.5, 0.9}) {
+            List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 60, 0).scene().getObjets());
+            objets.replaceAll(objet -> new Debordante((Sphere) objet, part));
+            Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+            assertTrue(trouve(scene), part + " du rayon");
+        }
+    }
+
+    /** Trois objets faux parmi mille : ceux de chaque classe ont autant de rayons. */
+    @Test
+    void uneSeuleClasseFausseParmiMilleSpheresEstVueAussi() {
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.foule(3, 1000, 0).scene().getObjets());
+        for (int k = 0; k < 3; k++) {
+            objets.set(300 * k, new Debordante((Sphere) objets.get(300 * k), 0.7));
+        }
+        Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
+        assertTrue(trouve(scene));
+    }
+}
