@@ -51,8 +51,9 @@ final class Planches {
 
     /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
     Planche scenes() {
-        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream()).map(this::choix)
-                .collect(Collectors.toList()));
+        Resultats chronometrees = tous.volet(Catalogue.CHOIX).tels(m -> m.rapport() > 0);
+        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream())
+                .filter(chronometrees.scenes()::contains).map(this::choix).collect(Collectors.toList()));
     }
 
     private static Planche memesAxes(int colonnes, int hauteur, List<Volet> volets) {
