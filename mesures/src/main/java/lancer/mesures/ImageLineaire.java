@@ -1,12 +1,6 @@
 package lancer.mesures;
 
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.Lancer;
@@ -29,22 +23,6 @@ public final class ImageLineaire implements Toile {
     public static ImageLineaire de(Lancer lancer, int profondeur, int fils) {
         ImageLineaire image = new ImageLineaire(lancer.getCamera().getLargeur(), lancer.getCamera().getHauteur());
         lancer.TracerPixels(image, profondeur, fils);
-        return image;
-    }
-
-    /** L'image d'un fichier PFM en couleurs, tel que {@code --lineaire} l'écrit. */
-    public static ImageLineaire lire(Path pfm) throws IOException {
-        byte[] octets = Files.readAllBytes(pfm);
-        String[] entete = new String(octets, 0, Math.min(octets.length, 64), StandardCharsets.ISO_8859_1).split("\\s", 5);
-        int largeur = Integer.parseInt(entete[1]);
-        int hauteur = Integer.parseInt(entete[2]);
-        ImageLineaire image = new ImageLineaire(largeur, hauteur);
-        ByteBuffer flottants = ByteBuffer.wrap(octets).order(ByteOrder.LITTLE_ENDIAN);
-        int debut = octets.length - 4 * 3 * largeur * hauteur;
-        for (int k = 0; k < image.composantes.length; k++) {
-            int ligne = hauteur - 1 - k / (3 * largeur);
-            image.composantes[k] = flottants.getFloat(debut + 4 * (3 * largeur * ligne + k % (3 * largeur)));
-        }
         return image;
     }
 

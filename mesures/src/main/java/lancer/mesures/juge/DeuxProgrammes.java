@@ -75,7 +75,7 @@ public final class DeuxProgrammes {
             peuSurs += peuSur ? 1 : 0;
             ecarts.setRGB(k % LARGEUR, k / LARGEUR, autre ? 0xD55E00 : 0xF3F3F3);
         }
-        planche.vignette(vue, "--vue marge", peuSurs + " pixels changent à 10⁻¹²")
-                .vignette(ecarts, "lancer et POV-Ray", autres + " pixels diffèrent, " + prevus + " de ceux-là");
+        planche.vignette(vue, "--vue marge", peuSurs + " changent à 10⁻¹²")
+                .vignette(ecarts, "lancer et POV-Ray", autres + " diffèrent, " + prevus + " prévus");
     }
 }

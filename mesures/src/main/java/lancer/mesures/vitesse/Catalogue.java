@@ -2,7 +2,6 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
@@ -18,16 +17,12 @@ final class Catalogue {
     /** L'erreur, avec anticrénelage, selon le nombre de réflexions. */
     static final String REFLETS = "reflets";
 
-    /** Le temps de la commande selon le nombre de lampes, de pixels, de fils, de sphères. */
-    static final String LAMPES = "lampes";
-    static final String PIXELS = "pixels";
+    /** Le temps de la commande selon le nombre de fils, de sphères. */
     static final String FILS = "fils";
     static final String SPHERES = "spheres";
 
     /** Ce que coûte chaque chose, et chaque scène livrée. */
     static final String COUTS = "couts";
-
-    static final List<String> VOLETS = Arrays.asList(CHOIX, REFLETS, LAMPES, PIXELS, FILS, SPHERES, COUTS);
 
     static final String COURS = "scene1";
     static final String PROGRAMME = "programme";
@@ -77,8 +72,6 @@ final class Catalogue {
         groupes.add(choix(COURS));
         Scenes.DIFFICILES.forEach(scene -> groupes.add(choix(scene)));
         groupes.add(couts());
-        groupes.add(lampes());
-        groupes.add(pixels());
         for (int n = 1; n <= SPHERES_MAX; n *= 10) {
             groupes.add(spheres(n));
         }
@@ -114,30 +107,6 @@ final class Catalogue {
                 .avec(Reglage.UN_RAYON.par("reflets", "0", "--reflets", "0"), 0, taille)
                 .avec(new Reglage("brume", "", "brume", ""), 0, taille).avec(new Reglage("Blinn", "", "blinn", ""), 0, taille)
                 .avec(Reglage.COINS_PAR_DEFAUT, 0, taille).avec(Reglage.BOUCLES, 0, taille);
-    }
-
-    /** Des lampes de plus, autour de la scène du cours, qui en a deux. */
-    private Groupe lampes() {
-        Groupe groupe = new Groupe(LAMPES, COURS, COURS);
-        for (int n : new int[] {2, 4, 8, 16, 32}) {
-            StringBuilder sections = new StringBuilder();
-            for (int k = 2; k < n; k++) {
-                double angle = 2 * Math.PI * k / n;
-                sections.append("[Lampe de plus " + k + "]\nposition=" + Math.round(400 * Math.cos(angle)) + " 420 "
-                        + Math.round(400 * Math.sin(angle)) + "\ncouleur=0.1 0.1 0.1\n");
-            }
-            groupe.avec(new Reglage("lampes", String.valueOf(n), "lancer", sections.toString()), n, taille);
-        }
-        return groupe;
-    }
-
-    private Groupe pixels() {
-        Groupe groupe = new Groupe(PIXELS, COURS, COURS);
-        for (int n : new int[] {1, 2, 3, 4}) {
-            Taille grande = new Taille(n * taille.largeur, n * taille.hauteur);
-            groupe.avec(new Reglage("pixels", grande.toString(), "lancer", ""), grande.pixels() / 1e6, grande);
-        }
-        return groupe;
     }
 
     /** De quoi occuper chaque fil longtemps : une grille de 4 × 4 rayons par pixel. */

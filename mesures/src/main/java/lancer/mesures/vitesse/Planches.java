@@ -1,6 +1,5 @@
 package lancer.mesures.vitesse;
 
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
@@ -52,8 +51,9 @@ final class Planches {
 
     /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
     Planche scenes() {
-        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream()).map(this::choix)
-                .collect(Collectors.toList()));
+        Resultats chronometrees = tous.volet(Catalogue.CHOIX).tels(m -> m.rapport() > 0);
+        return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream())
+                .filter(chronometrees.scenes()::contains).map(this::choix).collect(Collectors.toList()));
     }
 
     private static Planche memesAxes(int colonnes, int hauteur, List<Volet> volets) {
@@ -72,32 +72,15 @@ final class Planches {
                 .collect(Collectors.toList()));
     }
 
-    /** Le temps selon le nombre de lampes, de pixels, de fils : des droites, et leurs pentes. */
-    Planche couts() {
-        return new Planche(3, 620).volet(droite(Catalogue.LAMPES, "lampes", "Une lampe"))
-                .volet(droite(Catalogue.PIXELS, "millions de pixels", "Un million de pixels")).volet(fils());
-    }
-
-    private Volet droite(String nom, String axe, String unite) {
-        List<Mesure> siens = tous.volet(nom).tels(m -> m.rapport() > 0).toutes;
-        double[] droite = droite(siens, m -> m.x, m -> m.processeurs);
-        double max = siens.stream().mapToDouble(m -> m.x).max().orElse(1);
-        return volet(siens, axe, unite + " : " + Nombres.arrondi(droite[1]) + " s", "secondes de processeur", m -> m.processeurs)
-                .serie("droite", true, Arrays.asList(new Volet.Point(0, droite[0]), new Volet.Point(max, droite[0] + max * droite[1])));
-    }
-
-    private static Volet volet(List<Mesure> siens, String axe, String titre, String secondes, ToDoubleFunction<Mesure> temps) {
-        return new Volet(titre, axe, secondes).xOrdinaire().yOrdinaire().serie("mesures", false, siens.stream()
-                .map(m -> new Volet.Point(m.x, temps.applyAsDouble(m))).collect(Collectors.toList()));
-    }
-
-    private Volet fils() {
+    /** Le temps écoulé selon le nombre de fils. */
+    Planche fils() {
         List<Mesure> siens = tous.volet(Catalogue.FILS).tels(m -> m.mur > 0).toutes;
         double mieux = siens.stream().mapToDouble(m -> m.mur).min().getAsDouble();
-        String occupee = siens.get(0).machine.matches(".*machine occupée le (.*)") ? ", mesure du "
-                + siens.get(0).chronometre.replaceFirst(".* ", "") + " (depuis, machine occupée)" : "";
-        return volet(siens, "fils" + occupee, "Fils : au mieux ÷ " + Nombres.arrondi(siens.get(0).mur / mieux), "secondes écoulées",
-                m -> m.mur);
+        String occupee = siens.get(0).machine.contains("occupée") ? ", le " + siens.get(0).chronometre.replaceFirst(".* ", "")
+                + " (depuis, machine occupée)" : "";
+        return new Planche(1, 620).volet(new Volet("Le temps écoulé selon le nombre de fils : au mieux ÷ "
+                + Nombres.arrondi(siens.get(0).mur / mieux), "fils" + occupee, "secondes écoulées").xOrdinaire().yOrdinaire()
+                .serie("mesures", false, siens.stream().map(m -> new Volet.Point(m.x, m.mur)).collect(Collectors.toList())));
     }
 
     /** L'ordonnée à l'origine et la pente de la droite des moindres carrés. */

@@ -56,7 +56,7 @@ final class Rapport {
             planches.put("scenes.png", vitesse.scenes());
         }
         if (vitesse.aDesTemps(Catalogue.FILS)) {
-            planches.put("couts.png", vitesse.couts());
+            planches.put("fils.png", vitesse.fils());
         }
         if (vitesse.aDesTemps(Catalogue.SPHERES)) {
             planches.put("spheres.png", vitesse.spheres());

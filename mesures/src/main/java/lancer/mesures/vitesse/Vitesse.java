@@ -12,7 +12,6 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Collectors;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
 import lancer.mesures.juge.DeuxProgrammes;
@@ -22,7 +21,7 @@ import lancer.texte.ErreurSysteme;
 
 /**
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par
- * {@code make mesures}, avec au plus une option, et les volets du {@link Catalogue} à mesurer, tous si aucun n'est nommé.
+ * {@code make mesures}, avec au plus une option.
  *
  * <p>Statut de sortie : 0 si tout est mesuré ; 1 si un programme ou la machine a échoué ({@code mesures/resultats} ne change pas) ; 2 si la
  * demande est fausse.
@@ -38,20 +37,13 @@ public final class Vitesse {
     private static final Path TRAVAIL = Paths.get("mesures/target/vitesse");
 
     private final Set<String> options;
-
-    /** Les seuls volets à mesurer ; tous s'il n'y en a pas. */
-    private final Set<String> volets;
     private final PrintStream sortie;
 
     private Vitesse(PrintStream sortie, String... args) {
         this.sortie = sortie;
         options = new HashSet<>(Arrays.asList(args));
-        volets = new HashSet<>(options);
-        volets.retainAll(Catalogue.VOLETS);
-        options.removeAll(volets);
-        if (options.size() + volets.size() < args.length || !OPTIONS.containsAll(options)) {
-            throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS)
-                    + " ; et des volets : " + String.join(" ", Catalogue.VOLETS));
+        if (options.size() < args.length || !OPTIONS.containsAll(options)) {
+            throw new IllegalArgumentException("options permises, une fois chacune : " + String.join(" ", OPTIONS));
         }
     }
 
@@ -95,12 +87,12 @@ public final class Vitesse {
         Resultats mesures = Resultats.lire(RESULTATS).tels(catalogue.demandees());
         // les fils d'abord : rien n'a encore chargé la machine
         if (demande("--temps")) {
-            for (Groupe groupe : choisis(catalogue.temps())) {
+            for (Groupe groupe : catalogue.temps()) {
                 mesureur.chronometrer(groupe, mesures);
             }
         }
         if (demande("--comptes")) {
-            for (Groupe groupe : choisis(catalogue.comptes())) {
+            for (Groupe groupe : catalogue.comptes()) {
                 mesureur.compter(groupe, mesures);
             }
             Decoupe.dessiner(mesures, TRAVAIL);
@@ -121,10 +113,6 @@ public final class Vitesse {
         }
         new Rapport(RESULTATS).ecrire(true);
         sortie.println("Fait en " + (System.nanoTime() - debut) / 1_000_000_000 + " s : " + RESULTATS);
-    }
-
-    private List<Groupe> choisis(List<Groupe> groupes) {
-        return groupes.stream().filter(g -> volets.isEmpty() || volets.contains(g.volet)).collect(Collectors.toList());
     }
 
     private PovRay povray() {

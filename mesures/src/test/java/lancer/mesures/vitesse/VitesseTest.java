@@ -181,7 +181,7 @@ class VitesseTest {
     @Test
     void uneDroiteEtSaPenteSontCellesDesTemps() {
         for (int x : new int[] {2, 4, 8}) {
-            Mesure m = new Mesure(Catalogue.LAMPES, Catalogue.COURS, "lampes", "" + x, x);
+            Mesure m = new Mesure(Catalogue.FILS, Catalogue.COURS, "fils", "" + x, x);
             m.processeurs = 0.5 + 0.1 * x;
             resultats.toutes.add(m);
         }
