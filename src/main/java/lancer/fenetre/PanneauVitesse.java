@@ -83,7 +83,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void auClavier(String touche, Runnable effet) {
-        Commandes.lier(graphique, WHEN_FOCUSED, new Commande(null, touche, () -> true, effet));
+        new Commande(null, touche, () -> true, effet).lier(graphique, WHEN_FOCUSED);
     }
 
     private void viser(Essai celui) {
