@@ -248,7 +248,8 @@ public final class Option<T> extends Parametre {
                 return true;
             case FICHIER:
                 // le nom donné, et non celui du fichier où mène un lien
-                return texte.length() >= FIN && valeurs.contains(Texte.minuscules(texte.substring(texte.length() - FIN)))
+                return texte.length() >= FIN
+                        && valeurs.contains(Texte.minuscules(texte.substring(texte.length() - FIN)))
                         ? texte : null;
             case VUE:
                 return valeurs.contains(texte) ? texte : null;
@@ -272,7 +273,8 @@ public final class Option<T> extends Parametre {
                 // une division arrondirait : 0.7 % doit donner exactement 0.007
                 boolean pourCent = texte.endsWith("%");
                 double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
-                return borner(pourCent && Double.isFinite(n) ? BigDecimal.valueOf(n).movePointLeft(2).doubleValue() : n);
+                return borner(pourCent && Double.isFinite(n) ? BigDecimal.valueOf(n).movePointLeft(2).doubleValue()
+                        : n);
             default:
                 return borner(Nombre.lire(texte));
         }

@@ -15,7 +15,8 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /**
- * La façon de dessiner une scène : les options, et chaque variante présente, branchée ou non, avec sa section. Immuable.
+ * La façon de dessiner une scène : les options, et chaque variante présente, branchée ou non, avec sa section.
+ * Immuable.
  * Une méthode dont le nom commence par {@code avec} rend les mêmes réglages, à son argument près.
  */
 public final class Reglages {

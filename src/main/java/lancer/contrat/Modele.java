@@ -70,7 +70,8 @@ public final class Modele {
 
     /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
     public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRES, echantillonnage, "l'échantillonnage");
+        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRES, echantillonnage,
+                "l'échantillonnage");
     }
 
     /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */

@@ -22,7 +22,9 @@ public interface Recherche {
      */
     Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee);
 
-    /** Dit qu'un objet plus lointain que cette distance est désormais inutile ; un objet à cette distance ne l'est pas. */
+    /**
+     * Dit qu'un objet plus lointain que cette distance est désormais inutile ; un objet à cette distance ne l'est pas.
+     */
     void limiter(double distance);
 
     /** De cet objet et de ceux qui ont été proposés à la même distance, le premier dans l'ordre de la scène. */

@@ -71,7 +71,8 @@ public final class Dessin {
         Options options = demande.reglages.getOptions();
         boolean avecCodes = options.estDonnee(Option.IMAGE) || !options.estDonnee(Option.LINEAIRE);
         boolean avecLineaire = options.sansFenetre()
-                ? options.estDonnee(Option.LINEAIRE) || options.estDonnee(Option.AUTO) || options.estDonnee(Option.COMPARER)
+                ? options.estDonnee(Option.LINEAIRE) || options.estDonnee(Option.AUTO)
+                        || options.estDonnee(Option.COMPARER)
                 : (long) demande.largeur * demande.hauteur <= PIXELS_AVEC_LINEAIRE;
         return new ImageMemoire(demande.largeur, demande.hauteur, avecCodes, avecLineaire);
     }

@@ -24,7 +24,9 @@ final class Bandeau extends JTextArea {
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(""));
     private Etat etat = new Etat();
-    /** Les fautes qu'un clic a fermées, jusqu'à ce qu'elles changent, et celle du fichier, jusqu'à une autre lecture. */
+    /**
+     * Les fautes qu'un clic a fermées, jusqu'à ce qu'elles changent, et celle du fichier, jusqu'à une autre lecture.
+     */
     private List<String> fermees = Collections.emptyList();
     private String fauteFermee;
     /** Le dernier échec d'un enregistrement, et un avis, qui s'efface au bout de quelques secondes ; vides sinon. */

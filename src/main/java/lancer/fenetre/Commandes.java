@@ -103,7 +103,8 @@ final class Commandes {
         JComponent cadre = f.cadre.getRootPane();
         for (Etape etape : Etape.values()) {
             commande("Étape du cours : Lambert, Phong, ombres, reflets", "F" + (6 + etape.ordinal()), scene,
-                    () -> c.regler(reglages().avec(Option.ETAPE, etape))).lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW);
+                    () -> c.regler(reglages().avec(Option.ETAPE, etape))).lier(cadre,
+                            JComponent.WHEN_IN_FOCUSED_WINDOW);
         }
         reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
         reflexions("Moins de réflexions", '-', REFLEXIONS::lower);

@@ -113,7 +113,8 @@ public final class Ouverture {
         try {
             // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
             int bits = Toolkit.getDefaultToolkit().getColorModel().getPixelSize();
-            return bits == BITS_DE_TROP ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits"
+            return bits == BITS_DE_TROP
+                    ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits"
                     : null;
         } catch (AWTError e) {
             // une classe d'accessibilité que nomme accessibility.properties, et qui manque

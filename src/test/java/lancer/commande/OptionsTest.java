@@ -65,7 +65,8 @@ class OptionsTest {
         assertEquals(1.0 / 1024, o.get(Option.SEUIL));
         assertEquals(Math.min(1024, Runtime.getRuntime().availableProcessors()), o.get(Option.FILS));
         assertEquals(1, o.get(Option.REPETER));
-        assertFalse(o.get(Option.STATISTIQUES) || o.estDonnee(Option.PIXEL) || o.estDonnee(Option.AUTO) || o.estDonnee(Option.REFLETS) || o.estDonnee(Option.SEUIL));
+        assertFalse(o.get(Option.STATISTIQUES) || o.estDonnee(Option.PIXEL) || o.estDonnee(Option.AUTO) || o.estDonnee(Option.REFLETS)
+                || o.estDonnee(Option.SEUIL));
         o = Options.lire("--reflets", "5", "--seuil=0.0009765625");
         assertTrue(o.estDonnee(Option.REFLETS) && o.estDonnee(Option.SEUIL), "ce qui est fixé à la main se sait");
     }
@@ -89,8 +90,10 @@ class OptionsTest {
                 }
             }
             Options o = Options.lire(arguments.toArray(new String[0]));
-            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.get(Option.IMAGE) + " " + o.get(Option.LINEAIRE) + " " + o.get(Option.TAILLE).x + " " + o.get(Option.TAILLE).y
-                    + " " + o.get(Option.REFLETS) + " " + o.get(Option.SEUIL) + " " + o.get(Option.FILS) + " " + o.get(Option.REPETER) + " " + o.get(Option.STATISTIQUES)
+            assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.get(Option.IMAGE) + " " + o.get(Option.LINEAIRE) + " "
+                    + o.get(Option.TAILLE).x + " " + o.get(Option.TAILLE).y
+                    + " " + o.get(Option.REFLETS) + " " + o.get(Option.SEUIL) + " " + o.get(Option.FILS) + " " + o.get(Option.REPETER) + " "
+                            + o.get(Option.STATISTIQUES)
                     + " " + o.scene, arguments.toString());
         }
     }

@@ -38,7 +38,8 @@ class ReglagesTest {
     @Test
     void deuxReglagesSontEgauxSiChacunDeLeursReglagesLEst() {
         Section autre = new SectionLue("Gris", "part", "0.25");
-        Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0.0), lus.avec(Option.SIMPLE, true),
+        Reglages[] changes = {lus.avec(Option.ETAPE, Etape.OMBRES), lus.avec(Option.REFLETS, 2), lus.avec(Option.SEUIL, 0.0),
+                lus.avec(Option.SIMPLE, true),
             lus.avecVariante(gris, false), lus.avecSection(gris, autre)};
         for (Reglages change : changes) {
             assertNotEquals(lus, change);
@@ -54,8 +55,10 @@ class ReglagesTest {
 
     @Test
     void lesOptionsEcritesRedonnentLesReglages() {
-        Reglages[] tous = {new Reglages(Options.lire()), new Reglages(Options.lire()).avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
-            new Reglages(Options.lire()).avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true), new Reglages(Options.lire()).avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
+        Reglages[] tous = {new Reglages(Options.lire()),
+                new Reglages(Options.lire()).avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
+            new Reglages(Options.lire()).avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true),
+                    new Reglages(Options.lire()).avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
         for (Reglages ecrits : tous) {
             String options = ecrits.getOptions().getReglages().trim();
             assertEquals(ecrits, new Reglages(Options.lire(options.isEmpty() ? new String[0] : options.split(" "))), options);

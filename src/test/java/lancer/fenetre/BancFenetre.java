@@ -230,7 +230,8 @@ final class BancFenetre {
 
     /** Attend que l'image achevée soit celle-ci, quoi qui la couvre à l'écran. */
     void attendreCodes(String quoi, int[] codes) throws Exception {
-        attendre(quoi, () -> controleur.getEtat().getImageEntiere() != null && Arrays.equals(controleur.getEtat().getImageEntiere().codes, codes));
+        attendre(quoi, () -> controleur.getEtat().getImageEntiere() != null
+                && Arrays.equals(controleur.getEtat().getImageEntiere().codes, codes));
     }
 
     /** Attend que l'image achevée soit celle-ci, à l'écran aussi. */

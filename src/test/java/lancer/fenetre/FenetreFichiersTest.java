@@ -38,7 +38,8 @@ class FenetreFichiersTest extends EssaiFenetre {
         assertSame(image, banc.controleur.getEtat().getImageEntiere());
         ecrire(ROUGE);
         banc.attendreMessage("");
-        attendre("relue", () -> banc.controleur.getEtat().getImageEntiere() != null && banc.controleur.getEtat().getImageEntiere() != image);
+        attendre("relue", () -> banc.controleur.getEtat().getImageEntiere() != null
+                && banc.controleur.getEtat().getImageEntiere() != image);
     }
 
     @Test

@@ -174,7 +174,8 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         attendre("la scène relue", () -> lu(recit).contains("diffus = Kd (0.1 0.2 0.9)"));
         attendreVerdict("L'image n'est pas achevée");
         presser(KeyEvent.VK_SUBTRACT);
-        attendre("deux réflexions", () -> banc.controleur.getEtat().enCours && banc.controleur.getEtat().montre.dessin.demande.reglages.get(Option.REFLETS) == 2);
+        attendre("deux réflexions", () -> banc.controleur.getEtat().enCours
+                && banc.controleur.getEtat().montre.dessin.demande.reglages.get(Option.REFLETS) == 2);
         attendreVerdict("L'image n'est pas achevée");
         assertTrue(surFilEvenements(() -> banc.controleur.getEtat().enCours));
         banc.main.lent = false;

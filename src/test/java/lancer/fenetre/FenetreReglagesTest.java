@@ -79,7 +79,8 @@ class FenetreReglagesTest extends EssaiFenetre {
     void copierDonneLaCommandeQuiDessineLaMemeImage() throws Exception {
         ouvrir();
         banc.frapper(KeyEvent.VK_ADD);
-        attendre("dix réflexions", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == 10 && !banc.controleur.getEtat().enCours);
+        attendre("dix réflexions", () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == 10
+                && !banc.controleur.getEtat().enCours);
         banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_C);
         String[] copie = {""};
         attendre("la copie", () -> {

@@ -47,7 +47,8 @@ class FenetreTouchesTest extends EssaiInspecteur {
     }
 
     private void attendreReflets(String quoi, int reflets) throws Exception {
-        attendre(quoi, () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets && !banc.controleur.getEtat().enCours);
+        attendre(quoi, () -> banc.controleur.getEtat().demande.reglages.get(Option.REFLETS) == reflets
+                && !banc.controleur.getEtat().enCours);
     }
 
     @Test

@@ -24,7 +24,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.essai.Exact;
 import lancer.essai.Ombre;
 import lancer.rapide.Structuree;

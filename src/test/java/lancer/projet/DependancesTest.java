@@ -109,7 +109,8 @@ class DependancesTest {
 
     /**
      * Ceux du cours : une scène a des objets, qui se colorent dans une scène, par des contrats qui parlent d'objets ; un rayon retient
-     * l'objet qu'il touche, et la double boucle de Lancer est l'échantillonnage de la base. Un travail de la fenêtre dit à son contrôleur ce qui est fait.
+     * l'objet qu'il touche, et la double boucle de Lancer est l'échantillonnage de la base. Un travail de la fenêtre dit à son contrôleur
+     * ce qui est fait.
      */
     @Test
     void aucunCercleNeRelieLesClassesQueCeuxDuCours() {

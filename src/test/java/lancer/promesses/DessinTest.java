@@ -119,7 +119,8 @@ class DessinTest {
             Lancer lancer = new Lancer(ciel, new Camera(taille[0], taille[1]));
             int[] peints = new int[1];
             lancer.TracerBrouillon((couleur, i, j) -> peints[0]++, 1, 1);
-            assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getAtelier().getCompteurs().primaires, taille[0] + " × " + taille[1]);
+            assertEquals((taille[0] + 3) / 4 * ((taille[1] + 3) / 4), lancer.getAtelier().getCompteurs().primaires, taille[0] + " × "
+                    + taille[1]);
             assertEquals(taille[0] * taille[1], peints[0]);
         }
     }

@@ -17,7 +17,6 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.contrat.Compteurs;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import lancer.rapide.Structuree;

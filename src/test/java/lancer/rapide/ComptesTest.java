@@ -5,14 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Couleur;
-import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
@@ -76,7 +74,8 @@ class ComptesTest {
             // là où tout est partout, et chaque rayon long pour tous : moins de rayons
             boolean longs = scene.getLampes().size() > 100 || e.getKey().matches(".*(coquilles|un seul point|mêlées).*");
             Camera camera = longs ? new Camera(20, 15) : CAMERA;
-            IdentiteTest.Dessin oracle = new IdentiteTest.Dessin(scene.avec(new ArbreSimple(scene.getObjets(), new Compteurs())), camera, 3, 2);
+            IdentiteTest.Dessin oracle = new IdentiteTest.Dessin(scene.avec(new ArbreSimple(scene.getObjets(), new Compteurs())), camera, 3,
+                    2);
             IdentiteTest.Dessin rapide = new IdentiteTest.Dessin(Preparation.preparer(scene, camera), camera, 3, 2);
             rapide.verifier(e.getKey(), oracle);
             long boucles = rapide.compteurs.rayons() * scene.getObjets().size();

@@ -141,7 +141,8 @@ class ModificationsTest {
         "Scene|if (objet != eclaire|if (objets.indexOf(objet) >= 3 && objet != eclaire",
         "Scene|return objets;|return objets.subList(0, 6);",
         // une question posée au milieu d'une autre
-        "Scene|private final Compteurs compteurs|boolean dedans; private final Compteurs compteurs|Scene|if (objet != saufLui) {|if (!dedans) { "
+        "Scene|private final Compteurs compteurs|boolean dedans; private final Compteurs compteurs|Scene|if (objet != saufLui) {|if "
+                + "(!dedans) { "
                 + "dedans = true; getClosestIntersection(new Rayon(incident.getP(), incident.getV()), saufLui); dedans = false; } "
                 + "if (objet != saufLui && objet != objets.get(3)) {",
         // une forme qui rend sa distance sans la noter

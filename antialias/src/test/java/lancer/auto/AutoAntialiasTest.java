@@ -63,7 +63,8 @@ class AutoAntialiasTest {
         List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(10, echelle.size());
-        Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
+        Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, Integer.MAX_VALUE,
+                new SplittableRandom(1));
         Couleur[] image = new Couleur[80 * 50];
         double avant = Double.POSITIVE_INFINITY;
         long rayons = 0;

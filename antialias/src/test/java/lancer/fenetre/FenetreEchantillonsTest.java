@@ -97,7 +97,8 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         Reglages presents = banc.controleur.getEtat().demande.reglages;
         Variante antialias = presents.getEssayee();
         Section section = presents.getSectionEntiere(antialias).avec("n", "8", "").avec("methode", "partage", "").avec("seuil", "0.1", "");
-        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias, section)));
+        faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias,
+                section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
         attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
     }

@@ -239,8 +239,13 @@ final class Contenu {
     /** La sorte d'une archive qui n'est pas un zip, d'après ses premiers octets ; vide si c'en est un, ou si elle est abîmée. */
     private static String sorte(byte[] archive) {
         String debut = new String(archive, 0, Math.min(6, archive.length), StandardCharsets.ISO_8859_1);
-        return debut.startsWith("Rar!") ? "RAR" : debut.startsWith("7z\u00BC\u00AF") ? "7z"
-                : debut.startsWith("\u001F\u008B") ? "gzip" : "";
+        if (debut.startsWith("Rar!")) {
+            return "RAR";
+        }
+        if (debut.startsWith("7z\u00BC\u00AF")) {
+            return "7z";
+        }
+        return debut.startsWith("\u001F\u008B") ? "gzip" : "";
     }
 
     /** Conclut la lecture. */

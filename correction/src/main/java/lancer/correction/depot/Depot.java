@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -90,7 +91,7 @@ public final class Depot {
             Matcher sien = canvas.get(nom);
             if (moodle.matches()) {
                 Rendu rendu = rendu(moodle.group(2), moodle.group(1).trim());
-                rendu.entrees.put(nom, moodle.group(4) == null ? "" : moodle.group(4));
+                rendu.entrees.put(nom, Objects.toString(moodle.group(4), ""));
             } else if (sien != null) {
                 Rendu rendu = rendu(sien.group(1) + "_" + sien.group(3), sien.group(1));
                 rendu.entrees.put(nom, sien.group(4));

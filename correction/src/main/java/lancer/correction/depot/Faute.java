@@ -15,7 +15,8 @@ public final class Faute {
                 "il manque « %s »");
         REMEDES.put(Pattern.compile("only available with source level (\\d+)"), "il faut Java %s, et ici juge Java %s");
         REMEDES.put(Pattern.compile("^('_') is a keyword"), "il faut Java 22 pour nommer %s ce qui ne sert pas, et ici juge Java %s");
-        REMEDES.put(Pattern.compile("^The method (\\w+)\\(.*\\) is undefined for the type (?:java\\.|(?:Math|String|List|Arrays|Stream)\\b)"),
+        REMEDES.put(Pattern.compile("^The method (\\w+)\\(.*\\) is undefined for the type "
+                + "(?:java\\.|(?:Math|String|List|Arrays|Stream)\\b)"),
                 "%s n'est pas dans Java %s, qui juge ici : est-elle d'une version plus récente ?");
     }
 

@@ -10,11 +10,13 @@ class FauteTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "The method clamp(double, int, int) is undefined for the type java.lang.Math | clamp n'est pas dans Java ICI, qui juge ici : est-elle "
+        "The method clamp(double, int, int) is undefined for the type java.lang.Math | clamp n'est pas dans Java ICI, qui juge ici : "
+                + "est-elle "
             + "d'une version plus récente ?",
         "The method clamp(double, int, int) is undefined for the type Math | clamp n'est pas dans Java ICI, qui juge ici : est-elle d'une "
             + "version plus récente ?",
-        "The method getFirst() is undefined for the type List<Lampe> | getFirst n'est pas dans Java ICI, qui juge ici : est-elle d'une version "
+        "The method getFirst() is undefined for the type List<Lampe> | getFirst n'est pas dans Java ICI, qui juge ici : est-elle d'une "
+                + "version "
             + "plus récente ?",
         "The method norm() is undefined for the type lancer.Vecteur | ''",
         "Syntax error, insert \";\" to complete Statement | il manque « ; »"})

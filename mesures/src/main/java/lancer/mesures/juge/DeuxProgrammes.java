@@ -18,7 +18,9 @@ import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
 
-/** La même foule de miroirs parfaits par deux programmes justes, celui-ci et POV-Ray : où leurs images diffèrent, et où c'était à prévoir. */
+/**
+ * La même foule de miroirs parfaits par deux programmes justes, celui-ci et POV-Ray : où leurs images diffèrent, et où c'était à prévoir.
+ */
 public final class DeuxProgrammes {
 
     /** Nom de la figure. */

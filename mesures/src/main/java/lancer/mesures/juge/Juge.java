@@ -115,7 +115,8 @@ public final class Juge {
             int spheres = scene.getObjets().size();
             sortie.printf(LIGNE, nom, spheres, reflets, jugee.dessins, a.auDela8, a.auDela16, ecart(a.pire),
                     ecart(a.moyen), verdict);
-            csv.add(FichierCsv.ligne(nom, dessin.get(Option.TAILLE).x, dessin.get(Option.TAILLE).y, spheres, reflets, jugee.dessins, a.auDela8,
+            csv.add(FichierCsv.ligne(nom, dessin.get(Option.TAILLE).x, dessin.get(Option.TAILLE).y, spheres, reflets, jugee.dessins,
+                    a.auDela8,
                     a.auDela16, ecart(a.pire), ecart(a.moyen), a.estLa() ? "oui" : "non", circonstances.commit, circonstances.date));
         } catch (Echec e) {
             // POV-Ray ne sait pas faire le même calcul

@@ -96,7 +96,8 @@ final class Planches {
     /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */
     Planche spheres() {
         Resultats siens = tous.volet(Catalogue.SPHERES).tels(m -> m.rapport() > 0);
-        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères", "secondes de processeur de la commande entière");
+        Volet volet = new Volet("Le temps selon le nombre de sphères", "nombre de sphères",
+                "secondes de processeur de la commande entière");
         for (String methode : new String[] {Catalogue.PROGRAMME, Reglage.BOUCLES.methode, Reglage.POVRAY, Reglage.EMBREE}) {
             volet.serie(methode, true, siens.methode(methode).toutes.stream()
                     .map(m -> new Volet.Point(m.x, m.processeurs)).collect(Collectors.toList()));

@@ -148,14 +148,17 @@ class VitesseTest {
         noter("poussiere", Reglage.partage(8, 0.08), 2, 0.94);
         noter("poussiere", Reglage.partage(4, 0.2), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
-        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % des "
-                + "pixels visiblement faux<br>rayons × 1, temps × 1</td><td><b>un rayon</b><br>au pire 12 niveaux (de 11 à 13, poussiere)"), table);
+        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % "
+                + "des "
+                + "pixels visiblement faux<br>rayons × 1, temps × 1</td><td><b>un rayon</b><br>au pire 12 niveaux (de 11 à 13, poussiere)"),
+                        table);
         // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
         assertTrue(table.contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
         assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=8 seuil=0.08</b><br>au pire 0,94 niveau"), table);
         assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.05</b>"), table);
         assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.05\n\n"), table);
-        assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"), table);
+        assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"),
+                table);
         assertEquals(1, table.split("n=16\n", -1).length - 1, "ce qui est à écrire l'est une fois");
         assertTrue(table.endsWith("\nLa plus ancienne de ces mesures : commit abc, le 2026-11-20.\n"), table);
     }
@@ -164,7 +167,8 @@ class VitesseTest {
     void deuxSouhaitsQuiOntLaMemeReponseSontUneLigne() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
         noter("scene1", Reglage.partage(16, 0.05), 1.5, 0.1);
-        assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; moins "
+        assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; "
+                + "moins "
                 + "que l'arrondi de l'écran</td><td><b>partage"));
     }
 
@@ -173,7 +177,8 @@ class VitesseTest {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
         resultats.toutes.get(0).processeurs = Double.NaN;
         Map<String, String> pages = new Tableaux(resultats).pages();
-        assertTrue(pages.get("choisir").contains("un niveau au plus ; moins que l'arrondi de l'écran</td><td>rien de ce qui est mesuré</td>"),
+        assertTrue(pages.get("choisir").contains("un niveau au plus ; moins que l'arrondi de l'écran</td><td>rien de ce qui est "
+                + "mesuré</td>"),
                 pages.get("choisir"));
         assertEquals("pas encore mesuré", pages.get("machine"));
     }
