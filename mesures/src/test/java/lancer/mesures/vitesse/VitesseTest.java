@@ -148,10 +148,10 @@ class VitesseTest {
         noter("poussiere", Reglage.partage(8, 0.08), 2, 0.94);
         noter("poussiere", Reglage.partage(4, 0.2), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
-        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,9 à 3,2, scene1)<br>1 % des "
+        assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % des "
                 + "pixels visiblement faux<br>rayons × 1, temps × 1</td><td><b>un rayon</b><br>au pire 12 niveaux (de 11 à 13, poussiere)"), table);
         // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
-        assertTrue(table.contains("<tr><td>un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
+        assertTrue(table.contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
         assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=8 seuil=0.08</b><br>au pire 0,94 niveau"), table);
         assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.04</b>"), table);
         assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.04\n\n"), table);
