@@ -8,6 +8,7 @@ import lancer.commande.Options;
 import lancer.contrat.Toile;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
+import lancer.dessin.Programme;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
 import lancer.texte.Flux;
@@ -20,7 +21,7 @@ public class Main implements Toile {
     private Dessin dessin;
 
     /**
-     * Le programme qui dessine cette demande. Chaque dessin a le sien : abandonné, il n'écrit pas dans l'image suivante.
+     * Le programme qui dessine cette demande. Chaque dessin a le sien : abandonné, il ne touche pas à l'image suivante.
      *
      * @param suivi reçoit le dessin quand il commence, puis quand son brouillon est fini
      */
@@ -53,8 +54,8 @@ public class Main implements Toile {
             } else if (options.sansFenetre()) {
                 return new SansFenetre(options, Main::dessiner, sortie, erreur).faire();
             } else {
-                Ouverture.ouvrir(options, (demande, suivi) -> dessiner(demande, suivi).rapporter(sortie, erreur), erreur,
-                        () -> System.exit(0));
+                Programme programme = (demande, suivi) -> dessiner(demande, suivi).rapporter(sortie, erreur);
+                Ouverture.ouvrir(options, programme, erreur, () -> System.exit(0));
             }
             return 0;
         } catch (RuntimeException | Error e) {

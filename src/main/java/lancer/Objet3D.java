@@ -46,8 +46,8 @@ public abstract class Objet3D {
     }
 
     /**
-     * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes (celui de Phong, max(0, R·L)^ns,
-     * sauf si une variante le remplace), plus le reflet des objets, s'il peut encore se voir.
+     * La couleur que voit le rayon au point de contact : Lambert, plus le reflet des lampes (de Phong, max(0, R·L)^ns,
+     * ou celui d'une variante), plus le reflet des objets, s'il peut encore se voir.
      *
      * @param contact le contact de {@code incident} avec cet objet
      * @param profondeur nombre de réflexions encore permises

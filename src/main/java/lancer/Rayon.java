@@ -44,7 +44,7 @@ public class Rayon {
         return new Rayon(p, v, BLANC);
     }
 
-    /** Le rayon que renvoie {@code p}, de direction {@code r} déjà de longueur 1. @param produitKs jusqu'à celui de p */
+    /** Le rayon que renvoie {@code p}, de direction {@code r} normalisée. @param produitKs des Ks jusqu'à p compris */
     public static Rayon reflechi(Point p, Vecteur r, Couleur produitKs) {
         return new Rayon(p, r, produitKs);
     }

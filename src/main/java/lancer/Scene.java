@@ -87,7 +87,7 @@ public final class Scene {
     }
 
     /**
-     * Le contact le plus proche sur ce rayon. Le rayon le retient à la place du précédent. Si deux objets sont à la même
+     * Le contact le plus proche sur ce rayon, qui le retient à la place du précédent. Si deux objets sont à la même
      * distance, c'est le premier dans l'ordre de la scène.
      *
      * @param saufLui l'objet d'où part le rayon, ou {@code null} ; un arrondi pourrait le faire toucher de nouveau

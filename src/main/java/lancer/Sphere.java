@@ -50,10 +50,10 @@ public class Sphere extends Objet3D {
 
     /**
      * {@inheritDoc} Ce point est C + r·(X − C)/|X − C|, calculé sous la forme X − e·(X − C), où e = 1 − r/|X − C| est
-     * presque nul. Soit u = 2⁻⁵³ : l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du rayon. L'écart de X = P + tV
-     * est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e éd., § 6.8) : si t est
-     * inférieur à r, X est plus juste, et c'est lui qui est rendu. Le centre et un point qui n'est pas fini sont rendus
-     * tels quels.
+     * presque nul. Soit u = 2⁻⁵³ : l'écart à la surface est inférieur à 4 u (r + |C|), quelle que soit la longueur du
+     * rayon. L'écart de X = P + tV est de 2 u |X − P| (Pharr, Jakob et Humphreys, <i>Physically Based Rendering</i>, 4e
+     * éd., § 6.8) : si t est inférieur à r, X est plus juste, et c'est lui qui est rendu. Le centre et un point qui
+     * n'est pas fini sont rendus tels quels.
      */
     @Override
     public Point getPointDeSurface(Point contact, double distance) {

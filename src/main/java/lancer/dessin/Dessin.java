@@ -61,7 +61,7 @@ public final class Dessin {
         long debut = System.nanoTime();
         Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
         preparationNs = System.nanoTime() - debut;
-        cachait = Regard.trouveUneReponseCachee(preparee, camera);
+        cachait = preparee != scene && Regard.trouveUneReponseCachee(preparee, camera);
         lancer = new Lancer(cachait ? scene : preparee, camera);
         dernier = lancer;
     }

@@ -6,6 +6,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.function.BooleanSupplier;
 import javax.swing.AbstractAction;
+import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
 /** Une commande de la fenêtre : son nom, sa touche, quand elle est possible, quand elle est cochée, ce qu'elle fait. */
@@ -25,6 +26,12 @@ final class Commande extends AbstractAction {
         if (touche != null) {
             putValue(ACCELERATOR_KEY, KeyStroke.getKeyStroke(mac ? touche.replace("ctrl", "meta") : touche));
         }
+    }
+
+    /** La touche de cette commande sert dans ce composant. @param quand une des conditions de {@link JComponent} */
+    void lier(JComponent composant, int quand) {
+        composant.getInputMap(quand).put(getTouche(), this);
+        composant.getActionMap().put(this, this);
     }
 
     /** Son article porte une coche tant que {@code condition} est vraie. */

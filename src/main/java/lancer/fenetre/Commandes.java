@@ -102,8 +102,8 @@ final class Commandes {
     private void auClavier() {
         JComponent cadre = f.cadre.getRootPane();
         for (Etape etape : Etape.values()) {
-            lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW, commande("Étape du cours : Lambert, Phong, ombres, reflets",
-                    "F" + (6 + etape.ordinal()), scene, () -> c.regler(reglages().avec(Option.ETAPE, etape))));
+            commande("Étape du cours : Lambert, Phong, ombres, reflets", "F" + (6 + etape.ordinal()), scene,
+                    () -> c.regler(reglages().avec(Option.ETAPE, etape))).lier(cadre, JComponent.WHEN_IN_FOCUSED_WINDOW);
         }
         reflexions("Plus de réflexions : 1, 2, 5, 10", '+', REFLEXIONS::higher);
         reflexions("Moins de réflexions", '-', REFLEXIONS::lower);
@@ -131,18 +131,14 @@ final class Commandes {
         BooleanSupplier possible = () -> scene.getAsBoolean() && reglages().get(Option.ETAPE) == Etape.REFLETS
                 && autre.apply(reglages().get(Option.REFLETS)) != null;
         for (String avec : new String[] {"", "shift "}) {
-            lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, commande(nom, avec + "typed " + touche,
-                    possible, () -> c.regler(reglages().avec(Option.REFLETS, autre.apply(reglages().get(Option.REFLETS))))));
+            commande(nom, avec + "typed " + touche, possible,
+                    () -> c.regler(reglages().avec(Option.REFLETS, autre.apply(reglages().get(Option.REFLETS)))))
+                    .lier(f.cadre.getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW);
         }
     }
 
     private void surLImage(String nom, String touche, BooleanSupplier possible, Runnable effet) {
-        lier(f.panneau, JComponent.WHEN_FOCUSED, commande(nom, touche, possible, effet));
-    }
-
-    static void lier(JComponent composant, int quand, Commande commande) {
-        composant.getInputMap(quand).put(commande.getTouche(), commande);
-        composant.getActionMap().put(commande, commande);
+        commande(nom, touche, possible, effet).lier(f.panneau, JComponent.WHEN_FOCUSED);
     }
 
     private void direTouches() {

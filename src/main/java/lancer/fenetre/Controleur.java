@@ -110,7 +110,7 @@ final class Controleur implements Travail.Suite {
     void regler(Reglages voulus) {
         if (!voulus.equals(etat.demande.reglages)) {
             try {
-                changer(etat.demande.avecReglages(voulus));
+                demander(etat.avec(etat.montre.retenu()), etat.demande.avecReglages(voulus));
             } catch (SceneFautive e) {
                 panneau.bandeau.dire(e.getMessage());
                 avertir();
@@ -125,7 +125,7 @@ final class Controleur implements Travail.Suite {
 
     /** Dessine la scène avec ces déplacements, que le fichier ne contient pas. */
     void deplacer(SceneLue deplacee) {
-        changer(etat.demande.avecLecture(deplacee));
+        demander(etat.avec(etat.montre.retenu()), etat.demande.avecLecture(deplacee));
     }
 
     /** Un déplacement est fini, et peut être défait. @param debut la scène d'avant */
@@ -187,11 +187,6 @@ final class Controleur implements Travail.Suite {
         // ce que ce travail a publié n'est plus attendu
         etat = etat.avec(null, false);
         surveillance.terminer();
-    }
-
-    /** Demande ce dessin ; l'image d'à présent devient celle d'avant. */
-    private void changer(Demande voulue) {
-        demander(etat.avec(etat.montre.retenu()), voulue);
     }
 
     /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */

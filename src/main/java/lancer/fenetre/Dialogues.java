@@ -22,6 +22,7 @@ final class Dialogues {
     /** Ce qu'un dialogue ajoute à la table des touches : une barre, son cadre, un bouton. */
     private static final int MARGE_H = 30;
     private static final int MARGE_V = 120;
+    private static final int LARGEUR = 620;
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Ce que l'on fait d'un déplacement qui n'est pas écrit. */
@@ -39,7 +40,8 @@ final class Dialogues {
 
     /** Le tableau des touches. @param lignes touche, puis effet, en lignes d'un tableau HTML */
     static void direTouches(Component parent, String lignes) {
-        JLabel table = new JLabel("<html><table cellspacing=2 cellpadding=0>" + lignes);
+        JLabel table = new JLabel("<html><table cellspacing=2 cellpadding=0 width="
+                + Math.min(LARGEUR, ecran().width - 4 * MARGE_H) + ">" + lignes);
         table.setName("table");
         JScrollPane deroulant = new JScrollPane(table);
         deroulant.setBorder(null);

@@ -80,8 +80,11 @@ final class Onglets extends JSplitPane {
         if (cadre.getExtendedState() == Frame.NORMAL) {
             Rectangle ecran = Dialogues.ecran();
             int large = Math.max(0, Math.min(enLargeur, ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
-            int haut = Math.max(0, Math.min(enHauteur, ecran.y + ecran.height - cadre.getY() - cadre.getHeight()));
-            cadre.setSize(cadre.getWidth() + large, cadre.getHeight() + haut);
+            int haut = Math.max(0, Math.min(enHauteur, ecran.height - cadre.getHeight()));
+            // plus haut s'il le faut pour tenir dans l'écran
+            int bas = ecran.y + ecran.height - cadre.getHeight() - haut;
+            cadre.setBounds(cadre.getX(), Math.min(cadre.getY(), bas), cadre.getWidth() + large,
+                    cadre.getHeight() + haut);
             gagne.setSize(gagne.width + large, gagne.height + haut);
         }
         cadre.validate();

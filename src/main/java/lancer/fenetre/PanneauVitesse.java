@@ -33,7 +33,7 @@ final class PanneauVitesse extends JPanel {
 
     /** Erreur, en niveaux, dont dépend le nombre de rayons d'une référence. */
     private static final double VOULUE = 0.125;
-    private static final int LIGNES = 4;
+    private static final int LIGNES = 5;
 
     private final Controleur controleur;
     private final GraphiqueVitesse graphique = new GraphiqueVitesse();
@@ -54,6 +54,7 @@ final class PanneauVitesse extends JPanel {
         this.controleur = controleur;
         // la place du texte est fixe : le graphique ne bouge pas sous la souris
         texte.setRows(LIGNES);
+        texte.setPreferredSize(texte.getPreferredSize());
         add(graphique, BorderLayout.CENTER);
         add(texte, BorderLayout.PAGE_END);
         MouseAdapter souris = new MouseAdapter() {
@@ -82,7 +83,7 @@ final class PanneauVitesse extends JPanel {
     }
 
     private void auClavier(String touche, Runnable effet) {
-        Commandes.lier(graphique, WHEN_FOCUSED, new Commande(null, touche, () -> true, effet));
+        new Commande(null, touche, () -> true, effet).lier(graphique, WHEN_FOCUSED);
     }
 
     private void viser(Essai celui) {

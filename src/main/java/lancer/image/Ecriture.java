@@ -10,6 +10,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -127,8 +128,11 @@ public final class Ecriture<T> {
         PosixFileAttributeView ancien = Files.getFileAttributeView(cible, PosixFileAttributeView.class);
         if (Files.exists(cible) && ancien != null) {
             ressembler(ancien.readAttributes());
+        } else {
+            Files.createFile(provisoire);
         }
-        return Files.newOutputStream(provisoire);
+        // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
+        return Files.newOutputStream(provisoire, StandardOpenOption.WRITE);
     }
 
     /** Crée le fichier provisoire, que ne lira jamais qui ne peut lire l'ancien. */

@@ -12,6 +12,7 @@ import lancer.Sphere;
 import lancer.Tuple;
 import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
+import lancer.inspection.Segment.Eclairage;
 import lancer.texte.Nombre;
 import lancer.texte.Pile;
 

@@ -1,8 +1,7 @@
 package lancer.rapide;
 
+import java.util.function.Supplier;
 import lancer.Objet3D;
-import lancer.Point;
-import lancer.PointContact;
 import lancer.Rayon;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
@@ -10,54 +9,34 @@ import lancer.contrat.Recherche;
 /** La recherche d'une scène de beaucoup d'objets, pour un fil. Chaque rayon a sa {@link Question}. */
 final class Foule implements Recherche {
 
-    private final Preparation preparation;
-    final Structures structures;
-    final Compteurs compteurs;
+    private final Supplier<Structures> preparation;
+    private final Memoire memoire;
 
-    /** La question à laquelle la boucle répond. */
-    Question courante;
-
-    /** Rang de la dernière lampe demandée ; en général, la suivante vient juste après. */
-    private int lampe;
-
-    /** Rang du dernier contact ; en général, un rayon d'ombre ou réfléchi vient ensuite de lui. */
-    int contact = -1;
-
-    Foule(Preparation preparation, Compteurs compteurs) {
+    Foule(Supplier<Structures> preparation, Compteurs compteurs) {
         this.preparation = preparation;
-        this.compteurs = compteurs;
-        structures = preparation.getStructures();
+        memoire = new Memoire(preparation.get(), compteurs);
     }
 
     @Override
-    public Question candidats(Rayon rayon, Objet3D depart, double portee) {
+    public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
         Recherche.obeir();
-        compteurs.compter(rayon, depart, portee);
-        courante = new Question(this, rayon, depart, portee);
-        return courante;
-    }
-
-    /** D'où part ce rayon d'ombre : le point de vue de la lampe ; {@code null} s'il n'y en a pas. */
-    PointDeVue trouverLaLampe(Point p) {
-        Point[] lampes = structures.lampes;
-        // un rayon d'ombre qui part du contact ne part pas d'une lampe
-        for (int k = p instanceof PointContact ? lampes.length : 0; k < lampes.length; k++) {
-            if (lampes[lampe] == p) {
-                return structures.vues[lampe];
-            }
-            lampe = lampe + 1 < lampes.length ? lampe + 1 : 0;
-        }
-        return null;
+        memoire.compteurs.compter(rayon, depart, portee);
+        return new Question(memoire, rayon, depart, portee);
     }
 
     @Override
     public void limiter(double distance) {
-        courante.limiter(distance);
+        memoire.limite = distance;
     }
 
     @Override
     public Objet3D aEgalite(Objet3D plusProche) {
-        return courante.aEgalite(plusProche);
+        Objet3D[] objets = memoire.structures.enveloppes.objets;
+        if (memoire.proche < 0 || objets[memoire.proche] != plusProche) {
+            return plusProche;
+        }
+        memoire.contact = memoire.premier;
+        return objets[memoire.premier];
     }
 
     @Override

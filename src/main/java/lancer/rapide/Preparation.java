@@ -49,10 +49,10 @@ public final class Preparation {
     }
 
     static Recherche recherche(Scene scene, Camera camera) {
-        return new Foule(new Preparation(scene, camera), new Compteurs());
+        return new Foule(new Preparation(scene, camera)::getStructures, new Compteurs());
     }
 
-    synchronized Structures getStructures() {
+    private synchronized Structures getStructures() {
         if (!structures.enveloppes.sontEnPlace()) {
             structures = new Structures(objets, lampes, camera);
         }

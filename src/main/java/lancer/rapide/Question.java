@@ -38,7 +38,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private static final int ARBRE = 2;
     private static final int FIN = 3;
 
-    private final Foule foule;
+    private final Memoire memoire;
+    private final long numero;
     private final Structures structures;
     private final Compteurs compteurs;
     private final double[] g;
@@ -95,10 +96,12 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double[] entrees;
     private int haut;
 
-    Question(Foule foule, Rayon rayon, Objet3D depart, double portee) {
-        this.foule = foule;
-        structures = foule.structures;
-        compteurs = foule.compteurs;
+    Question(Memoire memoire, Rayon rayon, Objet3D depart, double portee) {
+        this.memoire = memoire;
+        numero = ++memoire.questions;
+        memoire.attendre(numero, -1, -1);
+        structures = memoire.structures;
+        compteurs = memoire.compteurs;
         g = structures.enveloppes.geometrie;
         this.rayon = rayon;
         this.depart = depart;
@@ -113,7 +116,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
                 && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
         px = mesure ? x : Double.NaN;
-        int dernier = foule.contact;
+        int dernier = memoire.contact;
         rangDepart = dernier >= 0 && structures.enveloppes.objets[dernier] == depart ? dernier : -1;
         propose = rangDepart;
         pret = rangDepart >= 0;
@@ -129,11 +132,13 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     @Override
     public boolean hasNext() {
         if (!pret) {
-            foule.courante = this;
+            // une autre question, posée depuis, a reçu la limite à sa place
+            limite = memoire.enCours == numero ? Math.min(limite, memoire.limite) : limite;
             if (propose >= 0) {
                 noterLaReponse();
             }
             propose = chercher();
+            memoire.attendre(numero, proche, premier);
             pret = true;
         }
         return propose >= 0;
@@ -167,19 +172,6 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         } else if (d == distance && propose < premier) {
             premier = propose;
         }
-    }
-
-    void limiter(double nouvelle) {
-        limite = Math.min(limite, nouvelle);
-    }
-
-    Objet3D aEgalite(Objet3D plusProche) {
-        Objet3D[] objets = structures.enveloppes.objets;
-        if (proche < 0 || objets[proche] != plusProche) {
-            return plusProche;
-        }
-        foule.contact = premier;
-        return objets[premier];
     }
 
     /**
@@ -221,7 +213,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         if (etape == DEBUT) {
             PointDeVue vue = null;
             if (ombre) {
-                vue = foule.trouverLaLampe(rayon.getP());
+                vue = memoire.trouverLaLampe(rayon.getP());
             } else if (depart == null && structures.oeil != null && structures.oeil.envoie(px, py, pz, vx, vy, vz)) {
                 vue = structures.oeil;
             }

@@ -125,7 +125,8 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         assertEquals(1, expliques.get());
         assertEquals(3, publies.size(), "demandé, brouillon, achevé");
         assertEquals(3, new HashSet<>(publies).size());
-        assertSame(publies.get(0).demande, publies.get(2).montre.dessin.demande, "un seul modèle");
+        assertSame(publies.get(0).demande.getScene().getModele(),
+                publies.get(2).montre.dessin.demande.getScene().getModele(), "un seul modèle");
     }
 
     @Test

@@ -97,7 +97,7 @@ class DependancesTest {
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer\\.scene\\..*", COURS + "lancer\\.(contrat|texte)\\..*|org\\.ini4j\\..*");
+        verifier("lancer\\.scene\\..*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.image\\.Ecriture|org\\.ini4j\\..*");
         verifier("lancer\\.image\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.commande\\.Echec");
     }
 

@@ -15,20 +15,22 @@ final class Cases {
 
     /** Contraste supposé entre quatre couleurs égales : si le seuil est inférieur, toute case est divisée. */
     static final double PRUDENCE = 0.01;
+    /** Le même, en seuils, pour une case d'un pixel de côté : une nuance la fait diviser, mais pas ses voisines. */
+    static final double NUANCE = 0.915;
     /** Surprise moyenne tolérée dans des cases d'un pixel de côté, en seuils. */
-    private static final double SURPRISE = 0.125;
+    private static final double SURPRISE = 0.1;
+    /** Ce par quoi chaque division d'un pavé entier multiplie le seuil : là, les erreurs des cases s'ajoutent. */
+    private static final double RIGUEUR = 0.7;
     /** Divisions permises de toutes les cases d'un pavé, dont les sous-pixels occupent la mémoire ensemble. */
     private static final int DIVISIONS = 4;
 
     private final int n;
-    private final double seuil;
+    private double seuil;
     private final Pave pave;
     private final SousPixels sousPixels;
     /** Les bords des cases de tout le pavé, en sous-pixels. */
     private int[] bordsX;
     private int[] bordsY;
-    /** Vrai si la case d'un pixel, ou d'un voisin, dépasse le seuil ; les indices sont décalés de un. */
-    private final boolean[][] suspects;
     /** La somme des sous-pixels déjà peints du pixel en cours. */
     private Couleur somme;
 
@@ -39,7 +41,6 @@ final class Cases {
         sousPixels = new SousPixels(n, pave, vue);
         bordsX = bords(pave.i1 - pave.i0);
         bordsY = bords(pave.j1 - pave.j0);
-        suspects = new boolean[bordsY.length + 1][bordsX.length + 1];
     }
 
     private int[] bords(int pixels) {
@@ -52,12 +53,13 @@ final class Cases {
     int tracer(Pave voulus, Toile toile) {
         int[] departsX = bordsX;
         int[] departsY = bordsY;
-        chercherLesSuspects();
+        boolean[][] suspects = suspects();
         int divisions = 0;
         for (double limite = SURPRISE * seuil; divisions < DIVISIONS && 1 << divisions < n
                 && surprise() > limite * limite; limite *= 2) {
             bordsX = couper(bordsX);
             bordsY = couper(bordsY);
+            seuil *= RIGUEUR;
             divisions++;
         }
         int raffines = 0;
@@ -73,15 +75,19 @@ final class Cases {
         return raffines;
     }
 
-    private void chercherLesSuspects() {
+    /** Vrai si la case d'un pixel a une nuance, ou si un voisin dépasse le seuil ; les indices sont décalés de un. */
+    private boolean[][] suspects() {
+        boolean[][] suspects = new boolean[bordsY.length + 1][bordsX.length + 1];
         for (int j = 0; j + 1 < bordsY.length; j++) {
             for (int i = 0; i + 1 < bordsX.length; i++) {
-                boolean suspect = depasse(bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
+                boolean suspect = depasse(PRUDENCE, bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
+                suspects[j + 1][i + 1] |= depasse(NUANCE * seuil, bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
                 for (int k = 0; k < 9 && suspect; k++) {
                     suspects[j + k / 3][i + k % 3] = true;
                 }
             }
         }
+        return suspects;
     }
 
     /** Ces bords et les milieux, là où il reste des sous-pixels entre deux. */
@@ -117,7 +123,7 @@ final class Cases {
                             voir(x0, y1));
                     nombre++;
                 }
-                if ((i + j) % 2 == 0 && estDivisible(x0, y0, x1, y1)) {
+                if ((i + j) % 2 == 0 && Math.max(x1 - x0, y1 - y0) > 1) {
                     carres += surprise(voir((x0 + x1) / 2, (y0 + y1) / 2), voir(x0, y0), voir(x1, y0), voir(x0, y1),
                             voir(x1, y1));
                     nombre++;
@@ -144,13 +150,9 @@ final class Cases {
     }
 
     /** Dit si contraste × côté dépasse le seuil : une petite case change peu la couleur du pixel. */
-    private boolean depasse(int x0, int y0, int x1, int y1) {
+    private boolean depasse(double prudence, int x0, int y0, int x1, int y1) {
         double contraste = Coins.contraste(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
-        return (contraste + PRUDENCE) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
-    }
-
-    private static boolean estDivisible(int x0, int y0, int x1, int y1) {
-        return x1 - x0 > 1 || y1 - y0 > 1;
+        return (contraste + prudence) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 
     /**
@@ -162,7 +164,7 @@ final class Cases {
         if (x0 == x1 || y0 == y1) {
             return false;
         }
-        if (!estDivisible(x0, y0, x1, y1) || divisions <= 0 && !depasse(x0, y0, x1, y1)) {
+        if (Math.max(x1 - x0, y1 - y0) == 1 || divisions <= 0 && !depasse(PRUDENCE, x0, y0, x1, y1)) {
             interpoler(x0, y0, x1, y1);
             return false;
         }

@@ -14,9 +14,9 @@ import java.util.function.BiFunction;
 import lancer.Camera;
 import lancer.Point;
 import lancer.Vecteur;
-import lancer.inspection.Eclairage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Segment;
+import lancer.inspection.Segment.Eclairage;
 
 /** La chaîne d'un pixel, peinte selon une projection : les rayons, les contacts numérotés, ce qui les éclaire. */
 public final class Figure {

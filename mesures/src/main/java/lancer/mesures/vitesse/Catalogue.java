@@ -28,7 +28,7 @@ final class Catalogue {
     static final String PROGRAMME = "programme";
 
     /** Réglages de « partage » : n, puis le seuil. */
-    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.055}, {16, 0.04}, {16, 0.02}, {16, 0.0125}};
+    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.065}, {16, 0.05}, {16, 0.03}, {16, 0.0125}};
 
     /** Plus grand n des grilles de n × n rayons par pixel. */
     private static final int GRILLE_MAX = 5;
@@ -58,7 +58,7 @@ final class Catalogue {
         for (String scene : livrees()) {
             Groupe reflets = new Groupe(REFLETS, scene, scene);
             for (int p : PROFONDEURS) {
-                reflets.avec(Reglage.partage(16, 0.055).par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
+                reflets.avec(Reglage.partage(16, 0.065).par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
                         p, taille);
             }
             groupes.add(reflets);
