@@ -31,7 +31,7 @@ final class Tableaux {
     Map<String, String> pages() {
         Map<String, String> pages = new TreeMap<>();
         Resultats couts = tous.volet(Catalogue.COUTS);
-        pages.put("choisir", choisir() + source(choix.plusAncienne(m -> m.compte), couts.plusAncienne(m -> m.chronometre)));
+        pages.put("choisir", choisir() + source(choix.plusAncienne(m -> m.compte), choix.plusAncienne(m -> m.chronometre)));
         pages.put("resultat", resultat());
         pages.put("couts", table(Arrays.asList("ce qui change", "temps, divisé par celui du programme sans option", "processeurs",
                 "mémoire"), couts.toutes.stream().map(m -> Arrays.asList(m.nom(), m.estDe(Reglage.UN_RAYON) ? "l'unité"

@@ -160,7 +160,7 @@ class VitesseTest {
         assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"),
                 table);
         assertEquals(1, table.split("n=16\n", -1).length - 1, "ce qui est à écrire l'est une fois");
-        assertTrue(table.endsWith("\nLa plus ancienne de ces mesures : commit abc, le 2026-11-20.\n"), table);
+        assertTrue(table.endsWith("\nLa plus ancienne de ces mesures : commit abc, le 2026-11-20 ; abc, le 2026-11-25.\n"), table);
     }
 
     @Test
