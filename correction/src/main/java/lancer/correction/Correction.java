@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -81,7 +83,13 @@ public final class Correction {
 
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
-        System.exit(executer(args, System.out, System.err, Jury::new));
+        System.exit(executer(args, avecAccents(System.out, "stdout.encoding"), avecAccents(System.err, "stderr.encoding"), Jury::new));
+    }
+
+    /** Ce flux ou, si son codage n'a pas les accents (C, POSIX), le même en UTF-8. @param propriete celle qui nomme ce codage */
+    private static PrintStream avecAccents(PrintStream flux, String propriete) {
+        Charset codage = Charset.forName(System.getProperty(propriete, Charset.defaultCharset().name()));
+        return codage.newEncoder().canEncode('é') ? flux : new PrintStream(flux, true, StandardCharsets.UTF_8);
     }
 
     /** @return le statut de sortie ; pour 1 et 2, une ligne a été écrite sur {@code erreur} */
