@@ -1,5 +1,6 @@
 package lancer.mesures.vitesse;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
@@ -19,6 +20,9 @@ final class Planches {
 
     private static final String[] METHODES = {Reglage.GRILLE, Reglage.PARTAGE, Reglage.COINS};
 
+    /** Rapport de deux temps, ou de deux erreurs, au-delà duquel les noms de leurs points ne se touchent pas. */
+    private static final double LOIN = 1.28;
+
     private final Resultats tous;
 
     Planches(Resultats tous) {
@@ -30,30 +34,39 @@ final class Planches {
     }
 
     /** L'erreur de chaque réglage que l'on choisit, sur une scène, selon les secondes de tous les cœurs. */
-    private Volet choix(String scene) {
+    private Volet choix(String scene, boolean grande) {
         Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport() > 0);
         Volet volet = new Volet(scene, "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
-                .repere(ARRONDI, "l'arrondi de l'écran");
+                .repere(ARRONDI, grande ? "l'arrondi de l'écran" : "");
         for (String methode : METHODES) {
-            volet.serie(methode, true, points(siens.methode(methode)));
+            volet.serie(methode, true, points(siens.methode(methode), grande));
         }
-        return volet.serie("un rayon", false, points(siens.methode(Reglage.UN_RAYON.methode)));
+        return volet.serie("un rayon", false, points(siens.methode(Reglage.UN_RAYON.methode), grande));
     }
 
-    private static List<Volet.Point> points(Resultats mesures) {
-        return mesures.toutes.stream().map(m -> new Volet.Point(Intervalle.exact(m.processeurs), m.erreur,
-                m.parametres.replaceFirst("n=(.*) seuil=", "$1/"))).collect(Collectors.toList());
+    /** Un point par réglage, nommé ; en petit, seulement s'il n'est pas tout près du dernier nommé, dont il cacherait le nom. */
+    private static List<Volet.Point> points(Resultats mesures, boolean grande) {
+        List<Volet.Point> points = new ArrayList<>();
+        Mesure nommee = null;
+        for (Mesure m : mesures.toutes) {
+            boolean seul = grande || nommee == null || m.processeurs / nommee.processeurs > LOIN
+                    || nommee.erreur.valeur / m.erreur.valeur > LOIN;
+            nommee = seul ? m : nommee;
+            String nom = seul && (grande || !m.methode.equals(Reglage.COINS)) ? m.parametres.replaceFirst("n=(.*) seuil=", "$1/") : "";
+            points.add(new Volet.Point(Intervalle.exact(m.processeurs), m.erreur, nom));
+        }
+        return points;
     }
 
     Planche cours() {
-        return new Planche(1, 1000).volet(choix(Catalogue.COURS));
+        return new Planche(1, 1000).volet(choix(Catalogue.COURS, true));
     }
 
     /** La même courbe pour chaque scène chronométrée, sur les mêmes axes. */
     Planche scenes() {
         Resultats chronometrees = tous.volet(Catalogue.CHOIX).tels(m -> m.rapport() > 0);
         return memesAxes(2, 800, Stream.concat(Stream.of(Catalogue.COURS), Scenes.DIFFICILES.stream())
-                .filter(chronometrees.scenes()::contains).map(this::choix).collect(Collectors.toList()));
+                .filter(chronometrees.scenes()::contains).map(scene -> choix(scene, false)).collect(Collectors.toList()));
     }
 
     private static Planche memesAxes(int colonnes, int hauteur, List<Volet> volets) {
