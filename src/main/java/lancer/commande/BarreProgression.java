@@ -6,18 +6,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
-import java.util.NoSuchElementException;
-import java.util.Scanner;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard, si le travail dure ; elle tient dans la largeur du terminal. */
+/** Une barre sur l'erreur standard, si le travail dure. Le terminal le plus étroit la montre sur une ligne. */
 public final class BarreProgression extends TimerTask {
 
-    /** Colonnes de la barre, si le terminal en a assez, et celles de ce qui l'entoure : « [] 100 % » et le curseur. */
-    private static final int LARGEUR = 40;
-    private static final int AUTOUR = 9;
+    /** Largeur de la barre, en caractères. */
+    private static final int LARGEUR = 20;
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
@@ -28,9 +25,7 @@ public final class BarreProgression extends TimerTask {
     private final DoubleSupplier avancement;
     private final PrintStream terminal;
     private final Timer horloge = new Timer("lancer-barre", true);
-    private int largeur;
-    private boolean visible;
-    private boolean effacee;
+    private boolean finie;
 
     /** @param avancement la part faite, de 0 à 1 */
     public BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
@@ -49,40 +44,22 @@ public final class BarreProgression extends TimerTask {
         }
     }
 
-    /** Colonnes de cette barre, d'après celles du terminal : Java ne les sait pas, {@code stty} les lui demande. */
-    private static int demanderLargeur() {
-        ProcessBuilder stty = new ProcessBuilder("sh", "-c", "stty size <&2 2>/dev/null");
-        stty.redirectError(ProcessBuilder.Redirect.INHERIT);
-        try (Scanner taille = new Scanner(stty.start().getInputStream(), "US-ASCII")) {
-            taille.nextInt();
-            int colonnes = taille.nextInt();
-            return colonnes == 0 ? LARGEUR : Math.max(0, Math.min(LARGEUR, colonnes - AUTOUR));
-        } catch (IOException | NoSuchElementException e) {
-            return LARGEUR;
-        }
-    }
-
     @Override
     public synchronized void run() {
-        if (!effacee) {
-            if (!visible) {
-                visible = true;
-                largeur = demanderLargeur();
-            }
+        if (!finie) {
             double part = avancement.getAsDouble();
-            char[] barre = new char[largeur];
+            char[] barre = new char[LARGEUR];
             Arrays.fill(barre, '.');
-            Arrays.fill(barre, 0, Math.min(largeur, (int) (largeur * part)), '#');
+            Arrays.fill(barre, 0, Math.min(LARGEUR, (int) (LARGEUR * part)), '#');
             montrer("\r[" + new String(barre) + "] " + (int) (100 * part) + " %");
         }
     }
 
+    /** Efface la barre. */
     public synchronized void finir() {
         horloge.cancel();
-        effacee = true;
-        if (visible) {
-            montrer("\r\u001b[K");
-        }
+        finie = true;
+        montrer("\r\u001b[K");
     }
 
     private void montrer(String texte) {

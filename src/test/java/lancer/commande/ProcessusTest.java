@@ -191,7 +191,7 @@ class ProcessusTest extends EssaiProcessus {
             dessin.append(" '").append(mot.replace("'", "'\\''")).append('\'');
         }
         Files.write(dossier.resolve("dessin.sh"), dessin.toString().getBytes(StandardCharsets.UTF_8));
-        for (int[] cas : new int[][] {{30, 21}, {48, 39}, {100, 40}}) {
+        for (int[] cas : new int[][] {{30, 20}, {100, 20}}) {
             String commande = "stty cols " + cas[0] + "; sh dessin.sh";
             processus = preparer(Arrays.asList("script", "-qefc", commande, "/dev/null")).start();
             attendre(() -> sortie().contains(" %\r"));
