@@ -3,10 +3,14 @@ package lancer.commande;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lancer.texte.Texte;
 
 /** La ligne de commande lue : la valeur de chaque option de la table, et la scène. Immuable. */
 public final class Options {
+
+    private static final String UNE_SCENE = "un fichier, par exemple scenes/scene1.ini";
 
     /** La scène, {@code null} si aucune n'est nommée. */
     public final String scene;
@@ -24,20 +28,27 @@ public final class Options {
         String scene = separer(textes, arguments);
         // dans l'ordre de la table : de deux fautes, c'est toujours la même qui est dite
         Map<Option<?>, Object> valeurs = new LinkedHashMap<>();
-        boolean unTexte = textes.containsKey(Option.AIDE) || textes.containsKey(Option.VERSION);
         for (Option<?> option : Option.TABLE) {
-            if (textes.containsKey(option) && (!unTexte || !option.prendUneValeur())) {
+            if (textes.containsKey(option)) {
                 valeurs.put(option, option.lire(textes.get(option)));
             }
         }
+        valeurs.keySet().forEach(option -> option.exclure(valeurs.keySet()));
+        valeurs.keySet().forEach(option -> option.servir(valeurs.keySet()));
         Options options = new Options(scene, valeurs);
-        if (!unTexte) {
-            options.accorder(textes);
+        if (options.sansFenetre() && scene == null) {
+            throw Echec.demande("aucune scène à dessiner ; attendu : " + UNE_SCENE);
+        }
+        Option.Couple pixel = options.get(Option.PIXEL);
+        Option.Couple taille = options.get(Option.TAILLE);
+        if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
+            throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
+                    "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));
         }
         return options;
     }
 
-    /** Range la valeur écrite de chaque option, jusqu'à une demande d'aide ou de version. @return la scène */
+    /** Range la valeur écrite de chaque option. @return la scène */
     private static String separer(Map<Option<?>, String> textes, String... arguments) {
         String scene = null;
         for (int k = 0; k < arguments.length; k++) {
@@ -48,14 +59,21 @@ public final class Options {
             }
             int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
             Option<?> option = Option.trouver(egal < 0 ? argument : argument.substring(0, egal));
-            String valeur = egal < 0 ? "" : argument.substring(egal + 1);
-            if (!option.prendUneValeur() && egal >= 0) {
+            String valeur = argument.substring(egal + 1);
+            if (egal < 0) {
+                // dans « --image --fils 2 », le nom du fichier a été oublié
+                boolean suit = option.prendUneValeur() && k + 1 < arguments.length
+                        && !arguments[k + 1].startsWith("--");
+                valeur = suit ? arguments[++k] : "";
+            } else if (!option.prendUneValeur()) {
                 throw Echec.demande("option qui ne prend pas de valeur : " + option.nom + " ; reçu : "
                         + Texte.cite(valeur));
             }
-            // dans « --image --fils 2 », le nom du fichier a été oublié
-            if (option.prendUneValeur() && egal < 0 && k + 1 < arguments.length && !arguments[k + 1].startsWith("--")) {
-                valeur = arguments[++k];
+            if (option == Option.AIDE || option == Option.VERSION) {
+                // seule cette demande compte
+                textes.clear();
+                textes.put(option, valeur);
+                return null;
             }
             if (textes.put(option, valeur) != null) {
                 throw Echec.demande("option donnée deux fois : " + option.nom
@@ -63,9 +81,6 @@ public final class Options {
             }
             if (option.prendUneValeur() && valeur.isEmpty()) {
                 throw Echec.demande("option sans sa valeur : " + option.nom + " ; attendu : " + option.attendu);
-            }
-            if (option == Option.AIDE || option == Option.VERSION) {
-                return scene;
             }
         }
         return scene;
@@ -77,30 +92,9 @@ public final class Options {
                     + " ; attendu : une seule");
         }
         if (nom.isEmpty()) {
-            throw Echec.demande("nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini");
+            throw Echec.demande("nom de scène vide ; attendu : " + UNE_SCENE);
         }
         return nom;
-    }
-
-    private void accorder(Map<Option<?>, String> textes) {
-        for (Option<?> option : valeurs.keySet()) {
-            option.exclure(valeurs.keySet());
-        }
-        for (Option<?> option : valeurs.keySet()) {
-            option.servir(valeurs.keySet());
-        }
-        if (sansFenetre() && scene == null) {
-            throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
-        }
-        Option.Couple pixel = get(Option.PIXEL);
-        Option.Couple taille = get(Option.TAILLE);
-        if ((long) taille.x * taille.y > Option.PIXELS_MAX) {
-            throw Option.TAILLE.impossible(textes.get(Option.TAILLE), Option.TAILLE.attendu);
-        }
-        if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
-            throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
-                    "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));
-        }
     }
 
     /** La valeur de cette option, donnée ou non. */
@@ -122,11 +116,7 @@ public final class Options {
 
     /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getReglages() {
-        StringBuilder ecrites = new StringBuilder();
-        for (Option<?> option : Option.TABLE) {
-            ecrites.append(option.estUnReglage() ? ecrire(option) : "");
-        }
-        return ecrites.toString();
+        return Option.TABLE.stream().filter(Option::estUnReglage).map(this::ecrire).collect(Collectors.joining());
     }
 
     private <T> String ecrire(Option<T> option) {
@@ -137,8 +127,7 @@ public final class Options {
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
     public boolean sansFenetre() {
-        return estDonnee(Option.IMAGE) || estDonnee(Option.LINEAIRE) || estDonnee(Option.PIXEL)
-                || estDonnee(Option.COMPARER);
+        return Stream.of(Option.IMAGE, Option.LINEAIRE, Option.PIXEL, Option.COMPARER).anyMatch(this::estDonnee);
     }
 
     public static String getVersion() {
@@ -147,12 +136,10 @@ public final class Options {
     }
 
     public static String getAide() {
-        StringBuilder aide = new StringBuilder("Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n\n"
-                + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n\n");
-        for (Option<?> option : Option.TABLE) {
-            aide.append(option.getAide());
-        }
-        return aide + "\nUne option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
+        return "Usage : java -jar target/lancer.jar [options] scenes/scene1.ini\n\n"
+                + "Dessine une scène par lancer de rayons : dans une fenêtre, ou dans un fichier.\n\n"
+                + Option.TABLE.stream().map(Option::getAide).collect(Collectors.joining())
+                + "\nUne option s'écrit aussi --option=valeur, et l'ordre n'a pas d'importance.\n"
                 + "Statut de sortie : 0 fait, 1 la machine n'a pas pu, 2 demande fausse.";
     }
 }
