@@ -33,7 +33,7 @@ public final class Messages {
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + Pile.cause(echec, Pile.HORS_DE_JAVA);
+        return "échec du programme : " + Pile.cause(echec);
     }
 
     /** Écrit ces lignes sur l'erreur standard. */

@@ -1,11 +1,9 @@
 package lancer.commande;
 
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -41,18 +39,12 @@ public final class Reglages {
      * Ces réglages, pour une scène qui vient d'être lue. Une section changée est gardée si celle du fichier est la même
      * qu'à la lecture précédente.
      *
-     * @param lues la section de chaque variante présente
+     * @param nouvelles la section de chaque variante présente
      */
-    public Reglages pour(Map<Variante, Section> lues) {
-        Map<Variante, Section> gardees = new LinkedHashMap<>(lues);
-        for (Variante avant : this.lues.keySet()) {
-            for (Variante apres : lues.keySet()) {
-                if (apres.getSection().equals(avant.getSection()) && lues.get(apres).equals(this.lues.get(avant))) {
-                    gardees.put(apres, sections.get(avant));
-                }
-            }
-        }
-        return new Reglages(options, lues, gardees);
+    public Reglages pour(Map<Variante, Section> nouvelles) {
+        Map<Variante, Section> gardees = new LinkedHashMap<>(nouvelles);
+        gardees.replaceAll((variante, lue) -> lue.equals(lues.get(variante)) ? sections.get(variante) : lue);
+        return new Reglages(options, nouvelles, gardees);
     }
 
     /** La valeur de cette option. */
@@ -94,11 +86,6 @@ public final class Reglages {
         return Collections.unmodifiableSet(sections.keySet());
     }
 
-    /** La variante de cette section. Chaque lecture de la scène crée de nouvelles variantes. */
-    public Variante getVariante(String section) {
-        return sections.keySet().stream().filter(presente -> presente.getSection().equals(section)).findFirst().get();
-    }
-
     public boolean estBranchee(Variante variante) {
         return !get(Option.SANS).contains(variante.getSection());
     }
@@ -135,8 +122,7 @@ public final class Reglages {
 
     /** Voir {@link Variante#getSectionsProposees}. */
     public Map<Section, Double> getSectionsProposees(Variante variante) {
-        return Objects.requireNonNull(variante.getSectionsProposees(lues.get(variante)),
-                variante.getClass().getName() + ".getSectionsProposees a rendu null");
+        return variante.getSectionsProposees(lues.get(variante));
     }
 
     /** Les sections à écrire dans le fichier, à la place des siennes, pour obtenir ces réglages. */
@@ -174,16 +160,12 @@ public final class Reglages {
     @Override
     public boolean equals(Object autre) {
         return autre instanceof Reglages && options.getReglages().equals(((Reglages) autre).options.getReglages())
-                && getSections().equals(((Reglages) autre).getSections());
+                && sections.equals(((Reglages) autre).sections);
     }
 
     @Override
     public int hashCode() {
-        return getSections().hashCode();
-    }
-
-    private List<Section> getSections() {
-        return new ArrayList<>(sections.values());
+        return sections.hashCode();
     }
 
     /** Texte lisible, par exemple {@code 5 réflexions, [Brume] densite=0.1 debut=0, [Blinn] facteur=1}. */

@@ -1,9 +1,6 @@
 package lancer.dessin;
 
 import java.util.Objects;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.Scene;
 import lancer.SceneFautive;
 import lancer.commande.Echec;
@@ -11,7 +8,6 @@ import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
-import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
 import lancer.scene.SceneLue;
@@ -55,8 +51,7 @@ public final class Demande {
     public Demande(SceneLue lue, Options options) {
         this(lue, new Reglages(options).pour(lue.variantes));
         for (String type : options.get(Option.SANS)) {
-            if (!LecteurSections.varianteConnue(type)
-                    && reglages.getVariantes().stream().noneMatch(v -> v.getSection().equalsIgnoreCase(type))) {
+            if (!LecteurSections.estUneVariante(type)) {
                 throw Option.SANS.impossible(type, "une variante, par exemple Brume");
             }
         }
@@ -100,16 +95,8 @@ public final class Demande {
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */
     public Echec nommer(PixelFautif faute) {
         return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lue.nom) + " : "
-                + Pile.cause(faute, classes(getScene())) + " ; pour le revoir : "
+                + Pile.cause(faute) + " ; pour le revoir : "
                 + getCommande(" --pixel " + faute.x + "," + faute.y));
-    }
-
-    /** Classes où situer un échec : celles des objets, de l'air et du reflet ; à défaut, toute autre qui calcule. */
-    static String[] classes(Scene scene) {
-        Modele modele = scene.getModele();
-        return new String[] {Stream.concat(Stream.of(modele.getAtmosphere(), modele.getSpecularite()),
-                scene.getObjets().stream()).map(Modele::nom).distinct().map(Pattern::quote)
-                .collect(Collectors.joining("|")), "(?!lancer.(contrat|image|Main))" + Pile.HORS_DE_JAVA};
     }
 
     /** Deux demandes égales donnent la même image de la même lecture. */

@@ -51,17 +51,15 @@ final class PanneauReglages extends JScrollPane {
         grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
         Option.enFenetre().forEach(this::ajouter);
         for (Variante presente : reglages().getVariantes()) {
-            // chaque lecture de la scène crée de nouvelles variantes
-            Supplier<Variante> variante = () -> reglages().getVariante(presente.getSection());
             JCheckBox boite = new JCheckBox(presente.getSection());
             boite.setName(presente.getSection());
-            boite.addActionListener(e -> changer(reglages().avecVariante(variante.get(), boite.isSelected())));
-            ajustements.add(() -> boite.setSelected(reglages().estBranchee(variante.get())));
+            boite.addActionListener(e -> changer(reglages().avecVariante(presente, boite.isSelected())));
+            ajustements.add(() -> boite.setSelected(reglages().estBranchee(presente)));
             poser(boite, 0, GridBagConstraints.REMAINDER);
             for (Parametre parametre : presente.getParametres()) {
-                ajouter(presente.getSection() + ".", parametre, () -> reglages().getValeur(variante.get(), parametre),
-                        voulue -> regler(variante.get(), parametre, voulue),
-                        () -> reglages().estBranchee(variante.get()));
+                ajouter(presente.getSection() + ".", parametre, () -> reglages().getValeur(presente, parametre),
+                        voulue -> regler(presente, parametre, voulue),
+                        () -> reglages().estBranchee(presente));
             }
         }
         // la grille est placée en haut de l'onglet

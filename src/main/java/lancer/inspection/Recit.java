@@ -42,7 +42,7 @@ public final class Recit {
             lignes.add(direLeSegment(segments.get(k)));
         }
         if (pixel.echec != null) {
-            lignes.add(ligne("échec : %s", Pile.cause(pixel.echec, Pile.HORS_DE_JAVA)));
+            lignes.add(ligne("échec : %s", Pile.cause(pixel.echec)));
         }
         if (pixel.getFaute() == null) {
             direLAutre(lignes, pixel.autre);

@@ -28,7 +28,7 @@ public final class LecteurScene {
     private static final int DOSSIERS_AU_DESSUS = 4;
 
     private final String fichier;
-    private final LecteurSections sections = new LecteurSections();
+    private final LecteurSections sections = LecteurSections.getUnique();
     private final SceneLue lue;
     /** La ligne de chaque section, par son nom, où le type a son écriture ordinaire ; par son type, s'il est unique. */
     private final Map<String, Integer> noms = new HashMap<>();

@@ -10,7 +10,6 @@ import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.CameraPlacee;
@@ -38,9 +37,6 @@ public final class LecteurSections {
     /** Le plus grand champ de la caméra, en degrés, exclu. */
     private static final double CHAMP_MAX = 180;
 
-    /** Types des sections des trois variantes du projet, présentes ou non. */
-    private static final List<String> VARIANTES_CONNUES = Arrays.asList("Brume", "Antialias", "Blinn");
-
     /** Les clés de la matière, permises dans la section de toute forme. */
     public static final List<String> CLES_MATIERE =
             Collections.unmodifiableList(Arrays.asList("Kd", "Ks", "Kr", "ns"));
@@ -67,17 +63,19 @@ public final class LecteurSections {
         }
     }
 
+    private static LecteurSections unique;
+
     private final Map<String, Type> types = new LinkedHashMap<>();
+    /** Les variantes présentes, les mêmes pour toutes les lectures. */
     final List<Variante> variantes = inscrites(Variante.class);
 
-    /** @throws SceneFautive si une classe inscrite ne convient pas, ou si deux classes lisent le même type */
-    LecteurSections() {
+    private LecteurSections() {
         ajouter(new Type("Sphere", Sphere.class, avecMatiere("centre", "rayon"), false, LecteurSections::lireSphere));
         ajouter(new Type("Lampe", Lampe.class, Arrays.asList("position", "couleur"), false,
                 LecteurSections::lireLampe));
         ajouter(new Type("Camera", Camera.class, Arrays.asList("oeil", "cible", "champ"), true,
                 (section, lue) -> lue.cadrage = lireCamera(section)));
-        for (String absente : VARIANTES_CONNUES) {
+        for (String absente : Arrays.asList("Brume", "Antialias", "Blinn")) {
             ajouter(new Type(absente, null, null, true, (section, lue) -> laisser(absente, section, lue)));
         }
         for (Variante variante : variantes) {
@@ -90,8 +88,20 @@ public final class LecteurSections {
         }
     }
 
+    /** @throws SceneFautive si une classe inscrite ne convient pas, ou si deux classes lisent le même type */
+    static synchronized LecteurSections getUnique() {
+        unique = unique == null ? new LecteurSections() : unique;
+        return unique;
+    }
+
     public static List<String> nomsDesVariantes() {
-        return new LecteurSections().variantes.stream().map(Variante::getSection).collect(Collectors.toList());
+        return getUnique().variantes.stream().map(Variante::getSection).collect(Collectors.toList());
+    }
+
+    /** Dit si ce type est celui d'une variante, présente, ou du projet. */
+    public static boolean estUneVariante(String type) {
+        Type connu = getUnique().trouver(type);
+        return connu != null && connu.cles == null;
     }
 
     private static List<String> avecMatiere(String... cles) {
@@ -134,11 +144,6 @@ public final class LecteurSections {
         return types.values().stream().map(type -> type.nom).collect(Collectors.joining(", "));
     }
 
-    /** Dit si ce type est celui d'une des trois variantes du projet, présente ou non. */
-    public static boolean varianteConnue(String type) {
-        return VARIANTES_CONNUES.stream().anyMatch(connue -> connue.equalsIgnoreCase(type));
-    }
-
     private static void lireSphere(SectionLue section, SceneLue lue) {
         Sphere sphere = new Sphere(section.point("centre"), section.longueur("rayon"));
         lireMatiere(section, sphere);
@@ -169,9 +174,8 @@ public final class LecteurSections {
         } catch (SceneFautive e) {
             throw e;
         } catch (RuntimeException e) {
-            String classe = forme.getClass().getName();
-            throw section.fautive(section.ligne, null, "section que " + classe + " ne sait pas lire : "
-                    + Pile.cause(e, Pattern.quote(classe) + ".*"), "des valeurs qui lui conviennent");
+            throw section.fautive(section.ligne, null, "section que " + forme.getClass().getName()
+                    + " ne sait pas lire : " + Pile.cause(e), "des valeurs qui lui conviennent");
         }
     }
 

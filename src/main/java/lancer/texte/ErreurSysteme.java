@@ -2,17 +2,13 @@ package lancer.texte;
 
 import java.io.File;
 import java.nio.charset.Charset;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
 
 /** Erreurs du système et de Java à propos d'un fichier, dites en français. */
 public final class ErreurSysteme {
-
-    /** Ce que Java ou le système disent en anglais, et qui arrive dans une salle de cours. */
-    private static final String[][] CONNUES = {{"No space left on device", "disque plein"},
-        {"Disk quota exceeded", "quota de disque dépassé"}, {"Not a directory", "le dossier n'existe pas"},
-        {"Is a directory", "c'est un dossier"}, {"NoSuchFileException", "fichier introuvable"},
-        {"AccessDeniedException", "accès interdit"}};
 
     private ErreurSysteme() {
     }
@@ -25,18 +21,18 @@ public final class ErreurSysteme {
                         + ", ne permet pas de lire ce nom : mettre LC_ALL=C.UTF-8 devant la commande)";
     }
 
-    /** La raison d'une erreur de fichier, en français si elle est connue ; sinon, telle que le système la dit. */
+    /** La raison d'une erreur de fichier. Une erreur rare est dite par le système, dans sa langue. */
     public static String raison(Exception e) {
         if (e instanceof InvalidPathException) {
             return "nom de fichier impossible";
         }
-        String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
-        String texte = dit == null ? e.getClass().getSimpleName() : dit;
-        for (String[] connue : CONNUES) {
-            if (texte.startsWith(connue[0])) {
-                return connue[1];
-            }
+        if (e instanceof NoSuchFileException) {
+            return "fichier introuvable";
         }
-        return Texte.abrege(texte);
+        if (e instanceof AccessDeniedException) {
+            return "accès interdit";
+        }
+        String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
+        return Texte.abrege(dit == null ? e.toString() : dit);
     }
 }

@@ -10,6 +10,8 @@ import java.util.Locale;
  */
 public final class Nombre {
 
+    private static final String CARACTERES = "0123456789.eE+-";
+
     private Nombre() {
     }
 
@@ -28,19 +30,8 @@ public final class Nombre {
 
     /** Le nombre écrit ; infini s'il déborde, NaN si le texte n'est pas un nombre. */
     public static double lire(String s) {
-        return lire(s, ".eE+-");
-    }
-
-    /** L'entier écrit, en chiffres seuls ; infini s'il déborde, NaN si le texte n'est pas un entier. */
-    public static double lireEntier(String s) {
-        return lire(s, "");
-    }
-
-    /** @param signes les caractères permis, outre les chiffres */
-    private static double lire(String s, String signes) {
         for (int i = 0; i < s.length(); i++) {
-            char c = s.charAt(i);
-            if ((c < '0' || c > '9') && signes.indexOf(c) < 0) {
+            if (CARACTERES.indexOf(s.charAt(i)) < 0) {
                 return Double.NaN;
             }
         }
@@ -49,6 +40,11 @@ public final class Nombre {
         } catch (NumberFormatException e) {
             return Double.NaN;
         }
+    }
+
+    /** L'entier écrit, en chiffres seuls ; infini s'il déborde, NaN si le texte n'est pas un entier. */
+    public static double lireEntier(String s) {
+        return s.matches("[0-9]+") ? lire(s) : Double.NaN;
     }
 
     /** L'écriture d'un nombre, sans « .0 » ni zéro inutile, avec un exposant hors de [1e-5, 1e7[ : 0, 0.05, 1e100. */

@@ -1,34 +1,25 @@
 package lancer.texte;
 
+import java.util.Arrays;
+
 /** Lecture de la pile d'un échec. */
 public final class Pile {
 
-    /** Les noms des classes qui ne font pas partie de Java, pour {@link #cause}. */
-    public static final String HORS_DE_JAVA = "(?!(java|javax|jdk|sun)\\.).*";
+    /** Les classes où un échec n'est pas situé : c'est leur appelant qui s'est trompé. */
+    private static final String APPELEES = "(java|javax|jdk|sun)\\..*"
+            + "|lancer\\.(Tuple|Vecteur|Point|Couleur|contrat\\..*|image\\.ImageMemoire|scene\\.SectionLue)";
 
     private Pile() {
     }
 
-    /**
-     * Cause d'un échec, et la première ligne de sa pile dont la classe suit une de ces expressions, par préférence.
-     */
-    public static String cause(Throwable echec, String... classes) {
+    /** La première cause d'un échec, et la première ligne de sa pile qui le situe. */
+    public static String cause(Throwable echec) {
         Throwable cause = echec;
         while (cause.getCause() != null) {
             cause = cause.getCause();
         }
-        return Texte.echappe(cause.toString()) + ligne(cause.getStackTrace(), classes);
-    }
-
-    private static String ligne(StackTraceElement[] pile, String... classes) {
-        for (String noms : classes) {
-            for (StackTraceElement pas : pile) {
-                if (pas.getClassName().matches(noms)) {
-                    return " (" + pas.getClassName() + "." + pas.getMethodName() + ", " + pas.getFileName() + ":"
-                            + pas.getLineNumber() + ")";
-                }
-            }
-        }
-        return "";
+        return Texte.echappe(cause.toString()) + Arrays.stream(cause.getStackTrace())
+                .filter(pas -> !pas.getClassName().matches(APPELEES)).findFirst().map(pas -> " (" + pas.getClassName()
+                + "." + pas.getMethodName() + ", " + pas.getFileName() + ":" + pas.getLineNumber() + ")").orElse("");
     }
 }

@@ -347,10 +347,4 @@ class AutoTest {
         SceneFautive e = assertThrows(SceneFautive.class, () -> auto(CIEL, 4, 3, fautive, 1));
         assertEquals("réglage, [Grille], m : clé inconnue ; attendu : n", e.getMessage());
     }
-
-    @Test
-    void uneVarianteSansEchelleEstNommee() {
-        NullPointerException e = assertThrows(NullPointerException.class, () -> echelle(GrilleDEssai.avec(null)));
-        assertEquals(GrilleDEssai.class.getName() + ".getSectionsProposees a rendu null", e.getMessage());
-    }
 }

@@ -49,8 +49,7 @@ class ReglagesTest {
         assertEquals(lus, lus.avecSection(gris, autre).avecSection(gris, new SectionLue("Gris", "part", "0.5")));
         assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")), lus.avecVariante(gris, false), "quelle que soit la casse");
         assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")).hashCode(), lus.avecVariante(gris, false).hashCode());
-        // une autre lecture du même fichier crée d'autres variantes
-        assertEquals(lus, new Reglages(Options.lire()).pour(lues(new Gris(), "part", "0.5")));
+        assertEquals(lus, new Reglages(Options.lire()).pour(lues(gris, "part", "0.5")), "une autre lecture du même fichier");
     }
 
     @Test
@@ -69,12 +68,11 @@ class ReglagesTest {
     void aUneRelectureUneSectionChangeeResteSiLeFichierNAPasChangeLaSienne() {
         Section changee = new SectionLue("Gris", "part", "0.75");
         Reglages changes = lus.avecSection(gris, changee).avec(Option.REFLETS, 2);
-        Variante relue = new Gris();
-        Reglages gardes = changes.pour(lues(relue, "part", "0.5"));
+        Reglages gardes = changes.pour(lues(gris, "part", "0.5"));
         assertEquals("[[Gris] part=0.75]", gardes.getSectionsChangees().toString());
         assertEquals(changes, gardes);
-        Reglages perdus = changes.pour(lues(relue, "part", "0.1"));
-        assertEquals("[Gris] part=0.1", perdus.getSection(relue).toString());
+        Reglages perdus = changes.pour(lues(gris, "part", "0.1"));
+        assertEquals("[Gris] part=0.1", perdus.getSection(gris).toString());
         assertTrue(perdus.getSectionsChangees().isEmpty());
         assertEquals(2, perdus.get(Option.REFLETS));
     }

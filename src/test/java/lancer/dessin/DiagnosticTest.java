@@ -69,7 +69,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Pile.cause(panne, Demande.classes(scene)).replace(DiagnosticTest.class.getName(), "")
+        return Pile.cause(panne).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -82,7 +82,7 @@ class DiagnosticTest {
     @Test
     void uneReponseNulleEstSitueeLaOuLeCoursSEnSert() {
         String dit = dit(new SansNormale(), modele -> { });
-        assertTrue(dit.startsWith("java.lang.NullPointerException") && dit.endsWith("(lancer.Vecteur.dot, Vecteur.java)"), dit);
+        assertTrue(dit.startsWith("java.lang.NullPointerException") && dit.endsWith("(lancer.Objet3D.getReflexion, Objet3D.java)"), dit);
         dit = dit(new Mur(), modele -> modele.setSpecularite((V, N, L, R, ns) -> Double.NaN));
         assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : "), dit);
     }
@@ -102,7 +102,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Pile.cause(panne, Demande.classes(scene(new Mur())));
+        String dit = Pile.cause(panne);
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 

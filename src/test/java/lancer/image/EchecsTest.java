@@ -78,7 +78,7 @@ class EchecsTest extends EssaiProcessus {
     @Test
     void deDeuxImagesDontUneNeTientPasSurLeDisqueAucuneNEstEcrite() throws Exception {
         assertEquals(1, surUnDisque("size=128k", "--lineaire=disque/a.pfm", "--image=disque/a.png", "--taille=400x300", SCENE), erreur());
-        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, disque plein\n"), erreur());
+        assertTrue(erreur().matches("lancer : disque/a.pfm : .+, No space left on device\n"), erreur());
         verifierReste("a.pfm");
     }
 

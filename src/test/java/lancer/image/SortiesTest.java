@@ -45,7 +45,7 @@ class SortiesTest extends EssaiCommande {
         verifierRefus(1, plein + " : écriture impossible, c'est un dossier", executer("--lineaire", plein.toString()));
         ecrireTexte(png, "pas un dossier");
         Path dessous = png.resolve("image.png");
-        verifierRefus(1, dessous + " : écriture impossible, le dossier n'existe pas", executer("--image", dessous.toString()));
+        verifierRefus(1, dessous + " : écriture impossible, Not a directory", executer("--image", dessous.toString()));
         verifierFichiers("image.png", "plein.pfm");
     }
 
@@ -53,7 +53,8 @@ class SortiesTest extends EssaiCommande {
     void unEchecNeDitQueLui() throws IOException {
         Path pleine = disquePlein("pleine.png");
         String scene = Ressources.chemin("valides/avertie-brume.ini");
-        verifierRefus(1, pleine + " : écriture impossible, disque plein", Essai.executer("--taille=4x4", "--image=" + pleine, scene));
+        verifierRefus(1, pleine + " : écriture impossible, No space left on device",
+                Essai.executer("--taille=4x4", "--image=" + pleine, scene));
     }
 
     @Test
@@ -100,7 +101,7 @@ class SortiesTest extends EssaiCommande {
         ecrireTexte(png, "avant");
         ImageMemoire image = new ImageMemoire(3, 2, true);
         Map<String, Ecriture.Format<ImageMemoire>> pannes = new LinkedHashMap<>();
-        pannes.put("disque plein", (i, sortie) -> {
+        pannes.put("No space left on device", (i, sortie) -> {
             new FichierPng().ecrire(i, sortie);
             throw new IOException("No space left on device");
         });

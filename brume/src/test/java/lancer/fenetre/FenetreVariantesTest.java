@@ -110,7 +110,7 @@ class FenetreVariantesTest extends EssaiFenetre {
     private void reglerEtRecopier(String dit, boolean brume, String debut) throws Exception {
         faire(() -> {
             Reglages reglages = banc.controleur.getEtat().demande.reglages.avec(Option.REFLETS, 3).avec(Option.SEUIL, 0.01);
-            banc.controleur.regler(reglages.avecVariante(reglages.getVariante("Brume"), brume));
+            banc.controleur.regler(reglages.avecVariante(reglages.getVariantes().iterator().next(), brume));
         });
         attendre("les réglages se disent", () -> banc.resume.getText().contains(dit));
         int[] vue = banc.imageAchevee().codes.clone();
@@ -214,7 +214,7 @@ class FenetreVariantesTest extends EssaiFenetre {
         taper(couleur, "1 0.2 0");
         attendre("elle s'écrit", () -> {
             Reglages reglages = banc.controleur.getEtat().demande.reglages;
-            return reglages.getSection(reglages.getVariante("Brume")).ecrire(" ").endsWith("couleur=1 0.2 0");
+            return reglages.getSection(reglages.getVariantes().iterator().next()).ecrire(" ").endsWith("couleur=1 0.2 0");
         });
         banc.attendreImage("l'image suit", sansFenetre(ROUGE + "[Brume]\nfin=12\ncouleur=1 0.2 0\n"));
     }
