@@ -5,16 +5,15 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.Timer;
 import java.util.TimerTask;
 import java.util.function.DoubleSupplier;
 
-/** Une barre sur l'erreur standard, si le travail dure. Le terminal le plus étroit la montre sur une ligne. */
-public final class BarreProgression extends TimerTask {
+/** Une barre sur l'erreur standard, si elle est un terminal et si le travail dure. Elle est effacée à la fin. */
+public final class BarreProgression extends TimerTask implements AutoCloseable {
 
-    /** Largeur de la barre, en caractères. */
-    private static final int LARGEUR = 20;
+    /** La barre pleine, puis la barre vide. */
+    private static final String BARRE = "####################....................";
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
@@ -22,20 +21,23 @@ public final class BarreProgression extends TimerTask {
     /** Lien de l'erreur standard sur Linux : Java ne sait pas si elle est un terminal. */
     private static final Path ERREUR_STANDARD = Paths.get("/proc/self/fd/2");
 
-    private final DoubleSupplier avancement;
     private final PrintStream terminal;
-    private final Timer horloge = new Timer("lancer-barre", true);
-    private boolean finie;
+    /** La part faite, de 0 à 1 ; {@code null} avant le début, et après la fin. */
+    private DoubleSupplier avancement;
 
-    /** @param avancement la part faite, de 0 à 1 */
-    public BarreProgression(DoubleSupplier avancement, PrintStream terminal) {
-        this.avancement = avancement;
+    public BarreProgression(PrintStream terminal) {
         this.terminal = terminal;
-        horloge.schedule(this, PERIODE_MS, PERIODE_MS);
     }
 
-    /** Dit si l'erreur standard est un terminal. La barre ne doit être écrite ni dans un fichier, ni dans un tube. */
-    public static boolean surUnTerminal() {
+    /** Montre désormais cet avancement. @param part la part faite, de 0 à 1 */
+    public synchronized void suivre(DoubleSupplier part) {
+        if (estUnTerminal()) {
+            avancement = part;
+            new Timer("lancer-barre", true).schedule(this, PERIODE_MS, PERIODE_MS);
+        }
+    }
+
+    private static boolean estUnTerminal() {
         try {
             String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
             return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");
@@ -46,20 +48,21 @@ public final class BarreProgression extends TimerTask {
 
     @Override
     public synchronized void run() {
-        if (!finie) {
+        if (avancement != null) {
             double part = avancement.getAsDouble();
-            char[] barre = new char[LARGEUR];
-            Arrays.fill(barre, '.');
-            Arrays.fill(barre, 0, Math.min(LARGEUR, (int) (LARGEUR * part)), '#');
-            montrer("\r[" + new String(barre) + "] " + (int) (100 * part) + " %");
+            int reste = BARRE.length() / 2 - (int) (BARRE.length() / 2 * part);
+            montrer("\r[" + BARRE.substring(reste, reste + BARRE.length() / 2) + "] " + (int) (100 * part) + " %");
         }
     }
 
     /** Efface la barre. */
-    public synchronized void finir() {
-        horloge.cancel();
-        finie = true;
-        montrer("\r\u001b[K");
+    @Override
+    public synchronized void close() {
+        if (avancement != null) {
+            avancement = null;
+            cancel();
+            montrer("\r\u001b[K");
+        }
     }
 
     private void montrer(String texte) {

@@ -2,16 +2,33 @@ package lancer.commande;
 
 import java.io.File;
 import java.io.PrintStream;
+import java.io.UnsupportedEncodingException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import lancer.SceneFautive;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */
 public final class Messages {
 
     private Messages() {
+    }
+
+    /**
+     * Ce flux, ou le même en UTF-8 si le codage de la langue du système n'a pas d'accents (C, POSIX).
+     *
+     * @param propriete celle où Java 18 et suivants nomment son codage, {@code stdout.encoding} ou
+     *                  {@code stderr.encoding} ; avant, c'est celui de la langue
+     */
+    public static PrintStream avecAccents(PrintStream flux, String propriete) {
+        Charset codage = Charset.forName(System.getProperty(propriete, Charset.defaultCharset().name()));
+        try {
+            return codage.newEncoder().canEncode('é') ? flux : new PrintStream(flux, true, "UTF-8");
+        } catch (UnsupportedEncodingException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     /** Écrit cet échec en une ligne. @return le statut de sortie */
@@ -33,7 +50,7 @@ public final class Messages {
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + Pile.cause(echec);
+        return "échec du programme : " + ErreurSysteme.cause(echec);
     }
 
     /** Écrit ces lignes sur l'erreur standard. */

@@ -119,7 +119,7 @@ public final class Option<T> extends Parametre {
     }
 
     private static Option<Boolean> drapeau(String cle, String aide) {
-        return new Option<>(cle, null, null, aide, false, texte -> true);
+        return new Option<>(cle, null, "aucune valeur", aide, false, texte -> texte.isEmpty() ? true : null);
     }
 
     private static Option<Integer> entier(String cle, String exemple, String aide, int absente, int min, int max) {

@@ -65,9 +65,6 @@ public final class Options {
                 boolean suit = option.prendUneValeur() && k + 1 < arguments.length
                         && !arguments[k + 1].startsWith("--");
                 valeur = suit ? arguments[++k] : "";
-            } else if (!option.prendUneValeur()) {
-                throw Echec.demande("option qui ne prend pas de valeur : " + option.nom + " ; reçu : "
-                        + Texte.cite(valeur));
             }
             if (option == Option.AIDE || option == Option.VERSION) {
                 // seule cette demande compte

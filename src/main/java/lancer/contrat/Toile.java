@@ -10,7 +10,7 @@ public interface Toile {
 
     /** Dit si l'image est d'abord montrée en brouillon. */
     default boolean montreUnBrouillon() {
-        return true;
+        return false;
     }
 
     /** Méthode appelée à la fin du brouillon, quand chaque pixel a une couleur. */

@@ -11,7 +11,7 @@ import lancer.commande.Reglages;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
 import lancer.scene.SceneLue;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -95,7 +95,7 @@ public final class Demande {
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */
     public Echec nommer(PixelFautif faute) {
         return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lue.nom) + " : "
-                + Pile.cause(faute) + " ; pour le revoir : "
+                + ErreurSysteme.cause(faute) + " ; pour le revoir : "
                 + getCommande(" --pixel " + faute.x + "," + faute.y));
     }
 

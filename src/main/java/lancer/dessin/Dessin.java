@@ -44,7 +44,6 @@ public final class Dessin {
     /** Le temps de la préparation, puis celui de chaque dessin, en nanosecondes. */
     private final long preparationNs;
     private long[] tracesNs;
-    private long essaisNs;
     private final boolean cachait;
     private volatile boolean brouillonFait;
 
@@ -57,12 +56,12 @@ public final class Dessin {
         this.demande = demande;
         image = image(demande);
         Scene scene = demande.getScene();
-        Camera camera = scene.getCamera(image.largeur, image.hauteur);
         long debut = System.nanoTime();
-        Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
+        Lancer prepare = lancer(scene, image.largeur, image.hauteur, demande.reglages.get(Option.SIMPLE));
         preparationNs = System.nanoTime() - debut;
-        cachait = preparee != scene && Regard.trouveUneReponseCachee(preparee, camera);
-        lancer = new Lancer(cachait ? scene : preparee, camera);
+        cachait = prepare.getScene() != scene
+                && Regard.trouveUneReponseCachee(prepare.getScene(), prepare.getCamera());
+        lancer = cachait ? new Lancer(scene, prepare.getCamera()) : prepare;
         dernier = lancer;
     }
 
@@ -125,20 +124,18 @@ public final class Dessin {
             lancer.TracerBrouillon(toile, profondeur, fils);
             toile.finirBrouillon();
         }
-        new FaussesCouleurs(lancer, profondeur, fils).dessiner(demande.vue, image);
+        new FaussesCouleurs(lancer, image, profondeur, fils).dessiner(demande.vue);
         tracesNs = new long[] {lancer.getAtelier().getDureeNs()};
     }
 
     /** Dessine avec les réglages que {@code --auto} choisit, puis mesure l'erreur de l'image. */
     private void choisirEtTracer(Toile toile) {
-        long debut = System.nanoTime();
         Options options = demande.reglages.getOptions();
         auto = new Auto(lancer, Echelle.de(demande.reglages, options.estDonnee(Option.REFLETS),
                 options.estDonnee(Option.SEUIL)), options.get(Option.AUTO), options.get(Option.FILS));
         do {
             tracer(auto.getChoisi(), auto.getLancer(), toile);
         } while (!auto.controler(image::getCouleur));
-        essaisNs = System.nanoTime() - debut - new Durees(tracesNs).getSomme();
     }
 
     /** La part dessinée de l'image en cours, de 0 à 1. */
@@ -166,11 +163,9 @@ public final class Dessin {
             Messages.repondre(getStatistiques(), sortie);
         }
         if (auto != null) {
-            Mesure mesure = auto.getMesure();
+            String mesure = auto.getMesure().enMots() + (auto.getMesure().rienVu ? "" : " ; " + auto.getVerdict());
             Messages.avertir("auto, choisi : " + Echelle.dire(auto.getChoisi()), erreur);
-            Messages.avertir(String.format(Locale.ROOT, "auto, mesuré : %s ; dessin en %.3f s, essais en %.3f s%s",
-                    mesure.enMots(), dernier.getAtelier().getDureeNs() / NS_PAR_S, essaisNs / NS_PAR_S,
-                    mesure.rienVu ? "" : " ; " + auto.getVerdict()), erreur);
+            Messages.avertir("auto, mesuré : " + mesure, erreur);
         }
         if (cachait) {
             Messages.avertir(CACHE, erreur);
@@ -208,7 +203,7 @@ public final class Dessin {
         Mesure mesure = auto.getMesure();
         String incertitude = mesure.rienVu ? ""
                 : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
-        return String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d%nauto.essais.ms: %.3f",
-                mesure.erreur, incertitude, auto.getRayonsDesEssais(), essaisNs / NS_PAR_MS);
+        return String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d", mesure.erreur,
+                incertitude, auto.getRayonsDesEssais());
     }
 }

@@ -4,13 +4,14 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.Scene;
 import lancer.commande.BarreProgression;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Options;
-import lancer.contrat.PixelFautif;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -24,11 +25,12 @@ import lancer.scene.LecteurScene;
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre {
 
+    private static final String UNE_IMAGE = "une des images comparées";
+
     private final Options options;
     private final Programme programme;
     private final PrintStream sortie;
     private final PrintStream erreur;
-    private BarreProgression barre;
 
     public SansFenetre(Options options, Programme programme, PrintStream sortie, PrintStream erreur) {
         this.options = options;
@@ -64,46 +66,37 @@ public final class SansFenetre {
     }
 
     private Dessin dessiner(Demande demande) {
-        try {
-            return programme.dessiner(demande, this::montrerLAvancement);
-        } finally {
-            if (barre != null) {
-                barre.finir();
-            }
+        try (BarreProgression barre = new BarreProgression(erreur)) {
+            return programme.dessiner(demande, dessin -> barre.suivre(dessin::getAvancement));
         }
     }
 
-    private void montrerLAvancement(Dessin dessin) {
-        if (BarreProgression.surUnTerminal()) {
-            barre = new BarreProgression(dessin::getAvancement, erreur);
-        }
-    }
-
-    /**
-     * Les fichiers demandés.
-     *
-     * @throws lancer.commande.Echec si l'un ne peut être écrit, ou écraserait un fichier lu ou l'autre
-     */
+    /** Les fichiers demandés. @throws lancer.commande.Echec si l'un d'eux ne peut être écrit */
     private List<Ecriture<ImageMemoire>> fichiers() {
         List<Ecriture<ImageMemoire>> fichiers = new ArrayList<>();
-        boolean deuxImages = options.estDonnee(Option.COMPARER) && estImage(options.scene);
-        Path scene = deuxImages ? Paths.get(options.scene) : LecteurScene.trouver(options.scene);
-        if (options.estDonnee(Option.IMAGE)) {
-            fichiers.add(new Ecriture<>(options.get(Option.IMAGE), new FichierPng()));
+        Map<Path, String> pris = new LinkedHashMap<>();
+        if (options.estDonnee(Option.COMPARER)) {
+            pris.put(Paths.get(options.get(Option.COMPARER)), UNE_IMAGE);
         }
-        if (options.estDonnee(Option.LINEAIRE)) {
-            fichiers.add(new Ecriture<>(options.get(Option.LINEAIRE), new FichierPfm()));
+        if (compareDeuxFichiers()) {
+            pris.put(Paths.get(options.scene), UNE_IMAGE);
+        } else {
+            pris.put(LecteurScene.trouver(options.scene), "la scène elle-même");
         }
-        for (Ecriture<ImageMemoire> fichier : fichiers) {
-            fichier.distinguer(scene, deuxImages ? "une des images comparées" : "la scène elle-même");
-            if (options.estDonnee(Option.COMPARER)) {
-                fichier.distinguer(Paths.get(options.get(Option.COMPARER)), "une des images comparées");
-            }
-            if (fichier != fichiers.get(0)) {
-                fichier.distinguer(fichiers.get(0).cible, "celle de --image et de --lineaire");
-            }
-        }
+        ajouter(fichiers, Option.IMAGE, new FichierPng(), pris);
+        ajouter(fichiers, Option.LINEAIRE, new FichierPfm(), pris);
         return fichiers;
+    }
+
+    /** @throws lancer.commande.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont pris */
+    private void ajouter(List<Ecriture<ImageMemoire>> fichiers, Option<String> option,
+            Ecriture.Format<ImageMemoire> format, Map<Path, String> pris) {
+        if (options.estDonnee(option)) {
+            Ecriture<ImageMemoire> fichier = new Ecriture<>(options.get(option), format);
+            pris.forEach(fichier::distinguer);
+            pris.put(fichier.cible, "celle de --image et de --lineaire");
+            fichiers.add(fichier);
+        }
     }
 
     private void expliquerUnPixel() {
@@ -112,10 +105,9 @@ public final class SansFenetre {
         Option.Couple ou = options.get(Option.PIXEL);
         Inspection pixel = new Inspection(scene, demande.lue::getOrigine,
                 scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), ou.x, ou.y);
-        try {
-            pixel.faire();
-        } catch (PixelFautif e) {
-            throw demande.nommer(e);
+        pixel.faire();
+        if (pixel.getFaute() != null) {
+            throw demande.nommer(pixel.getFaute());
         }
         Messages.repondreEnUtf8(new Recit(pixel, Double::toString, Double::toString).raconter().lignes(), sortie);
         Messages.avertir(demande.lue.avertissements, erreur);
@@ -124,7 +116,7 @@ public final class SansFenetre {
     /** Compare deux images, et écrit celle des différences si elle est demandée. */
     private int comparer() {
         ImageMemoire attendue = LectureImage.lire(options.get(Option.COMPARER));
-        ImageMemoire autre = estImage(options.scene) ? LectureImage.lire(options.scene) : null;
+        ImageMemoire autre = compareDeuxFichiers() ? LectureImage.lire(options.scene) : null;
         List<Ecriture<ImageMemoire>> fichiers = fichiers();
         if (autre == null) {
             autre = dessiner(lire().avecTaille(attendue.largeur, attendue.hauteur)).rapporter(sortie, erreur).image;
@@ -132,15 +124,14 @@ public final class SansFenetre {
         Comparaison comparaison = new Comparaison(autre, attendue, options.get(Option.TOLERANCE),
                 options.get(Option.PART));
         if (!fichiers.isEmpty()) {
-            Ecriture.ecrire(comparaison.peindreLesEcarts(new ImageMemoire(attendue.largeur, attendue.hauteur, false)),
-                    fichiers);
+            Ecriture.ecrire(comparaison.peindreLesEcarts(), fichiers);
         }
         Messages.repondre(comparaison.toString(), sortie);
         return comparaison.sontPareilles() ? 0 : 1;
     }
 
-    /** Dit si ce nom est celui d'une image à comparer, et non d'une scène. */
-    private static boolean estImage(String nom) {
-        return Option.COMPARER.accepte(nom);
+    /** Dit si la seconde image comparée est un fichier, et non une scène à dessiner. */
+    private boolean compareDeuxFichiers() {
+        return options.estDonnee(Option.COMPARER) && Option.COMPARER.accepte(options.scene);
     }
 }

@@ -148,7 +148,7 @@ final class Inspecteur extends JPanel {
 
         @Override
         protected Figure doInBackground() {
-            nouvelle.faireOuEchouer();
+            nouvelle.faire();
             recit = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
             return new Figure(nouvelle);
         }
@@ -262,7 +262,7 @@ final class Inspecteur extends JPanel {
         if (image == null) {
             return "L'image n'est pas achevée : rien encore à quoi comparer.";
         }
-        if (!image.sens.equals(ImageMemoire.COULEUR)) {
+        if (!image.echelle.isEmpty()) {
             return "La couleur de ce pixel, que la vue remplace : #"
                     + String.format("%06X", couleur.getCode() & 0xFFFFFF);
         }

@@ -18,7 +18,7 @@ import lancer.dessin.Demande;
 import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
 import lancer.scene.Surveillance;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
@@ -70,7 +70,7 @@ public final class Ouverture {
                 ouverte[0].montrer(premier);
             });
         } catch (ExecutionException e) {
-            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + Pile.cause(e)
+            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + ErreurSysteme.cause(e)
                     + " ; attendu : les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png");
         } catch (InvocationTargetException e) {
             throw Echec.machine(Messages.message(e.getCause()));

@@ -1,6 +1,7 @@
 package lancer.image;
 
 import java.util.Locale;
+import java.util.stream.IntStream;
 import lancer.Couleur;
 import lancer.commande.Echec;
 
@@ -16,15 +17,9 @@ public final class Comparaison {
 
     private final ImageMemoire a;
     private final ImageMemoire b;
+    private final double tolerance;
     private final double part;
-    private final boolean surHuitBits;
     private final int pixels;
-    private final double rmse;
-    private double pire;
-    private int ou;
-    private int auDela;
-    private int plusDUn;
-    private int plusDeHuit;
 
     /**
      * @param a une image qui a ses codes ; sans couleurs non limitées, elle n'a que 8 bits par composante
@@ -40,46 +35,41 @@ public final class Comparaison {
         }
         this.a = a;
         this.b = b;
+        this.tolerance = tolerance;
         this.part = part;
-        surHuitBits = a.lineaire == null || b.lineaire == null;
         pixels = a.codes.length;
-        double carres = 0;
-        for (int p = 0; p < pixels; p++) {
-            double max = 0;
-            for (int k = 0; k < 3; k++) {
-                double e = ecart(p, k);
-                carres += e * e;
-                max = Math.max(max, e);
-            }
-            auDela += max > tolerance ? 1 : 0;
-            plusDUn += max > PEU ? 1 : 0;
-            plusDeHuit += max > BEAUCOUP ? 1 : 0;
-            ou = max > pire ? p : ou;
-            pire = Math.max(pire, max);
-        }
-        rmse = Math.sqrt(carres / (3.0 * pixels));
     }
 
-    private double ecart(int p, int k) {
-        return Math.abs(niveau(a, p, k) - niveau(b, p, k));
+    /** L'écart d'une composante. @param k trois fois le rang du pixel, plus celui de la composante */
+    private double ecart(int k) {
+        return Math.abs(niveau(a, k) - niveau(b, k));
     }
 
     /** Une composante limitée à [0, 1], en niveaux de 1/255. */
-    private double niveau(ImageMemoire image, int p, int k) {
-        return surHuitBits ? image.codes[p] >> 16 - 8 * k & 255
-                : 255.0 * Math.min(1, Math.max(0, image.lineaire[3 * p + k]));
+    private double niveau(ImageMemoire image, int k) {
+        return a.lineaire == null || b.lineaire == null ? image.codes[k / 3] >> 16 - 8 * (k % 3) & 255
+                : 255.0 * Math.min(1, Math.max(0, image.lineaire[k]));
+    }
+
+    /** Le plus grand écart des composantes d'un pixel. */
+    private double pire(int p) {
+        return Math.max(ecart(3 * p), Math.max(ecart(3 * p + 1), ecart(3 * p + 2)));
+    }
+
+    private long compterAuDela(double niveaux) {
+        return IntStream.range(0, pixels).filter(p -> pire(p) > niveaux).count();
     }
 
     /** Dit si la part des pixels qui passent la tolérance est permise. */
     public boolean sontPareilles() {
-        return (double) auDela / pixels <= part;
+        return (double) compterAuDela(tolerance) / pixels <= part;
     }
 
-    /** Peint en gris le plus grand écart de chaque pixel : noir s'il est nul, blanc à partir de 32 niveaux. */
-    public ImageMemoire peindreLesEcarts(ImageMemoire image) {
+    /** Une image, en gris, du plus grand écart de chaque pixel : noir s'il est nul, blanc à partir de 32 niveaux. */
+    public ImageMemoire peindreLesEcarts() {
+        ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
         for (int p = 0; p < pixels; p++) {
-            double max = Math.max(ecart(p, 0), Math.max(ecart(p, 1), ecart(p, 2)));
-            image.drawPixel(new Couleur(GROSSI * max / 255), new Couleur(max), p % a.largeur, p / a.largeur);
+            image.drawPixel(new Couleur(GROSSI * pire(p) / 255), p % a.largeur, p / a.largeur);
         }
         return image;
     }
@@ -87,16 +77,20 @@ public final class Comparaison {
     /** Le verdict et les écarts, une ligne {@code nom: valeur} chacun. */
     @Override
     public String toString() {
+        int ou = IntStream.range(0, pixels).reduce((p, q) -> pire(q) > pire(p) ? q : p).getAsInt();
+        double carre = IntStream.range(0, 3 * pixels).mapToDouble(k -> ecart(k) * ecart(k)).sum() / (3.0 * pixels);
         String verdict = "différentes";
         if (sontPareilles()) {
             verdict = "pareilles";
-        } else if (pire <= PEU) {
+        } else if (pire(ou) <= PEU) {
             verdict += ", à l'arrondi près : --tolerance 1 les tient pour pareilles";
         }
-        String permis = part > 0 ? String.format("%npixels au-delà de la tolérance: %d sur %d", auDela, pixels) : "";
-        String place = pire > 0 ? " en " + ou % a.largeur + "," + ou / a.largeur : "";
+        String place = pire(ou) > 0 ? " en " + ou % a.largeur + "," + ou / a.largeur : "";
+        String permis = part == 0 ? ""
+                : String.format("%npixels au-delà de la tolérance: %d sur %d", compterAuDela(tolerance), pixels);
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
-                verdict, rmse, pire, place, plusDUn, pixels, plusDeHuit, pixels, permis);
+                verdict, Math.sqrt(carre), pire(ou), place, compterAuDela(PEU), pixels, compterAuDela(BEAUCOUP), pixels,
+                permis);
     }
 }

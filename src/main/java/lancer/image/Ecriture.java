@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Collection;
@@ -24,9 +23,9 @@ import lancer.texte.Texte;
  * Un fichier écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis renommé.
  * Il garde les permissions, le propriétaire et le groupe de celui qu'il remplace. Un lien symbolique est suivi.
  *
- * <p>Le fichier provisoire, une fois entier, est recopié dans la cible si elle a un autre nom (un lien dur) ou un
- * propriétaire que l'on ne peut donner : seule une panne pendant cette copie la laisserait incomplète. Une cible qui
- * n'est pas un fichier ordinaire (un tube) est écrite directement.
+ * <p>Le fichier provisoire, une fois entier, est recopié dans la cible si elle a un autre nom (un lien dur) ou un autre
+ * propriétaire : seule une panne pendant cette copie la laisserait incomplète. Une cible qui n'est pas un fichier
+ * ordinaire (un tube) est écrite directement.
  *
  * @param <T> ce que contient le fichier
  */
@@ -125,28 +124,19 @@ public final class Ecriture<T> {
         }
         // il disparaît même si Ctrl+C interrompt l'écriture
         provisoire.toFile().deleteOnExit();
-        PosixFileAttributeView ancien = Files.getFileAttributeView(cible, PosixFileAttributeView.class);
-        if (Files.exists(cible) && ancien != null) {
-            ressembler(ancien.readAttributes());
+        if (Files.exists(cible) && cible.getFileSystem().supportedFileAttributeViews().contains("unix")) {
+            PosixFileAttributes ancien = Files.readAttributes(cible, PosixFileAttributes.class);
+            // qui ne peut lire l'ancien ne lit jamais le nouveau
+            Files.createFile(provisoire, PosixFilePermissions.asFileAttribute(ancien.permissions()));
+            Files.setPosixFilePermissions(provisoire, ancien.permissions());
+            PosixFileAttributes neuf = Files.readAttributes(provisoire, PosixFileAttributes.class);
+            surPlace = (int) Files.getAttribute(cible, "unix:nlink") > 1 || !neuf.owner().equals(ancien.owner())
+                    || !neuf.group().equals(ancien.group());
         } else {
             Files.createFile(provisoire);
         }
         // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
         return Files.newOutputStream(provisoire, StandardOpenOption.WRITE);
-    }
-
-    /** Crée le fichier provisoire, que ne lira jamais qui ne peut lire l'ancien. */
-    private void ressembler(PosixFileAttributes ancien) throws IOException {
-        Files.createFile(provisoire, PosixFilePermissions.asFileAttribute(ancien.permissions()));
-        surPlace = (int) Files.getAttribute(cible, "unix:nlink") > 1;
-        PosixFileAttributeView vue = Files.getFileAttributeView(provisoire, PosixFileAttributeView.class);
-        try {
-            vue.setOwner(ancien.owner());
-            vue.setGroup(ancien.group());
-            vue.setPermissions(ancien.permissions());
-        } catch (FileSystemException e) {
-            surPlace = true;
-        }
     }
 
     private void remplacer() throws IOException {
@@ -161,15 +151,7 @@ public final class Ecriture<T> {
     }
 
     private Echec impossible(Exception e) {
-        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas"
-                : ErreurSysteme.raison(e) + lieu(e);
+        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
         return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison + ErreurSysteme.horsLangue(nom));
-    }
-
-    /** Le dossier, si c'est lui qui refuse : un lien peut y mener d'ailleurs. */
-    private String lieu(Exception e) {
-        String refuse = e instanceof FileSystemException ? ((FileSystemException) e).getFile() : null;
-        return refuse == null || !refuse.equals(String.valueOf(provisoire)) ? ""
-                : " (dossier " + Texte.echappe(cible.getParent().toString()) + ")";
     }
 }

@@ -1,15 +1,13 @@
 package lancer.image;
 
 import java.util.Locale;
+import java.util.function.Function;
 import lancer.Couleur;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 
 /** Une image en mémoire : les codes des pixels, les couleurs non limitées, ou les deux. */
 public final class ImageMemoire implements Toile {
-
-    /** Format de texte d'une couleur non limitée. */
-    public static final String COULEUR = "← %.3f %.3f %.3f";
 
     public final int largeur;
     public final int hauteur;
@@ -18,11 +16,9 @@ public final class ImageMemoire implements Toile {
     public final int[] codes;
     public final float[] lineaire;
 
-    /** Les trois nombres, tous égaux, d'un pixel où la vue ne trouve rien. */
-    public static final float CIEL = -1;
-
-    /** Format de texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
-    public volatile String sens = COULEUR;
+    /** Le texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
+    public volatile Function<Couleur, String> sens =
+            c -> String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
 
     /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
     public volatile String echelle = "";
@@ -55,11 +51,6 @@ public final class ImageMemoire implements Toile {
         }
     }
 
-    @Override
-    public boolean montreUnBrouillon() {
-        return false;
-    }
-
     /** La couleur de ce pixel, arrondie si l'image n'a que des codes. @param k son rang, ligne par ligne */
     public Couleur getCouleur(int k) {
         if (lineaire != null) {
@@ -76,11 +67,6 @@ public final class ImageMemoire implements Toile {
 
     /** Les nombres de ce pixel, comme {@link #sens} ; vide si l'image n'en garde pas. */
     public String dire(int k) {
-        if (lineaire == null) {
-            return "";
-        }
-        return lineaire[3 * k] == CIEL && lineaire[3 * k + 1] == CIEL ? "ciel"
-                // point décimal, comme dans les fichiers de scène
-                : String.format(Locale.ROOT, sens, lineaire[3 * k], lineaire[3 * k + 1], lineaire[3 * k + 2]);
+        return lineaire == null ? "" : sens.apply(getCouleur(k));
     }
 }

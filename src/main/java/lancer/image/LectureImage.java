@@ -93,7 +93,7 @@ public final class LectureImage {
             for (int x = 0; x < largeur; x++) {
                 float r = donnees.getFloat();
                 Couleur couleur = gris ? new Couleur(r) : new Couleur(r, donnees.getFloat(), donnees.getFloat());
-                if (!(Math.abs(couleur.r) + Math.abs(couleur.v) + Math.abs(couleur.b) < Double.POSITIVE_INFINITY)) {
+                if (!couleur.estFinie()) {
                     throw new IOException("une couleur n'est pas un nombre fini (NaN ou infini)");
                 }
                 image.drawPixel(couleur, x, y);

@@ -1,21 +1,22 @@
 package lancer.inspection;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.BiFunction;
-import java.util.function.DoubleFunction;
+import java.util.function.Function;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
 import lancer.PointContact;
-import lancer.Rayon;
 import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
-import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
@@ -34,98 +35,131 @@ public final class FaussesCouleurs {
     /** Nombre de rayons déplacés au hasard, pour chaque déplacement. */
     private static final int TIRAGES = 3;
 
-    /** Places, de 0 à 1, des cinq teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
-    private static final double[] MARGES = {0, 2 / 6.0, 4 / 6.0, 5 / 6.0, 1};
-
-    private static final Couleur NOIR = new Couleur();
+    /** Rangs, dans l'échelle, des teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
+    private static final int[] MARGES = {0, 2, 4, 5, 6};
 
     /** Le gris du contact le plus lointain, pour le distinguer du ciel. */
     private static final double GRIS_LOINTAIN = 0.1;
 
-    /** Les trois nombres d'un pixel où rien n'est vu. */
-    private static final Couleur CIEL = new Couleur(ImageMemoire.CIEL);
+    /** Les nombres d'un pixel où rien n'est vu : ni une normale, ni une distance, ni un compte. Sa teinte est noire. */
+    private static final Couleur CIEL = new Couleur(-1);
 
     private final Lancer lancer;
     private final Camera camera;
+    private final ImageMemoire image;
     private final int profondeur;
     private final int fils;
 
     /**
      * @param lancer celui de la scène préparée
+     * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
      * @param profondeur nombre de réflexions permises
      */
-    public FaussesCouleurs(Lancer lancer, int profondeur, int fils) {
+    public FaussesCouleurs(Lancer lancer, ImageMemoire image, int profondeur, int fils) {
         this.lancer = lancer;
+        this.image = image;
         this.profondeur = profondeur;
         this.fils = fils;
         camera = lancer.getCamera();
     }
 
-    /**
-     * Dessine une vue.
-     *
-     * @param nom une de celles d'{@link lancer.commande.Option#VUE}
-     * @param image reçoit les teintes et, si elle en garde, les nombres que montrent ces teintes
-     */
-    public void dessiner(String nom, ImageMemoire image) {
-        String debut = "vue " + nom + " : ";
-        if (nom.equals("rayons")) {
-            image.sens = "rayons : %.0f";
-            image.echelle = debut + compter(image);
-        } else if (nom.equals("distance")) {
-            image.sens = "d = %.5f";
-            image.echelle = debut + mesurer(image);
-        } else if (nom.equals("marge")) {
-            image.sens = "marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)";
-            image.echelle = debut + "décimales que peut perdre le rayon avant que la couleur change d'un niveau, "
-                    + "d'après " + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, "
-                    + "violet : 8 à 10, rouge : 5 à 7, orange : 2 à 4, blanc : l'arrondi suffit";
-            peindre(image, nombrer(this::marger, image), m -> teinte(MARGES[4 - ((int) m + 1) / 3]));
-        } else if (nom.equals("normales")) {
-            image.sens = "N = %.4f %.4f %.4f";
-            image.echelle = debut + "(N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir";
-            tracer(parPixel(FaussesCouleurs::normale), (N, i, j) ->
-                    image.drawPixel(N.add(new Couleur(1)).div(2), N, i, j));
-        } else {
-            image.sens = "lampes : %.0f";
-            int nombre = lancer.getScene().getLampes().size();
-            image.echelle = debut + "lampes qui éclairent, noir : aucune, blanc : " + nombre + " sur " + nombre
-                    + " ; ciel noir";
-            tracer(parPixel(FaussesCouleurs::lampes), (n, i, j) ->
-                    image.drawPixel(n.div(Math.max(1, nombre)), n, i, j));
+    /** Dessine une vue. @param nom une de celles d'{@link lancer.commande.Option#VUE} */
+    public void dessiner(String nom) {
+        Map<String, Runnable> vues = new HashMap<>();
+        vues.put("normales", this::dessinerLesNormales);
+        vues.put("distance", this::dessinerLesDistances);
+        vues.put("lampes", this::dessinerLesLampes);
+        vues.put("rayons", this::dessinerLesRayons);
+        vues.put("marge", this::dessinerLesMarges);
+        vues.get(nom).run();
+    }
+
+    private void dessinerLesNormales() {
+        double[] nombres = nombrer(parContact((scene, contact) -> {
+            Vecteur N = contact.objet.getNormale(contact);
+            return new Couleur(N.x, N.y, N.z);
+        }));
+        peindre(nombres, "N = %.4f %.4f %.4f", N -> N.add(new Couleur(1)).div(2),
+                "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
+    }
+
+    /** Du blanc au gris sombre, selon le rang de la distance : un horizon n'éclaircit pas le reste. */
+    private void dessinerLesDistances() {
+        double[] distances = nombrer(parContact((scene, contact) -> new Couleur(contact.distance)));
+        double[] contacts = Arrays.stream(distances).filter(d -> d > 0).distinct().sorted().toArray();
+        int dernier = contacts.length - 1;
+        peindre(distances, "d = %.5f", d -> new Couleur(
+                1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d.r) / Math.max(1, dernier)),
+                "vue distance : " + (dernier < 0 ? "aucun contact" : "d = " + Nombre.arrondir(contacts[0])
+                + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2]) + " au milieu, "
+                + Nombre.arrondir(contacts[dernier]) + " en gris sombre") + " ; ciel noir");
+    }
+
+    private void dessinerLesLampes() {
+        int toutes = lancer.getScene().getLampes().size();
+        peindre(nombrer(parContact(FaussesCouleurs::compterLesLampes)), "lampes : %.0f",
+                lampes -> lampes.div(Math.max(1, toutes)), "vue lampes : lampes qui éclairent, noir : aucune, blanc : "
+                + toutes + " sur " + toutes + " ; ciel noir");
+    }
+
+    /** Selon le logarithme du nombre de rayons, de 1 au plus grand de cette image. */
+    private void dessinerLesRayons() {
+        double[] rayons = nombrer(this::compterLesRayons);
+        double max = Arrays.stream(rayons).max().getAsDouble();
+        peindre(rayons, "rayons : %.0f", n -> teinte(Math.log(n.r) / Math.log(Math.max(2, max))),
+                String.format("vue rayons : noir : 1 rayon, rose : %.0f, blanc : %.0f", Math.sqrt(max), max));
+    }
+
+    private void dessinerLesMarges() {
+        double[] marges = nombrer((pave, voulus, vue, toile) ->
+                Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile));
+        peindre(marges, "marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)",
+                m -> couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]),
+                "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
+                + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
+                + "orange : 2 à 4, blanc : l'arrondi suffit");
+    }
+
+    /** Les nombres, trois par pixel, que cet échantillonnage donne comme couleurs. */
+    private double[] nombrer(Echantillonnage echantillonnage) {
+        double[] nombres = new double[3 * image.largeur * image.hauteur];
+        lancer.Tracer(echantillonnage, (n, x, y) -> {
+            int k = 3 * (y * image.largeur + x);
+            nombres[k] = n.r;
+            nombres[k + 1] = n.v;
+            nombres[k + 2] = n.b;
+        }, profondeur, fils);
+        return nombres;
+    }
+
+    /** Peint chaque pixel de la teinte de ses nombres. @param format celui de leur texte @param legende une ligne */
+    private void peindre(double[] nombres, String format, Function<Couleur, Couleur> teinte, String legende) {
+        image.sens = n -> n.equals(CIEL) ? "ciel" : String.format(Locale.ROOT, format, n.r, n.v, n.b);
+        image.echelle = legende;
+        for (int k = 0; k < nombres.length; k += 3) {
+            Couleur n = new Couleur(nombres[k], nombres[k + 1], nombres[k + 2]);
+            image.drawPixel(n.equals(CIEL) ? CIEL : teinte.apply(n), n, k / 3 % image.largeur, k / 3 / image.largeur);
         }
     }
 
-    private void tracer(Echantillonnage echantillonnage, Toile toile) {
-        lancer.Tracer(echantillonnage, toile, profondeur, fils);
-    }
-
     /** Donne à chaque pixel les nombres du premier contact vu en son centre, ou {@link #CIEL}. */
-    private Echantillonnage parPixel(BiFunction<Scene, PointContact, Couleur> nombres) {
+    private Echantillonnage parContact(BiFunction<Scene, PointContact, Couleur> nombres) {
         return (pave, voulus, vue, toile) -> {
-            Scene scene = lancer.getScene().avec(lancer.getScene().getModele());
-            for (int j = voulus.j0; j < voulus.j1; j++) {
-                for (int i = voulus.i0; i < voulus.i1; i++) {
-                    try {
-                        Rayon rayon = camera.getRayon(i + 0.5, j + 0.5);
-                        PointContact contact = scene.getClosestIntersection(rayon);
-                        toile.drawPixel(contact == null ? CIEL : nombres.apply(scene, contact), i, j);
-                    } catch (RuntimeException e) {
-                        throw e instanceof PixelFautif ? e : new PixelFautif(i + 0.5, j + 0.5, e);
-                    }
+            Scene scene = lancer.getScene().pourUnFil();
+            Lancer.TracerPave(pave, voulus, (xe, ye) -> {
+                try {
+                    PointContact contact = scene.getClosestIntersection(camera.getRayon(xe, ye));
+                    return contact == null ? CIEL : nombres.apply(scene, contact);
+                } catch (RuntimeException | Error e) {
+                    return lancer.getAtelier().relever(e, xe, ye);
                 }
-            }
+            }, toile);
             vue.compteurs().ajouter(scene.getCompteurs());
             return 0;
         };
     }
 
-    private static Couleur normale(Scene scene, PointContact contact) {
-        Vecteur N = contact.objet.getNormale(contact);
-        return new Couleur(N.x, N.y, N.z);
-    }
-
-    private static Couleur lampes(Scene scene, PointContact contact) {
+    private static Couleur compterLesLampes(Scene scene, PointContact contact) {
         Vecteur N = contact.objet.getNormale(contact);
         int eclairent = 0;
         for (Lampe lampe : scene.getLampes()) {
@@ -136,41 +170,8 @@ public final class FaussesCouleurs {
         return new Couleur(eclairent);
     }
 
-    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
-    private double[] nombrer(Echantillonnage echantillonnage, ImageMemoire image) {
-        double[] nombres = new double[image.largeur * image.hauteur];
-        tracer(echantillonnage, (nombre, i, j) -> nombres[j * image.largeur + i] = nombre.r);
-        return nombres;
-    }
-
-    private static void peindre(ImageMemoire image, double[] nombres, DoubleFunction<Couleur> teinte) {
-        for (int k = 0; k < nombres.length; k++) {
-            image.drawPixel(teinte.apply(nombres[k]), new Couleur(nombres[k]), k % image.largeur, k / image.largeur);
-        }
-    }
-
-    /** Peint les distances du blanc au gris sombre, selon leur rang : un horizon n'éclaircit pas le reste. */
-    private String mesurer(ImageMemoire image) {
-        double[] distances = nombrer(parPixel((scene, contact) -> new Couleur(contact.distance)), image);
-        double[] contacts = Arrays.stream(distances).filter(d -> d > 0).distinct().sorted().toArray();
-        double dernier = Math.max(1, contacts.length - 1);
-        peindre(image, distances, d -> d > 0
-                ? new Couleur(1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d) / dernier) : NOIR);
-        return contacts.length == 0 ? "aucun contact ; ciel noir" : "d = " + Nombre.arrondir(contacts[0])
-                + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2]) + " au milieu, "
-                + Nombre.arrondir(contacts[contacts.length - 1]) + " en gris sombre ; ciel noir";
-    }
-
-    /** Peint les nombres de rayons selon leur logarithme, de 1 au plus grand de cette image. */
-    private String compter(ImageMemoire image) {
-        double[] rayons = nombrer(this::compter, image);
-        double max = Arrays.stream(rayons).max().getAsDouble();
-        peindre(image, rayons, n -> max > 1 ? teinte(Math.log(n) / Math.log(max)) : NOIR);
-        return String.format("noir : 1 rayon, rose : %.0f, blanc : %.0f", Math.sqrt(max), max);
-    }
-
     /** Compte les rayons de toutes sortes de chaque pixel d'un pavé, dessiné selon l'échantillonnage de la scène. */
-    private int compter(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    private int compterLesRayons(Pave pave, Pave voulus, Vue vue, Toile toile) {
         int large = pave.i1 - pave.i0;
         long[] rayons = new long[large * (pave.j1 - pave.j0)];
         Vue comptee = (xe, ye) -> {
@@ -187,45 +188,31 @@ public final class FaussesCouleurs {
         return raffines;
     }
 
-    /** Donne à chaque pixel d'un pavé sa {@link #marge}. */
-    private int marger(Pave pave, Pave voulus, Vue vue, Toile toile) {
-        for (int j = voulus.j0; j < voulus.j1; j++) {
-            for (int i = voulus.i0; i < voulus.i1; i++) {
-                toile.drawPixel(new Couleur(marge(i, j, vue)), i, j);
-            }
-        }
-        return 0;
-    }
-
-    /** Le nombre de décimales que peut perdre la direction du rayon du centre de ce pixel, de 0 à 11. */
-    private int marge(int i, int j, Vue vue) {
-        SplittableRandom hasard = new SplittableRandom((long) j * camera.getLargeur() + i);
-        Couleur dessinee = vue.couleur(i + 0.5, j + 0.5);
+    /** Le nombre de décimales que peut perdre la direction du rayon de ce point, de 0 à 11. */
+    private int marge(double xe, double ye, Vue vue) {
+        SplittableRandom hasard = new SplittableRandom((long) ye * camera.getLargeur() + (long) xe);
+        Couleur dessinee = vue.couleur(xe, ye);
         // le rayon passe par l'œil : le tourner, c'est déplacer son point de l'écran
-        double tour = new Vecteur(camera.getOeil(), camera.getEcran(i + 0.5, j + 0.5)).norme()
+        double tour = new Vecteur(camera.getOeil(), camera.getEcran(xe, ye)).norme()
                 * camera.getLargeur() / Constantes.ECHELLE;
         int dernier = PREMIER - 1;
         // deux décimales de suite : le hasard redonne parfois la même couleur
         for (int k = PREMIER; k <= Math.min(DERNIER, dernier + 2); k++) {
-            dernier = change(dessinee, i + 0.5, j + 0.5, tour * Math.pow(10, -k), hasard, vue) ? k : dernier;
+            double pixels = tour * Math.pow(10, -k);
+            for (int tirage = 0; tirage < TIRAGES && dernier < k; tirage++) {
+                double angle = 2 * Math.PI * hasard.nextDouble();
+                Couleur couleur = vue.couleur(xe + pixels * Math.cos(angle), ye + pixels * Math.sin(angle));
+                dernier = different(dessinee, couleur) ? k : dernier;
+            }
         }
         return DERNIER - dernier;
     }
 
-    /** Dit si la couleur change de plus d'un niveau en l'un de quelques points à {@code pixels} de (xe, ye). */
-    private static boolean change(Couleur dessinee, double xe, double ye, double pixels, SplittableRandom hasard,
-            Vue vue) {
-        boolean change = false;
-        for (int k = 0; k < TIRAGES && !change; k++) {
-            double angle = 2 * Math.PI * hasard.nextDouble();
-            Couleur couleur = vue.couleur(xe + pixels * Math.cos(angle), ye + pixels * Math.sin(angle));
-            change = ecart(dessinee.r, couleur.r) > 1 || ecart(dessinee.v, couleur.v) > 1
-                    || ecart(dessinee.b, couleur.b) > 1;
-        }
-        return change;
+    /** Dit si une composante, limitée à [0, 1], diffère de plus d'un niveau. */
+    private static boolean different(Couleur a, Couleur b) {
+        return Math.max(ecart(a.r, b.r), Math.max(ecart(a.v, b.v), ecart(a.b, b.b))) > 1;
     }
 
-    /** L'écart de deux composantes limitées à [0, 1], en niveaux. */
     private static double ecart(double a, double b) {
         return 255 * Math.abs(Math.max(0, Math.min(1, a)) - Math.max(0, Math.min(1, b)));
     }

@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Lancer;
+import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
@@ -37,11 +40,12 @@ public final class Inspection {
     private Couleur couleur;
     private PixelFautif faute;
 
-    /** Échantillons du pixel, ceux qu'il peut partager compris, ligne par ligne. */
-    final List<PointVu> echantillons = new ArrayList<>();
+    /** Les échantillons du pixel, ceux qu'il partage compris : points de l'écran, ligne par ligne, et couleurs. */
+    final Map<Point, Couleur> echantillons =
+            new TreeMap<>(Comparator.<Point>comparingDouble(p -> p.y).thenComparingDouble(p -> p.x));
 
     /** L'échantillon expliqué, le plus proche du centre ; ce que les segments n'expliquent pas dans sa couleur. */
-    PointVu choisi;
+    Point choisi;
     Couleur autre = new Couleur();
 
     private final List<Segment> segments = new ArrayList<>();
@@ -61,20 +65,11 @@ public final class Inspection {
     }
 
     /**
-     * Explique l'échantillon le plus proche du centre.
+     * Explique l'échantillon le plus proche du centre. Si son calcul échoue, la faute et ce qui la précède sont gardés.
      *
-     * @throws PixelFautif si le pixel ne peut être calculé
      * @throws CancellationException si ce fil est interrompu
      */
     public void faire() {
-        faireOuEchouer();
-        if (faute != null) {
-            throw faute;
-        }
-    }
-
-    /** Comme {@link #faire} ; mais si le calcul échoue, garde la faute et les segments qui la précèdent. */
-    public void faireOuEchouer() {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
         equipe.faire(() -> {
             try {
@@ -94,8 +89,6 @@ public final class Inspection {
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
         echantillonnage.tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
                 (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
-        echantillons.sort(Comparator.<PointVu>comparingDouble(point -> point.ye)
-                .thenComparingDouble(point -> point.xe));
     }
 
     /** La couleur d'un point de l'écran, noté si ce pixel peut l'utiliser. */
@@ -103,20 +96,25 @@ public final class Inspection {
         equipe.obeir();
         Couleur vue = lancer.getCouleurPixel(xe, ye, profondeur);
         if (couleur == null && xe >= x && xe < x + 1 + PARTAGE && ye >= y && ye < y + 1 + PARTAGE) {
-            echantillons.add(new PointVu(xe, ye, xe >= x + 1 || ye >= y + 1, vue));
+            echantillons.put(new Point(xe, ye, 0), vue);
         }
         return vue;
     }
 
     private void expliquer() {
         if (!echantillons.isEmpty()) {
-            choisi = Collections.min(echantillons,
-                    Comparator.comparingDouble(point -> Math.hypot(point.xe - x - 0.5, point.ye - y - 0.5)));
-            suivre(choisi.xe, choisi.ye);
+            Point centre = new Point(x + 0.5, y + 0.5, 0);
+            choisi = Collections.min(echantillons.keySet(), Comparator.comparingDouble(p -> p.sub(centre).norme()));
+            suivre(choisi.x, choisi.y);
             if (echec == null) {
-                autre = Segment.retrancher(choisi.couleur, segments.get(0).vue);
+                autre = Segment.retrancher(echantillons.get(choisi), segments.get(0).vue);
             }
         }
+    }
+
+    /** Dit si cet échantillon est dans un pixel voisin, qui le partage. */
+    boolean estPartage(Point echantillon) {
+        return echantillon.x >= x + 1 || echantillon.y >= y + 1;
     }
 
     /** Suit le rayon de ce point de réflexion en réflexion, puis calcule les couleurs, de la dernière à la première. */

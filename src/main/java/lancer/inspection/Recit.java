@@ -14,7 +14,7 @@ import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
 import lancer.inspection.Segment.Eclairage;
 import lancer.texte.Nombre;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {
@@ -42,23 +42,22 @@ public final class Recit {
             lignes.add(direLeSegment(segments.get(k)));
         }
         if (pixel.echec != null) {
-            lignes.add(ligne("échec : %s", Pile.cause(pixel.echec)));
+            lignes.add(ligne("échec : %s", ErreurSysteme.cause(pixel.echec)));
         }
         if (pixel.getFaute() == null) {
             direLAutre(lignes, pixel.autre);
             Couleur somme = pixel.getCouleur();
-            lignes.add(ligneTeintee(somme, "somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF));
+            lignes.add(ligne("somme %s = #%06X", somme, somme.getCode() & 0xFFFFFF));
         }
         return ligne("pixel %d, %d", pixel.x, pixel.y).avec(lignes, false);
     }
 
-    /** Une ligne, de la couleur de sa dernière valeur si c'en est une. */
+    /** Une ligne, de la dernière couleur qu'elle dit. */
     private Noeud ligne(String format, Object... valeurs) {
-        Object derniere = valeurs.length == 0 ? null : valeurs[valeurs.length - 1];
-        return ligneTeintee(derniere instanceof Couleur ? (Couleur) derniere : null, format, valeurs);
-    }
-
-    private Noeud ligneTeintee(Couleur couleur, String format, Object... valeurs) {
+        Couleur couleur = null;
+        for (Object valeur : valeurs) {
+            couleur = valeur instanceof Couleur ? (Couleur) valeur : couleur;
+        }
         Object[] textes = Arrays.stream(valeurs).map(this::ecrireLesNombres).toArray();
         return new Noeud(String.format(Locale.ROOT, format, textes), couleur);
     }
@@ -82,27 +81,26 @@ public final class Recit {
     }
 
     private void direLesEchantillons(List<Noeud> lignes) {
-        int nombre = pixel.echantillons.size();
-        long partages = pixel.echantillons.stream().filter(point -> point.partage).count();
+        int tous = pixel.echantillons.size();
+        long partages = pixel.echantillons.keySet().stream().filter(pixel::estPartage).count();
+        String dits = tous - partages + (tous - partages > 1 ? " échantillons" : " échantillon");
+        String avec = partages > 0 ? " et " + partages + " partagés avec les voisins" : "";
         List<Noeud> points = new ArrayList<>();
-        Couleur somme = new Couleur();
-        for (PointVu point : pixel.echantillons) {
-            points.add(ligne("%s %s%s : %s", point.xe, point.ye, point.partage ? " (partagé)" : "", point.couleur));
-            somme = Segment.ajouter(somme, point.couleur);
-        }
-        lignes.add(ligne("%d échantillon%s%s", nombre - partages, nombre - partages > 1 ? "s" : "",
-                partages > 0 ? " et " + partages + " partagés avec les voisins" : "").avec(points, false));
-        Couleur moyenne = somme.div(nombre);
+        pixel.echantillons.forEach((point, couleur) -> points.add(
+                ligne("%s %s%s : %s", point.x, point.y, pixel.estPartage(point) ? " (partagé)" : "", couleur)));
+        Couleur somme = pixel.echantillons.values().stream().reduce(new Couleur(), Segment::ajouter);
+        lignes.add(ligne(dits + avec).avec(points, false));
+        Couleur moyenne = somme.div(tous);
         lignes.add(moyenne.equals(pixel.getCouleur())
-                ? ligne("leur somme = %s, divisée par %d pour le pixel", somme, nombre)
+                ? ligne("leur somme = %s, divisée par %d pour le pixel", somme, tous)
                 : ligne("leur moyenne = %s ; l'échantillonnage les pèse autrement pour le pixel", moyenne));
-        lignes.add(ligne("chaîne de l'échantillon %s %s", pixel.choisi.xe, pixel.choisi.ye));
+        lignes.add(ligne("chaîne de l'échantillon %s %s", pixel.choisi.x, pixel.choisi.y));
     }
 
     private Noeud direLeSegment(Segment segment) {
         String nom = segment.contact == null ? "ciel" : pixel.nom(segment.contact.objet);
         Noeud titre = segment.somme == null ? ligne("%d  %s", segment.numero, nom)
-                : ligneTeintee(segment.somme, "%d  %s  %s%s", segment.numero, nom, segment.somme, resumer(segment));
+                : ligne("%d  %s  %s%s", segment.numero, nom, segment.somme, resumer(segment));
         List<Noeud> lignes = new ArrayList<>();
         if (segment.contact != null) {
             direLesTermes(lignes, segment);

@@ -79,15 +79,11 @@ public final class Segment {
             eclairages.add(new Eclairage(lampe, this, scene));
         }
         Rayon libre = Rayon.unitaire(rayon.getP(), rayon.getV());
-        rivaux = scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart)
-                .map(objet -> toucher(objet, libre)).filter(Objects::nonNull)
-                .sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(RIVAUX).collect(Collectors.toList());
-    }
-
-    /** Le contact du rayon avec cet objet, à la distance qu'il rend ; {@code null} s'il n'y en a pas. */
-    static PointContact toucher(Objet3D objet, Rayon rayon) {
-        rayon.setContact(objet, objet.getIntersectionDistance(rayon));
-        return rayon.calcContact();
+        rivaux = scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart).map(objet -> {
+            libre.setContact(objet, objet.getIntersectionDistance(libre));
+            return libre.calcContact();
+        }).filter(Objects::nonNull).sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(RIVAUX)
+                .collect(Collectors.toList());
     }
 
     /** Lance le rayon réfléchi. @return {@code null} si les équations du cours n'en lancent pas */
@@ -144,7 +140,7 @@ public final class Segment {
         /** Dit si un objet cache la lampe, cherchée seulement si elle apporte quelque chose. */
         final boolean cachee;
 
-        /** Contact le plus proche d'elle de l'objet qui la cache ; {@code null} s'il n'y en a pas. */
+        /** Le premier contact du rayon d'ombre ; {@code null} si rien ne la cache, ou si le récit ne sait par quoi. */
         public final PointContact obstacle;
 
         Eclairage(Lampe lampe, Segment segment, Scene scene) {
@@ -168,19 +164,12 @@ public final class Segment {
             return !cachee && !apport.estNoire();
         }
 
-        /** Demandé de la lampe ; si elle est lointaine et rien n'est devant le milieu, demandé ensuite du contact. */
+        /** Demandé de la lampe ou, si elle est lointaine, du contact : les arrondis sont plus petits. */
         private PointContact chercherLObstacle(PointContact contact, double distance, Scene scene) {
-            boolean lointaine = Scene.estLointaine(lampe, contact);
-            double portee = lointaine ? distance / 2 : distance;
-            Rayon deLaLampe = Rayon.unitaire(lampe.getPosition(), L.neg());
-            PointContact premier = scene.getClosestIntersection(deLaLampe, contact.objet);
-            if (deLaLampe.getDistance() < portee || !lointaine) {
-                return deLaLampe.getDistance() < portee ? premier : null;
-            }
-            Rayon versLampe = Rayon.unitaire(contact, L);
-            return scene.getObjets().stream().filter(objet -> objet != contact.objet)
-                    .map(objet -> toucher(objet, versLampe)).filter(vu -> vu != null && vu.distance < portee)
-                    .max(Comparator.comparingDouble(vu -> vu.distance)).orElse(null);
+            Rayon ombre = Scene.estLointaine(lampe, contact) ? Rayon.unitaire(contact, L)
+                    : Rayon.unitaire(lampe.getPosition(), L.neg());
+            PointContact premier = scene.getClosestIntersection(ombre, contact.objet);
+            return ombre.getDistance() < distance ? premier : null;
         }
     }
 }

@@ -22,7 +22,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Forme;
 import lancer.contrat.Variante;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -175,7 +175,7 @@ public final class LecteurSections {
             throw e;
         } catch (RuntimeException e) {
             throw section.fautive(section.ligne, null, "section que " + forme.getClass().getName()
-                    + " ne sait pas lire : " + Pile.cause(e), "des valeurs qui lui conviennent");
+                    + " ne sait pas lire : " + ErreurSysteme.cause(e), "des valeurs qui lui conviennent");
         }
     }
 

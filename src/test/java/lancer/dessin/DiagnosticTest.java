@@ -25,7 +25,7 @@ import lancer.contrat.PixelFautif;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import lancer.essai.Plan;
-import lancer.texte.Pile;
+import lancer.texte.ErreurSysteme;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -69,7 +69,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele);
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return Pile.cause(panne).replace(DiagnosticTest.class.getName(), "")
+        return ErreurSysteme.cause(panne).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -102,7 +102,7 @@ class DiagnosticTest {
     @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = Pile.cause(panne);
+        String dit = ErreurSysteme.cause(panne);
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 

@@ -1,7 +1,6 @@
 package lancer.inspection;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -23,7 +22,6 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
-import lancer.contrat.PixelFautif;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
@@ -82,13 +80,15 @@ class InspectionTest {
 
     /** De la cible, la lampe est dans la direction (0, 30, −49) ; les sphères sont à ces parts du chemin. */
     @ParameterizedTest
-    @CsvSource({"1, 0.2, 0.6", "1e4, 1e-3, 2e-3", "1e4, 1e-3, 0.9", "1e9, 1e-8, 2e-8", "1e9, 1e-8, 0.9"})
-    void celleQuiCacheEstLaPlusProcheDeLaLampeMemeLointaine(double loin, double basse, double haute) throws Exception {
+    @CsvSource({"1, 0.2, 0.6, haute", "1e4, 1e-3, 2e-3, basse", "1e4, 1e-3, 0.9, basse", "1e4, -1e-3, 0.9, haute",
+        "1e9, 1e-8, 2e-8, basse", "1e9, -1e-8, 0.9, haute"})
+    void celleQuiCacheEstLaPremiereDepuisLaLampeOuDepuisLeContactSiElleEstLointaine(double loin, double basse, double haute, String qui)
+            throws Exception {
         Path scene = Essai.scene(dossier.resolve("s.ini"), "[Sphere cible]", "centre=0 0 10", "rayon=1", "Kd=1 1 1", "[Sphere basse]",
                 "centre=" + surLeChemin(loin * basse), "rayon=1", "[Sphere haute]", "centre=" + surLeChemin(loin * haute),
                 "rayon=" + Math.max(1, loin * haute / 100), "[Lampe]", "position=" + surLeChemin(loin), "couleur=1 1 1");
         Essai e = Essai.executer("--taille=9x9", "--pixel=4,4", scene.toString());
-        assertTrue(e.sortie.contains("  cachée par [Sphere haute] ligne 8"), e.toString());
+        assertTrue(e.sortie.contains("  cachée par [Sphere " + qui + "] ligne "), e.toString());
     }
 
     private static String surLeChemin(double part) {
@@ -150,7 +150,7 @@ class InspectionTest {
         };
         Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
                 camera, 5, 4, 4);
-        pixel.faireOuEchouer();
+        pixel.faire();
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
@@ -240,7 +240,8 @@ class InspectionTest {
         };
         Inspection pixel = new Inspection(new Scene(Arrays.asList(miroir, derriere), Collections.emptyList()), chose -> null,
                 new Camera(9, 9), 5, 4, 4);
-        assertThrows(PixelFautif.class, pixel::faire);
+        pixel.faire();
+        assertEquals("boum", pixel.getFaute().getCause().getMessage());
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals(Arrays.asList("2  objet 2", "1  objet 1"),
                 lignes.stream().filter(ligne -> ligne.matches("\\d+  .*")).collect(Collectors.toList()));

@@ -95,6 +95,11 @@ class DessinTest {
             }
 
             @Override
+            public boolean montreUnBrouillon() {
+                return true;
+            }
+
+            @Override
             public void finirBrouillon() {
                 fini[0] = true;
             }

@@ -54,7 +54,7 @@ public final class DeuxProgrammes {
             ImageLineaire notre = ImageLineaire.de(jugee.lancer, reflets, FILS);
             ImageLineaire sienne = jugee.image();
             ImageMemoire marge = new ImageMemoire(LARGEUR, HAUTEUR, true);
-            new FaussesCouleurs(jugee.lancer, reflets, FILS).dessiner("marge", marge);
+            new FaussesCouleurs(jugee.lancer, marge, reflets, FILS).dessiner("marge");
             planche.vignette(notre.image(), "lancer, " + reflets + " reflets", "")
                     .vignette(sienne.image(), "POV-Ray, " + reflets + " reflets", "");
             differences(planche, notre.ecarts(sienne, 1), marge);
