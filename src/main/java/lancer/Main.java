@@ -87,7 +87,6 @@ public class Main implements Toile {
 
     @Override
     public void finirBrouillon() {
-        dessin.finirBrouillon();
         suivi.accept(dessin);
     }
 }

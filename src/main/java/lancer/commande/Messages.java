@@ -4,8 +4,6 @@ import java.io.File;
 import java.io.PrintStream;
 import java.io.UnsupportedEncodingException;
 import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
-import java.util.List;
 import lancer.SceneFautive;
 import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
@@ -24,8 +22,13 @@ public final class Messages {
      */
     public static PrintStream avecAccents(PrintStream flux, String propriete) {
         Charset codage = Charset.forName(System.getProperty(propriete, Charset.defaultCharset().name()));
+        return codage.newEncoder().canEncode('é') ? flux : enUtf8(flux);
+    }
+
+    /** Le même flux, en UTF-8 quel que soit le codage de la console. */
+    public static PrintStream enUtf8(PrintStream flux) {
         try {
-            return codage.newEncoder().canEncode('é') ? flux : new PrintStream(flux, true, "UTF-8");
+            return new PrintStream(flux, true, "UTF-8");
         } catch (UnsupportedEncodingException e) {
             throw new IllegalStateException(e);
         }
@@ -53,13 +56,6 @@ public final class Messages {
         return "échec du programme : " + ErreurSysteme.cause(echec);
     }
 
-    /** Écrit ces lignes sur l'erreur standard. */
-    public static void avertir(List<String> lignes, PrintStream erreur) {
-        for (String ligne : lignes) {
-            avertir(ligne, erreur);
-        }
-    }
-
     public static void avertir(String ligne, PrintStream erreur) {
         erreur.println("lancer : " + Texte.echappe(ligne));
     }
@@ -67,19 +63,7 @@ public final class Messages {
     /** Écrit une réponse sur la sortie standard. @throws Echec si elle n'a pu être écrite */
     public static void repondre(String texte, PrintStream sortie) {
         sortie.println(texte);
-        verifier(sortie);
-    }
-
-    /** Écrit des lignes en UTF-8, quel que soit le codage de la console. @throws Echec comme {@link #repondre} */
-    public static void repondreEnUtf8(List<String> lignes, PrintStream sortie) {
-        String fin = System.lineSeparator();
-        byte[] octets = (String.join(fin, lignes) + fin).getBytes(StandardCharsets.UTF_8);
-        sortie.write(octets, 0, octets.length);
-        verifier(sortie);
-    }
-
-    /** @throws Echec si l'écriture a échoué : un {@code PrintStream} ne lève pas d'exception */
-    private static void verifier(PrintStream sortie) {
+        // un PrintStream ne lève pas d'exception
         if (sortie.checkError()) {
             throw Echec.machine("sortie standard : écriture impossible");
         }

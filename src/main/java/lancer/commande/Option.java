@@ -7,7 +7,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.contrat.Parametre;
@@ -21,74 +20,76 @@ import lancer.texte.Texte;
  */
 public final class Option<T> extends Parametre {
 
+    /** Ce qu'est une valeur. */
+    private enum Forme { DRAPEAU, FICHIER, MOT, ETAPE, TYPES, ENTIER, NOMBRE, ERREUR, PART, COUPLE }
+
     /** Place d'un nom et de son exemple dans l'aide, en caractères. */
     private static final int LARGEUR_DES_NOMS = 25;
     private static final int COTE_MAX = 16384;
-    private static final int PIXELS_MAX = 100_000_000;
+    static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
-    private static final String ERREUR = "erreur=";
 
     /** Toutes les options, dans l'ordre de l'aide. */
     static final List<Option<?>> TABLE = new ArrayList<>();
 
-    public static final Option<String> IMAGE = new Option<>("image", "FICHIER.png",
-            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", null, fichier(".png"));
-    public static final Option<String> LINEAIRE = new Option<>("lineaire", "FICHIER.pfm",
+    public static final Option<String> IMAGE = new Option<String>(Forme.FICHIER, "image", "FICHIER.png",
+            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", null).parmi(".png");
+    public static final Option<String> LINEAIRE = new Option<String>(Forme.FICHIER, "lineaire", "FICHIER.pfm",
             "un fichier dont le nom finit par .pfm",
-            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", null, fichier(".pfm"));
-    public static final Option<Couple> TAILLE = new Option<>("taille", "800x600",
+            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", null).parmi(".pfm");
+    public static final Option<Couple> TAILLE = new Option<>(Forme.COUPLE, "taille", "800x600",
             "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
             + " pixels", "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
-            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE), couple("x", 1, COTE_MAX, PIXELS_MAX))
+            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x")
             .regle(null);
-    public static final Option<Etape> ETAPE = mot("etape", "ombres", "une étape du cours", "l'image de cette étape : ",
-            Etape.REFLETS, Arrays.asList(Etape.values())).regle("étape du cours");
+    public static final Option<Etape> ETAPE = mot(Forme.ETAPE, "etape", "une étape du cours",
+            "l'image de cette étape : ", Etape.REFLETS, "lambert", "phong", "ombres", "reflets")
+            .regle("étape du cours");
     public static final Option<Integer> REFLETS =
             entier("reflets", "5", "nombre de réflexions d'un rayon", Constantes.MAX_REFLETS, 0, 1000)
             .regle("réflexions");
-    public static final Option<String> VUE = mot("vue", "normales", "une vue",
-            "avec --image, en fausses couleurs :\n", null,
-            Arrays.asList("normales", "distance", "lampes", "rayons", "marge")).avec(IMAGE).sans(LINEAIRE);
-    public static final Option<Double> SEUIL = new Option<>("seuil", "0.0009765625",
+    public static final Option<Double> SEUIL = new Option<>(Forme.NOMBRE, "seuil", "0.0009765625",
             "un nombre positif ou nul, par exemple 0.001", "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-            Constantes.SEUIL, nombre(0, Double.MAX_VALUE)).regle("seuil des reflets");
-    public static final Option<Set<String>> SANS = new Option<>("sans", "Brume,Blinn",
+            Constantes.SEUIL).regle("seuil des reflets");
+    public static final Option<Set<String>> SANS = new Option<>(Forme.TYPES, "sans", "Brume,Blinn",
             "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
-            "sans ces variantes, même si elles sont dans le chemin des classes", Collections.<String>emptySet(),
-            Option::lireDesTypes).regle(null);
+            "sans ces variantes, même si elles sont dans le chemin des classes", Collections.<String>emptySet())
+            .regle(null);
     public static final Option<Integer> FILS = entier("fils", "N", "fils d'exécution (sans elle, un par processeur)",
             Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors()), 1, FILS_MAX);
     public static final Option<Integer> REPETER =
-            entier("repeter", "N", "dessine N fois avant d'écrire, pour mesurer", 1, 1, 100_000).sans(VUE);
+            entier("repeter", "N", "dessine N fois avant d'écrire, pour mesurer", 1, 1, 100_000);
     public static final Option<Boolean> STATISTIQUES =
             drapeau("statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun");
     public static final Option<Boolean> SIMPLE =
             drapeau("simple", "les boucles du cours au lieu de la recherche rapide : la même image").regle(null);
-    public static final Option<Couple> PIXEL = new Option<Couple>("pixel", "421,426",
+    public static final Option<Couple> PIXEL = new Option<Couple>(Forme.COUPLE, "pixel", "421,426",
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
             "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null,
-            couple(",", 0, Double.MAX_VALUE, Double.MAX_VALUE)).sans(IMAGE, LINEAIRE, VUE, REPETER);
+            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null).parmi(",")
+            .sans(IMAGE, LINEAIRE, REPETER);
+    public static final Option<String> VUE = Option.<String>mot(Forme.MOT, "vue", "une vue",
+            "avec --image, en fausses couleurs :\n", null, "normales", "distance", "lampes", "rayons", "marge")
+            .avec(IMAGE).sans(LINEAIRE, REPETER, PIXEL);
     /** En niveaux ; 0 si les réglages ne sont pas à choisir. */
-    public static final Option<Double> AUTO = new Option<>("auto", "erreur=1",
+    public static final Option<Double> AUTO = new Option<>(Forme.ERREUR, "auto", "erreur=1",
             "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
             "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
             + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-            + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", 0.0, texte ->
-            texte.startsWith(ERREUR) ? nombre(0.01, 255).apply(texte.substring(ERREUR.length())) : null)
+            + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", 0.0).entre(0.01, 255)
             .avec(IMAGE, LINEAIRE).sans(PIXEL, VUE);
-    public static final Option<String> COMPARER = new Option<String>("comparer", "REF.png", "une image PNG ou PFM",
-            "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-            + "pareilles, 1 différentes ; --image : l'image des différences", null, fichier(".png", ".pfm"))
+    public static final Option<String> COMPARER = new Option<String>(Forme.FICHIER, "comparer", "REF.png",
+            "une image PNG ou PFM", "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
+            + "pareilles, 1 différentes ; --image : l'image des différences", null).parmi(".png", ".pfm")
             .sans(TAILLE, LINEAIRE, VUE, REPETER, STATISTIQUES, PIXEL, AUTO);
     /** En niveaux. */
-    public static final Option<Double> TOLERANCE = new Option<>("tolerance", "1",
+    public static final Option<Double> TOLERANCE = new Option<>(Forme.NOMBRE, "tolerance", "1",
             "un nombre de niveaux positif ou nul, par exemple 1",
-            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0, nombre(0, Double.MAX_VALUE)).avec(COMPARER);
+            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0).avec(COMPARER);
     /** De 0 à 1. */
-    public static final Option<Double> PART = new Option<>("part", "0.5%",
+    public static final Option<Double> PART = new Option<>(Forme.PART, "part", "0.5%",
             "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0, Option::lireUnePart).avec(COMPARER);
+            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0).entre(0, 1).avec(COMPARER);
     public static final Option<Boolean> AIDE = drapeau("aide", "ce texte, comme --help et -h");
     public static final Option<Boolean> VERSION = drapeau("version", "la version");
 
@@ -99,85 +100,59 @@ public final class Option<T> extends Parametre {
     /** Une valeur, dans l'aide ; {@code null} si l'option n'en prend pas. */
     private final String exemple;
     private final String aide;
-    /** La valeur écrite, {@code null} si elle est impossible. */
-    private final Function<String, T> lecture;
-    private boolean reglage;
+    private final Forme forme;
+    private double min;
+    private double max = Double.MAX_VALUE;
+    /** Vrai si l'option change l'image. */
+    boolean reglage;
     /** Le nom du réglage dans la fenêtre ; {@code null} si elle ne l'offre pas. */
     private String titre;
     /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
     private List<Option<?>> servies = Collections.emptyList();
     private List<Option<?>> separees = Collections.emptyList();
 
-    private Option(String cle, String exemple, String attendu, String aide, T absente, Function<String, T> lecture) {
+    private Option(Forme forme, String cle, String exemple, String attendu, String aide, T absente) {
         super(cle, null, new ArrayList<>(), null, attendu);
         nom = "--" + cle;
+        this.forme = forme;
         this.exemple = exemple;
         this.aide = aide;
         this.absente = absente;
-        this.lecture = lecture;
         TABLE.add(this);
     }
 
     private static Option<Boolean> drapeau(String cle, String aide) {
-        return new Option<>(cle, null, "aucune valeur", aide, false, texte -> texte.isEmpty() ? true : null);
+        return new Option<>(Forme.DRAPEAU, cle, null, "aucune valeur", aide, false);
     }
 
     private static Option<Integer> entier(String cle, String exemple, String aide, int absente, int min, int max) {
-        return new Option<>(cle, exemple, "un entier de " + min + " à " + max, aide + ", " + min + " à " + max, absente,
-                texte -> {
-                    double n = Nombre.lireEntier(texte);
-                    return n >= min && n <= max ? (int) n : null;
-                });
+        String bornes = min + " à " + max;
+        return new Option<>(Forme.ENTIER, cle, exemple, "un entier de " + bornes, aide + ", " + bornes, absente)
+                .entre(min, max);
     }
 
     /** Un de ces mots. @param quoi ce qu'ils sont @param aide ce qui les précède dans l'aide */
-    private static <V> Option<V> mot(String cle, String exemple, String quoi, String aide, V absente, List<V> mots) {
-        List<String> textes = mots.stream().map(V::toString).collect(Collectors.toList());
-        String liste = String.join(", ", textes).replaceFirst(", (\\w+)$", " ou $1");
-        Option<V> option = new Option<>(cle, exemple, quoi + " : " + liste, aide + liste, absente,
-                texte -> textes.contains(texte) ? mots.get(textes.indexOf(texte)) : null);
-        option.valeurs.addAll(textes);
-        return option;
-    }
-
-    /** Un nom qui finit ainsi : le nom donné, et non celui du fichier où mène un lien. */
-    private static Function<String, String> fichier(String... fins) {
-        return texte -> Arrays.stream(fins).anyMatch(Texte.minuscules(texte)::endsWith) ? texte : null;
-    }
-
-    private static Function<String, Double> nombre(double min, double max) {
-        return texte -> {
-            double n = Nombre.lire(texte);
-            return n >= min && n <= max ? n : null;
-        };
-    }
-
-    private static Function<String, Couple> couple(String separateur, int min, double max, double produitMax) {
-        return texte -> {
-            String[] deux = texte.split(separateur, 2);
-            double x = Nombre.lireEntier(deux[0]);
-            double y = Nombre.lireEntier(deux[deux.length - 1]);
-            boolean permis = deux.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max && x * y <= produitMax;
-            return permis ? new Couple((int) x, (int) y) : null;
-        };
-    }
-
-    private static Set<String> lireDesTypes(String texte) {
-        Set<String> types = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-        Collections.addAll(types, texte.split(",", -1));
-        return types.contains("") ? null : Collections.unmodifiableSet(types);
-    }
-
-    private static Double lireUnePart(String texte) {
-        if (!texte.endsWith("%")) {
-            return nombre(0, 1).apply(texte);
+    private static <V> Option<V> mot(Forme forme, String cle, String quoi, String aide, V absente, String... mots) {
+        String liste = mots[0];
+        for (int k = 1; k < mots.length; k++) {
+            liste += (k < mots.length - 1 ? ", " : " ou ") + mots[k];
         }
-        Double pourCent = nombre(0, 100).apply(texte.substring(0, texte.length() - 1));
-        // une division arrondirait : 0.7 % doit donner exactement 0.007
-        return pourCent == null ? null : Double.valueOf(BigDecimal.valueOf(pourCent).movePointLeft(2).doubleValue());
+        return new Option<>(forme, cle, mots[0], quoi + " : " + liste, aide + liste, absente).parmi(mots);
     }
 
-    /** L'option change l'image. @param nomme son nom dans la fenêtre, ou {@code null} */
+    private Option<T> entre(double plusPetit, double plusGrand) {
+        min = plusPetit;
+        max = plusGrand;
+        return this;
+    }
+
+    /** Les mots possibles, les fins d'un nom de fichier, ou ce qui sépare deux entiers. */
+    private Option<T> parmi(String... mots) {
+        Collections.addAll(valeurs, mots);
+        return this;
+    }
+
+    /** Ce sera un réglage. @param nomme son nom dans la fenêtre, ou {@code null} */
     private Option<T> regle(String nomme) {
         reglage = true;
         titre = nomme;
@@ -214,8 +189,12 @@ public final class Option<T> extends Parametre {
     /** L'option de ce nom. @throws Echec si elle est inconnue */
     static Option<?> trouver(String mot) {
         String cherche = mot.equals("--help") || mot.equals("-h") ? AIDE.nom : mot;
-        return TABLE.stream().filter(option -> option.nom.equals(cherche)).findFirst().orElseThrow(() ->
-                Echec.demande("option inconnue : " + Texte.cite(mot) + " ; attendu : une de celles que montre --aide"));
+        for (Option<?> option : TABLE) {
+            if (option.nom.equals(cherche)) {
+                return option;
+            }
+        }
+        throw Echec.demande("option inconnue : " + Texte.cite(mot) + " ; attendu : une de celles que montre --aide");
     }
 
     /** Les options que la fenêtre laisse régler. */
@@ -226,10 +205,6 @@ public final class Option<T> extends Parametre {
     @Override
     public String getTitre() {
         return titre;
-    }
-
-    boolean estUnReglage() {
-        return reglage;
     }
 
     boolean prendUneValeur() {
@@ -243,17 +218,13 @@ public final class Option<T> extends Parametre {
                 + aide.replace("\n", marge) + "\n";
     }
 
-    /** @throws Echec si cette option ne va pas avec une autre */
-    void exclure(Set<Option<?>> donnees) {
+    /** @throws Echec si cette option ne va pas avec une autre, ou ne sert pas sans une autre */
+    void accorder(Set<Option<?>> donnees) {
         for (Option<?> autre : separees) {
             if (donnees.contains(autre)) {
                 throw Echec.demande(nom + " ne va pas avec " + autre.nom + " ; attendu : l'une ou l'autre");
             }
         }
-    }
-
-    /** @throws Echec si cette option ne sert pas sans une autre */
-    void servir(Set<Option<?>> donnees) {
         if (!servies.isEmpty() && Collections.disjoint(servies, donnees)) {
             throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, " + servies.stream()
                     .map(autre -> autre.nom + " " + autre.exemple).collect(Collectors.joining(" ou ")));
@@ -262,20 +233,63 @@ public final class Option<T> extends Parametre {
 
     @Override
     public boolean accepte(String texte) {
-        return lecture.apply(texte) != null;
+        return valeur(texte) != null;
     }
 
     /** La valeur écrite. @throws Echec si elle est impossible */
+    @SuppressWarnings("unchecked")
     public T lire(String texte) {
-        T valeur = lecture.apply(texte);
+        Object valeur = valeur(texte);
         if (valeur == null) {
             throw impossible(texte, attendu);
         }
-        return valeur;
+        return (T) valeur;
     }
 
     public Echec impossible(String texte, String voulu) {
         return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
+    }
+
+    /** La valeur écrite, {@code null} si elle est impossible. */
+    private Object valeur(String texte) {
+        switch (forme) {
+            case DRAPEAU:
+                return texte.isEmpty() ? true : null;
+            case FICHIER:
+                // le nom donné, et non celui du fichier où mène un lien
+                int point = Math.max(0, texte.lastIndexOf('.'));
+                return valeurs.contains(Texte.minuscules(texte.substring(point))) ? texte : null;
+            case MOT:
+                return valeurs.contains(texte) ? texte : null;
+            case ETAPE:
+                return valeurs.contains(texte) ? Etape.values()[valeurs.indexOf(texte)] : null;
+            case TYPES:
+                Set<String> types = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+                Collections.addAll(types, texte.split(",", -1));
+                return types.contains("") ? null : Collections.unmodifiableSet(types);
+            case COUPLE:
+                String[] deux = texte.split(valeurs.get(0), 2);
+                double x = Nombre.lireEntier(deux[0]);
+                double y = Nombre.lireEntier(deux[deux.length - 1]);
+                boolean permis = deux.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max;
+                return permis ? new Couple((int) x, (int) y) : null;
+            case ENTIER:
+                Double entier = borner(Nombre.lireEntier(texte));
+                return entier == null ? null : Integer.valueOf(entier.intValue());
+            case ERREUR:
+                return texte.startsWith("erreur=") ? borner(Nombre.lire(texte.substring("erreur=".length()))) : null;
+            case PART:
+                boolean pourCent = texte.endsWith("%");
+                double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
+                // une division arrondirait : 0.7 % doit donner exactement 0.007
+                return borner(pourCent && n <= 100 ? BigDecimal.valueOf(n).movePointLeft(2).doubleValue() : n);
+            default:
+                return borner(Nombre.lire(texte));
+        }
+    }
+
+    private Double borner(double n) {
+        return n >= min && n <= max ? Double.valueOf(n) : null;
     }
 
     /** L'écriture d'une valeur, que {@link #lire} relit. */

@@ -1,16 +1,15 @@
 package lancer.commande;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedList;
 import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import lancer.texte.Texte;
 
 /** La ligne de commande lue : la valeur de chaque option de la table, et la scène. Immuable. */
 public final class Options {
-
-    private static final String UNE_SCENE = "un fichier, par exemple scenes/scene1.ini";
 
     /** La scène, {@code null} si aucune n'est nommée. */
     public final String scene;
@@ -33,14 +32,18 @@ public final class Options {
                 valeurs.put(option, option.lire(textes.get(option)));
             }
         }
-        valeurs.keySet().forEach(option -> option.exclure(valeurs.keySet()));
-        valeurs.keySet().forEach(option -> option.servir(valeurs.keySet()));
+        for (Option<?> option : valeurs.keySet()) {
+            option.accorder(valeurs.keySet());
+        }
         Options options = new Options(scene, valeurs);
         if (options.sansFenetre() && scene == null) {
-            throw Echec.demande("aucune scène à dessiner ; attendu : " + UNE_SCENE);
+            throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
         Option.Couple pixel = options.get(Option.PIXEL);
         Option.Couple taille = options.get(Option.TAILLE);
+        if ((long) taille.x * taille.y > Option.PIXELS_MAX) {
+            throw Option.TAILLE.impossible(textes.get(Option.TAILLE), Option.TAILLE.attendu);
+        }
         if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
             throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
                     "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));
@@ -48,23 +51,26 @@ public final class Options {
         return options;
     }
 
-    /** Range la valeur écrite de chaque option. @return la scène */
+    /** Range la valeur écrite de chaque option. @return la scène, {@code null} si aucune n'est nommée */
     private static String separer(Map<Option<?>, String> textes, String... arguments) {
         String scene = null;
-        for (int k = 0; k < arguments.length; k++) {
-            String argument = arguments[k];
-            if (!argument.startsWith("-")) {
-                scene = nommerLaScene(scene, argument);
+        LinkedList<String> mots = new LinkedList<>(Arrays.asList(arguments));
+        while (!mots.isEmpty()) {
+            String mot = mots.pop();
+            if (!mot.startsWith("-")) {
+                if (scene != null) {
+                    throw Echec.demande("plusieurs scènes : " + Texte.cite(scene) + " et " + Texte.cite(mot)
+                            + " ; attendu : une seule");
+                }
+                scene = mot.isEmpty() ? null : mot;
                 continue;
             }
-            int egal = argument.startsWith("--") ? argument.indexOf('=') : -1;
-            Option<?> option = Option.trouver(egal < 0 ? argument : argument.substring(0, egal));
-            String valeur = argument.substring(egal + 1);
-            if (egal < 0) {
-                // dans « --image --fils 2 », le nom du fichier a été oublié
-                boolean suit = option.prendUneValeur() && k + 1 < arguments.length
-                        && !arguments[k + 1].startsWith("--");
-                valeur = suit ? arguments[++k] : "";
+            String[] moities = mot.split("=", 2);
+            Option<?> option = Option.trouver(moities[0]);
+            String valeur = moities.length > 1 ? moities[1] : "";
+            // dans « --image --fils 2 », le nom du fichier a été oublié
+            if (moities.length == 1 && option.prendUneValeur() && !mots.isEmpty() && !mots.peek().startsWith("--")) {
+                valeur = mots.pop();
             }
             if (option == Option.AIDE || option == Option.VERSION) {
                 // seule cette demande compte
@@ -81,17 +87,6 @@ public final class Options {
             }
         }
         return scene;
-    }
-
-    private static String nommerLaScene(String deja, String nom) {
-        if (deja != null) {
-            throw Echec.demande("plusieurs scènes : " + Texte.cite(deja) + " et " + Texte.cite(nom)
-                    + " ; attendu : une seule");
-        }
-        if (nom.isEmpty()) {
-            throw Echec.demande("nom de scène vide ; attendu : " + UNE_SCENE);
-        }
-        return nom;
     }
 
     /** La valeur de cette option, donnée ou non. */
@@ -113,7 +108,7 @@ public final class Options {
 
     /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getReglages() {
-        return Option.TABLE.stream().filter(Option::estUnReglage).map(this::ecrire).collect(Collectors.joining());
+        return Option.TABLE.stream().filter(option -> option.reglage).map(this::ecrire).collect(Collectors.joining());
     }
 
     private <T> String ecrire(Option<T> option) {
@@ -124,7 +119,8 @@ public final class Options {
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
     public boolean sansFenetre() {
-        return Stream.of(Option.IMAGE, Option.LINEAIRE, Option.PIXEL, Option.COMPARER).anyMatch(this::estDonnee);
+        return estDonnee(Option.IMAGE) || estDonnee(Option.LINEAIRE) || estDonnee(Option.PIXEL)
+                || estDonnee(Option.COMPARER);
     }
 
     public static String getVersion() {

@@ -43,7 +43,11 @@ public final class Reglages {
      */
     public Reglages pour(Map<Variante, Section> nouvelles) {
         Map<Variante, Section> gardees = new LinkedHashMap<>(nouvelles);
-        gardees.replaceAll((variante, lue) -> lue.equals(lues.get(variante)) ? sections.get(variante) : lue);
+        for (Variante variante : nouvelles.keySet()) {
+            if (nouvelles.get(variante).equals(lues.get(variante))) {
+                gardees.put(variante, sections.get(variante));
+            }
+        }
         return new Reglages(options, nouvelles, gardees);
     }
 
@@ -100,8 +104,7 @@ public final class Reglages {
         Section entiere = getSection(variante);
         for (Parametre parametre : variante.getParametres()) {
             String valeur = parametre.estUneCouleur() ? null : getValeur(variante, parametre);
-            entiere = valeur == null || valeur.equals(entiere.mot(parametre.cle, null)) ? entiere
-                    : entiere.avec(parametre.cle, valeur, null);
+            entiere = valeur == null ? entiere : entiere.avec(parametre.cle, valeur, null);
         }
         return entiere;
     }
@@ -132,8 +135,8 @@ public final class Reglages {
     }
 
     /**
-     * Le modèle qu'appliquent ces réglages : chaque variante branchée y est installée. Si le fichier contient la
-     * section d'une variante débranchée, elle est vérifiée aussi.
+     * Le modèle qu'appliquent ces réglages : chaque variante branchée y est installée. La section d'une variante
+     * débranchée est vérifiée aussi.
      *
      * @throws lancer.SceneFautive si une section est refusée
      */
@@ -141,11 +144,8 @@ public final class Reglages {
         Modele modele = new Modele();
         modele.setSeuil(get(Option.SEUIL));
         for (Variante variante : sections.keySet()) {
-            Section section = sections.get(variante);
-            if (estBranchee(variante) || section == lues.get(variante)) {
-                variante.installer(section, estBranchee(variante) ? modele : new Modele());
-                section.verifierCles();
-            }
+            variante.installer(getSection(variante), estBranchee(variante) ? modele : new Modele());
+            getSection(variante).verifierCles();
         }
         if (get(Option.ETAPE) == Etape.LAMBERT) {
             modele.oterSpecularite();

@@ -45,7 +45,6 @@ public final class Dessin {
     private final long preparationNs;
     private long[] tracesNs;
     private final boolean cachait;
-    private volatile boolean brouillonFait;
 
     /**
      * Prépare le dessin de cette demande.
@@ -141,15 +140,6 @@ public final class Dessin {
     /** La part dessinée de l'image en cours, de 0 à 1. */
     public double getAvancement() {
         return dernier.getAtelier().getAvancement();
-    }
-
-    public void finirBrouillon() {
-        brouillonFait = true;
-    }
-
-    /** Dit si chaque pixel a une couleur : le brouillon est fini. */
-    public boolean isBrouillonFait() {
-        return brouillonFait;
     }
 
     /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */

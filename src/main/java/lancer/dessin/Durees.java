@@ -1,6 +1,7 @@
 package lancer.dessin;
 
 import java.util.Arrays;
+import java.util.stream.LongStream;
 
 /**
  * Les durées des dessins d'une même image, dans leur ordre. La première moitié s'exécute avant la fin de la
@@ -22,9 +23,7 @@ public final class Durees {
     }
 
     public Durees avec(long duree) {
-        long[] suite = Arrays.copyOf(toutes, toutes.length + 1);
-        suite[toutes.length] = duree;
-        return new Durees(suite);
+        return new Durees(LongStream.concat(Arrays.stream(toutes), LongStream.of(duree)).toArray());
     }
 
     public int getNombre() {

@@ -62,7 +62,7 @@ public final class SansFenetre {
         Ecriture.ecrire(dessin.image, fichiers);
         dessin.rapporter(sortie, erreur);
         // les avertissements n'ont de sens que si le reste a réussi
-        Messages.avertir(dessin.demande.lue.avertissements, erreur);
+        dessin.demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
     }
 
     private Dessin dessiner(Demande demande) {
@@ -93,7 +93,9 @@ public final class SansFenetre {
             Ecriture.Format<ImageMemoire> format, Map<Path, String> pris) {
         if (options.estDonnee(option)) {
             Ecriture<ImageMemoire> fichier = new Ecriture<>(options.get(option), format);
-            pris.forEach(fichier::distinguer);
+            for (Map.Entry<Path, String> autre : pris.entrySet()) {
+                fichier.distinguer(autre.getKey(), autre.getValue());
+            }
             pris.put(fichier.cible, "celle de --image et de --lineaire");
             fichiers.add(fichier);
         }
@@ -109,8 +111,9 @@ public final class SansFenetre {
         if (pixel.getFaute() != null) {
             throw demande.nommer(pixel.getFaute());
         }
-        Messages.repondreEnUtf8(new Recit(pixel, Double::toString, Double::toString).raconter().lignes(), sortie);
-        Messages.avertir(demande.lue.avertissements, erreur);
+        List<String> lignes = new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
+        Messages.repondre(String.join(System.lineSeparator(), lignes), Messages.enUtf8(sortie));
+        demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
     }
 
     /** Compare deux images, et écrit celle des différences si elle est demandée. */

@@ -78,7 +78,7 @@ public final class Ouverture {
             throw Echec.machine("interrompu");
         }
         if (demande != null) {
-            Messages.avertir(demande.lue.avertissements, erreur);
+            demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
         }
         return ouverte[0];
     }

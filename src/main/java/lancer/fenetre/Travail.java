@@ -41,6 +41,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
     volatile Demande demande;
     /** Le dessin ; {@code null} avant la préparation. */
     volatile Dessin dessin;
+    /** Vrai quand chaque pixel de ce dessin a une couleur. */
+    private volatile boolean brouillonFait;
     private volatile double partLue;
     /** Vrai quand la scène est lue. */
     volatile boolean lue;
@@ -80,6 +82,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     }
 
     private void suivre(Dessin celui) {
+        brouillonFait = dessin != null;
         celui.lancer.getAtelier().getFautes().tolerer();
         dessin = celui;
         debutDuDessin = System.nanoTime();
@@ -98,7 +101,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     }
 
     boolean aSonBrouillon() {
-        return dessin != null && dessin.isBrouillonFait();
+        return brouillonFait;
     }
 
     /** L'échec qui a arrêté ce travail ; {@code null} s'il est en cours, achevé, ou arrêté sur demande. */

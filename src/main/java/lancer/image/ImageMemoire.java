@@ -16,9 +16,8 @@ public final class ImageMemoire implements Toile {
     public final int[] codes;
     public final float[] lineaire;
 
-    /** Le texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
-    public volatile Function<Couleur, String> sens =
-            c -> String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
+    /** Le texte des trois nombres de {@link #lineaire}, si c'est une vue ; {@code null} pour des couleurs. */
+    public volatile Function<Couleur, String> sens;
 
     /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
     public volatile String echelle = "";
@@ -67,6 +66,10 @@ public final class ImageMemoire implements Toile {
 
     /** Les nombres de ce pixel, comme {@link #sens} ; vide si l'image n'en garde pas. */
     public String dire(int k) {
-        return lineaire == null ? "" : sens.apply(getCouleur(k));
+        if (lineaire == null) {
+            return "";
+        }
+        Couleur c = getCouleur(k);
+        return sens != null ? sens.apply(c) : String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
     }
 }

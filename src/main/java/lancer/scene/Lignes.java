@@ -9,8 +9,6 @@ import java.io.Reader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.function.DoubleConsumer;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import lancer.contrat.Recherche;
 import lancer.texte.Texte;
 
@@ -24,10 +22,6 @@ final class Lignes extends Reader {
     /** Longueur maximale d'une ligne, en octets : {@code /dev/zero} n'a pas de fin de ligne. */
     private static final int LIGNE_MAX = 1 << 23;
 
-    private static final Pattern CONTROLES = Pattern.compile("[\\x00-\\x1F&&[^\t]]+");
-
-    /** Une ligne de caractères ordinaires de l'ASCII. */
-    private final Matcher ordinaire = Pattern.compile("[\t -~\\x7F]*").matcher("");
     /** Un octet, un caractère : un octet qui n'est pas de l'UTF-8 ne cache pas sa ligne. */
     private final BufferedReader octets;
     private int octetsDepuisLaLigne;
@@ -91,15 +85,31 @@ final class Lignes extends Reader {
             return false;
         }
         ligne = lue;
-        if (!ordinaire.reset(lue).matches()) {
-            byte[] codes = lue.getBytes(StandardCharsets.ISO_8859_1);
-            ligne = new String(codes, StandardCharsets.UTF_8);
-            StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(codes));
-            ligne = Texte.echappe(numero == 1 ? ligne.replaceFirst("^\uFEFF", "") : ligne, CONTROLES);
+        boolean ordinaire = true;
+        for (int k = 0; k < lue.length(); k++) {
+            ordinaire &= lue.charAt(k) < '\u0080' && !estUnControle(lue.charAt(k));
+        }
+        if (!ordinaire) {
+            coder(lue.getBytes(StandardCharsets.ISO_8859_1));
         }
         String mots = ligne.trim();
         rendus = mots.startsWith(";") || mots.startsWith("#") ? ligne.length() : 0;
         return true;
+    }
+
+    private static boolean estUnControle(char c) {
+        return c < ' ' && c != '\t';
+    }
+
+    /** Décode la ligne, ôte la marque UTF-8 du fichier, et remplace les caractères de contrôle. */
+    private void coder(byte[] codes) throws IOException {
+        ligne = new String(codes, StandardCharsets.UTF_8);
+        StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(codes));
+        StringBuilder s = new StringBuilder();
+        for (char c : ligne.toCharArray()) {
+            s.append(estUnControle(c) ? Texte.echappe(String.valueOf(c)) : String.valueOf(c));
+        }
+        ligne = s.substring(numero == 1 && ligne.startsWith("\uFEFF") ? 1 : 0);
     }
 
     @Override

@@ -10,8 +10,6 @@ import java.util.Locale;
  */
 public final class Nombre {
 
-    private static final String CARACTERES = "0123456789.eE+-";
-
     private Nombre() {
     }
 
@@ -30,8 +28,18 @@ public final class Nombre {
 
     /** Le nombre écrit ; infini s'il déborde, NaN si le texte n'est pas un nombre. */
     public static double lire(String s) {
+        return lire(s, ".eE+-");
+    }
+
+    /** L'entier écrit, en chiffres seuls ; infini s'il déborde, NaN si le texte n'est pas un entier. */
+    public static double lireEntier(String s) {
+        return lire(s, "");
+    }
+
+    /** @param signes les caractères permis, outre les chiffres */
+    private static double lire(String s, String signes) {
         for (int i = 0; i < s.length(); i++) {
-            if (CARACTERES.indexOf(s.charAt(i)) < 0) {
+            if ((s.charAt(i) < '0' || s.charAt(i) > '9') && signes.indexOf(s.charAt(i)) < 0) {
                 return Double.NaN;
             }
         }
@@ -40,11 +48,6 @@ public final class Nombre {
         } catch (NumberFormatException e) {
             return Double.NaN;
         }
-    }
-
-    /** L'entier écrit, en chiffres seuls ; infini s'il déborde, NaN si le texte n'est pas un entier. */
-    public static double lireEntier(String s) {
-        return s.matches("[0-9]+") ? lire(s) : Double.NaN;
     }
 
     /** L'écriture d'un nombre, sans « .0 » ni zéro inutile, avec un exposant hors de [1e-5, 1e7[ : 0, 0.05, 1e100. */

@@ -1,20 +1,16 @@
 package lancer.texte;
 
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /** Prépare un texte d'un fichier ou de la ligne de commande pour un message d'une ligne. */
 public final class Texte {
 
-    /** Caractères qui agissent sur le terminal, sont invisibles ou ressemblent à un blanc. */
-    private static final Pattern INVISIBLES = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Z}&&[^ ]]+");
+    /** Catégories Unicode des caractères qui agissent sur le terminal, sont invisibles ou ressemblent à un blanc. */
+    private static final int INVISIBLES = 1 << Character.CONTROL | 1 << Character.FORMAT | 1 << Character.SURROGATE
+            | 1 << Character.SPACE_SEPARATOR | 1 << Character.LINE_SEPARATOR | 1 << Character.PARAGRAPH_SEPARATOR;
 
     /** Longueur d'une citation, en caractères. */
     private static final int LONGUEUR = 60;
-
-    /** La première moitié d'un caractère que la coupure d'une citation n'a pas laissé entier. */
-    private static final String MOITIE = "[\ud800-\udbff]$";
 
     private Texte() {
     }
@@ -32,30 +28,30 @@ public final class Texte {
     public static String abrege(String texte) {
         // la suite d'un long texte serait échappée en vain
         String echappe = echappe(texte.substring(0, Math.min(texte.length(), LONGUEUR + 1)));
+        // la première moitié d'un caractère en deux unités n'est pas gardée seule
         return echappe.length() <= LONGUEUR ? echappe
-                : echappe.substring(0, LONGUEUR - 1).replaceFirst(MOITIE, "") + '…';
+                : echappe.substring(0, LONGUEUR - 1).replaceFirst("[\ud800-\udbff]$", "") + '…';
     }
 
     /** Le texte, caractères de contrôle échappés. */
     public static String echappe(String texte) {
-        return echappe(texte, INVISIBLES);
+        StringBuilder s = new StringBuilder();
+        for (int i = 0; i < texte.length(); i += Character.charCount(texte.codePointAt(i))) {
+            echapper(texte.codePointAt(i), s);
+        }
+        return s.toString();
     }
 
-    /** Le texte, où ces caractères sont échappés. */
-    public static String echappe(String texte, Pattern caracteres) {
-        Matcher suite = caracteres.matcher(texte);
-        StringBuffer echappe = new StringBuffer();
-        while (suite.find()) {
-            suite.appendReplacement(echappe, "");
-            for (char c : suite.group().toCharArray()) {
-                int blanc = "\n\r\t".indexOf(c);
-                if (blanc >= 0) {
-                    echappe.append('\\').append("nrt".charAt(blanc));
-                } else {
-                    echappe.append("\\u").append(Integer.toHexString(0x10000 | c), 1, 5);
-                }
+    private static void echapper(int c, StringBuilder s) {
+        int blanc = "\n\r\t".indexOf(c);
+        if (blanc >= 0) {
+            s.append('\\').append("nrt".charAt(blanc));
+        } else if (c == ' ' || (1 << Character.getType(c) & INVISIBLES) == 0) {
+            s.appendCodePoint(c);
+        } else {
+            for (char unite : Character.toChars(c)) {
+                s.append("\\u").append(Integer.toHexString(0x10000 | unite), 1, 5);
             }
         }
-        return suite.appendTail(echappe).toString();
     }
 }

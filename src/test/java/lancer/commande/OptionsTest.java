@@ -180,14 +180,14 @@ class OptionsTest {
         "--bidule --aide | option inconnue : « --bidule » ; attendu : une de celles que montre --aide",
         "a.ini --fils 2 b.ini | plusieurs scènes : « a.ini » et « b.ini » ; attendu : une seule",
         "a.ini a.ini | plusieurs scènes : « a.ini » et « a.ini » ; attendu : une seule",
-        "'' | nom de scène vide ; attendu : un fichier, par exemple scenes/scene1.ini"})
+        "'' --image a.png " + SANS_SCENE})
     void uneDemandeImpossibleEstRefusee(String ligne, String message) {
         verifierRefus(ligne, message);
     }
 
     @ParameterizedTest
     @CsvSource({"--pixel 1;1, --image a.png", "--pixel 1;1, --image=a.png", "--pixel 1;1, --lineaire a.pfm", "--auto erreur=1, --pixel 1;1",
-        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--pixel 1;1, --vue rayons",
+        "--pixel=1;1, --repeter 1", "--pixel 1;1, --repeter=3", "--vue rayons, --pixel 1;1",
         "--vue rayons --image a.png, --lineaire a.pfm", "--auto erreur=1 --image a.png, --vue rayons"})
     void deuxOptionsQuiNeVontPasEnsembleSontRefusees(String une, String autre) {
         String message = une.replaceAll("[ =].*", "") + " ne va pas avec " + autre.replaceAll("[ =].*", "")

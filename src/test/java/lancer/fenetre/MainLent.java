@@ -23,6 +23,7 @@ class MainLent implements Programme {
     final ByteArrayOutputStream erreur = new ByteArrayOutputStream();
     volatile boolean lent;
     private volatile Dessin dernier;
+    private volatile boolean brouillonFait;
     private BiConsumer<String, DoubleConsumer> avantLecture = (fichier, suivi) -> { };
     private Consumer<SceneLue> apresLecture = lue -> { };
 
@@ -37,7 +38,7 @@ class MainLent implements Programme {
 
     /** Vrai si le brouillon du dessin en cours est fait. */
     boolean brouillonFait() {
-        return dernier != null && dernier.isBrouillonFait();
+        return brouillonFait;
     }
 
     /** Fait d'abord ceci, à chaque lecture. */
@@ -76,7 +77,9 @@ class MainLent implements Programme {
     @Override
     public Dessin dessiner(Demande demande, Consumer<Dessin> suivi) {
         dernier = null;
+        brouillonFait = false;
         new Main(demande, dessin -> {
+            brouillonFait = dernier != null;
             dernier = dessin;
             suivi.accept(dessin);
         }) {
