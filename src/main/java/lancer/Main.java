@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.contrat.Toile;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
@@ -45,7 +46,7 @@ public class Main implements Toile {
      */
     static int executer(String[] args, PrintStream sortie, PrintStream erreur) {
         try {
-            Options options = Options.lire(args);
+            Reglages options = Options.lire(args);
             if (options.get(Option.AIDE)) {
                 Messages.repondre(Options.getAide(), sortie);
             } else if (options.get(Option.VERSION)) {
@@ -82,7 +83,7 @@ public class Main implements Toile {
 
     @Override
     public boolean montreUnBrouillon() {
-        return !demande.sansFenetre();
+        return !demande.reglages.sansFenetre();
     }
 
     @Override

@@ -38,7 +38,7 @@ public final class Echelle {
             return Arrays.stream(reflets).mapToObj(n -> base.avec(Option.REFLETS, n)).collect(Collectors.toList());
         }
         Reglages base = fixes ? presents : presents.avec(Option.REFLETS, PROFONDEUR);
-        return presents.getSectionsProposees(essayee).entrySet().stream()
+        return essayee.getSectionsProposees(presents.getSection(essayee)).entrySet().stream()
                 .map(proposee -> base.avecSection(essayee, proposee.getKey())
                         .avec(Option.SEUIL, gardeSeuil ? presents.get(Option.SEUIL) : proposee.getValue()))
                 .collect(Collectors.toList());

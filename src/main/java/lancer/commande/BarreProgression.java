@@ -3,7 +3,6 @@ package lancer.commande;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Timer;
 import java.util.TimerTask;
@@ -17,9 +16,6 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
-
-    /** Lien de l'erreur standard sur Linux : Java ne sait pas si elle est un terminal. */
-    private static final Path ERREUR_STANDARD = Paths.get("/proc/self/fd/2");
 
     private final PrintStream terminal;
     /** La part faite, de 0 à 1 ; {@code null} avant le début, et après la fin. */
@@ -39,7 +35,8 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
 
     private static boolean estUnTerminal() {
         try {
-            String cible = Files.readSymbolicLink(ERREUR_STANDARD).toString();
+            // sur Linux, le lien de l'erreur standard : Java ne sait pas si elle est un terminal
+            String cible = Files.readSymbolicLink(Paths.get("/proc/self/fd/2")).toString();
             return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");
         } catch (IOException | UnsupportedOperationException e) {
             return System.console() != null;

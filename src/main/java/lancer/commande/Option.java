@@ -26,7 +26,7 @@ public final class Option<T> extends Parametre {
     /** Place d'un nom et de son exemple dans l'aide, en caractères. */
     private static final int LARGEUR_DES_NOMS = 25;
     private static final int COTE_MAX = 16384;
-    static final int PIXELS_MAX = 100_000_000;
+    private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
     /** Toutes les options, dans l'ordre de l'aide. */
@@ -41,7 +41,7 @@ public final class Option<T> extends Parametre {
             "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
             + " pixels", "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
             new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x")
-            .regle(null);
+            .regle("");
     public static final Option<Etape> ETAPE = mot(Forme.ETAPE, "etape", "une étape du cours",
             "l'image de cette étape : ", Etape.REFLETS, "lambert", "phong", "ombres", "reflets")
             .regle("étape du cours");
@@ -54,7 +54,7 @@ public final class Option<T> extends Parametre {
     public static final Option<Set<String>> SANS = new Option<>(Forme.TYPES, "sans", "Brume,Blinn",
             "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
             "sans ces variantes, même si elles sont dans le chemin des classes", Collections.<String>emptySet())
-            .regle(null);
+            .regle("");
     public static final Option<Integer> FILS = entier("fils", "N", "fils d'exécution (sans elle, un par processeur)",
             Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors()), 1, FILS_MAX);
     public static final Option<Integer> REPETER =
@@ -62,11 +62,11 @@ public final class Option<T> extends Parametre {
     public static final Option<Boolean> STATISTIQUES =
             drapeau("statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun");
     public static final Option<Boolean> SIMPLE =
-            drapeau("simple", "les boucles du cours au lieu de la recherche rapide : la même image").regle(null);
+            drapeau("simple", "les boucles du cours au lieu de la recherche rapide : la même image").regle("");
     public static final Option<Couple> PIXEL = new Option<Couple>(Forme.COUPLE, "pixel", "421,426",
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
             "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null).parmi(",")
+            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null).entre(0, COTE_MAX).parmi(",")
             .sans(IMAGE, LINEAIRE, REPETER);
     public static final Option<String> VUE = Option.<String>mot(Forme.MOT, "vue", "une vue",
             "avec --image, en fausses couleurs :\n", null, "normales", "distance", "lampes", "rayons", "marge")
@@ -103,9 +103,7 @@ public final class Option<T> extends Parametre {
     private final Forme forme;
     private double min;
     private double max = Double.MAX_VALUE;
-    /** Vrai si l'option change l'image. */
-    boolean reglage;
-    /** Le nom du réglage dans la fenêtre ; {@code null} si elle ne l'offre pas. */
+    /** Le nom du réglage dans la fenêtre, vide si elle ne l'offre pas ; {@code null} si l'image n'en dépend pas. */
     private String titre;
     /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
     private List<Option<?>> servies = Collections.emptyList();
@@ -152,9 +150,8 @@ public final class Option<T> extends Parametre {
         return this;
     }
 
-    /** Ce sera un réglage. @param nomme son nom dans la fenêtre, ou {@code null} */
+    /** L'image en dépend. @param nomme son nom dans la fenêtre, ou vide */
     private Option<T> regle(String nomme) {
-        reglage = true;
         titre = nomme;
         return this;
     }
@@ -199,7 +196,8 @@ public final class Option<T> extends Parametre {
 
     /** Les options que la fenêtre laisse régler. */
     public static List<Option<?>> enFenetre() {
-        return TABLE.stream().filter(option -> option.titre != null).collect(Collectors.toList());
+        return TABLE.stream().filter(option -> option.titre != null && !option.titre.isEmpty())
+                .collect(Collectors.toList());
     }
 
     @Override
@@ -272,7 +270,7 @@ public final class Option<T> extends Parametre {
                 double x = Nombre.lireEntier(deux[0]);
                 double y = Nombre.lireEntier(deux[deux.length - 1]);
                 boolean permis = deux.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max;
-                return permis ? new Couple((int) x, (int) y) : null;
+                return permis && x * y <= PIXELS_MAX ? new Couple((int) x, (int) y) : null;
             case ENTIER:
                 Double entier = borner(Nombre.lireEntier(texte));
                 return entier == null ? null : Integer.valueOf(entier.intValue());

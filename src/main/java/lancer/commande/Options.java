@@ -8,21 +8,14 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.texte.Texte;
 
-/** La ligne de commande lue : la valeur de chaque option de la table, et la scène. Immuable. */
+/** La ligne de commande : ce qu'elle demande, et les textes de {@code --aide} et de {@code --version}. */
 public final class Options {
 
-    /** La scène, {@code null} si aucune n'est nommée. */
-    public final String scene;
-    /** Les options données. */
-    private final Map<Option<?>, Object> valeurs;
-
-    private Options(String scene, Map<Option<?>, Object> valeurs) {
-        this.scene = scene;
-        this.valeurs = valeurs;
+    private Options() {
     }
 
-    /** @throws Echec si un argument est refusé : la demande est fausse */
-    public static Options lire(String... arguments) {
+    /** Ce que demandent ces arguments. @throws Echec si l'un d'eux est refusé : la demande est fausse */
+    public static Reglages lire(String... arguments) {
         Map<Option<?>, String> textes = new HashMap<>();
         String scene = separer(textes, arguments);
         // dans l'ordre de la table : de deux fautes, c'est toujours la même qui est dite
@@ -35,20 +28,17 @@ public final class Options {
         for (Option<?> option : valeurs.keySet()) {
             option.accorder(valeurs.keySet());
         }
-        Options options = new Options(scene, valeurs);
-        if (options.sansFenetre() && scene == null) {
+        Reglages reglages = new Reglages(scene, valeurs);
+        if (reglages.sansFenetre() && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
-        Option.Couple pixel = options.get(Option.PIXEL);
-        Option.Couple taille = options.get(Option.TAILLE);
-        if ((long) taille.x * taille.y > Option.PIXELS_MAX) {
-            throw Option.TAILLE.impossible(textes.get(Option.TAILLE), Option.TAILLE.attendu);
-        }
+        Option.Couple pixel = reglages.get(Option.PIXEL);
+        Option.Couple taille = reglages.get(Option.TAILLE);
         if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
             throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
                     "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));
         }
-        return options;
+        return reglages;
     }
 
     /** Range la valeur écrite de chaque option. @return la scène, {@code null} si aucune n'est nommée */
@@ -87,40 +77,6 @@ public final class Options {
             }
         }
         return scene;
-    }
-
-    /** La valeur de cette option, donnée ou non. */
-    @SuppressWarnings("unchecked")
-    public <T> T get(Option<T> option) {
-        return estDonnee(option) ? (T) valeurs.get(option) : option.absente;
-    }
-
-    public boolean estDonnee(Option<?> option) {
-        return valeurs.containsKey(option);
-    }
-
-    /** Les mêmes options, sauf celle-ci. */
-    public <T> Options avec(Option<T> option, T valeur) {
-        Map<Option<?>, Object> autres = new HashMap<>(valeurs);
-        autres.put(option, valeur);
-        return new Options(scene, autres);
-    }
-
-    /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
-    public String getReglages() {
-        return Option.TABLE.stream().filter(option -> option.reglage).map(this::ecrire).collect(Collectors.joining());
-    }
-
-    private <T> String ecrire(Option<T> option) {
-        String valeur = option.ecrire(get(option));
-        String ecrite = " " + option.nom + (option.prendUneValeur() ? " " + valeur : "");
-        return valeur.equals(option.ecrire(option.absente)) ? "" : ecrite;
-    }
-
-    /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
-    public boolean sansFenetre() {
-        return estDonnee(Option.IMAGE) || estDonnee(Option.LINEAIRE) || estDonnee(Option.PIXEL)
-                || estDonnee(Option.COMPARER);
     }
 
     public static String getVersion() {

@@ -1,6 +1,7 @@
 package lancer.commande;
 
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,26 +14,31 @@ import lancer.contrat.Section;
 import lancer.contrat.Variante;
 
 /**
- * La façon de dessiner une scène : les options, et chaque variante présente, branchée ou non, avec sa section.
- * Immuable.
+ * Ce qui est demandé : la scène, la valeur de chaque option et, quand la scène est lue, chaque variante présente,
+ * branchée ou non, avec sa section. Immuable.
  * Une méthode dont le nom commence par {@code avec} rend les mêmes réglages, à son argument près.
  */
 public final class Reglages {
 
-    private final Options options;
+    /** Le nom du fichier de la scène, {@code null} si aucun n'est donné. */
+    public final String scene;
+    /** Les options données. */
+    private final Map<Option<?>, Object> valeurs;
     /** La section de chaque variante présente dans le fichier, de ligne 0 s'il n'en a pas ; puis celle qui sert. */
     private final Map<Variante, Section> lues;
     private final Map<Variante, Section> sections;
 
-    private Reglages(Options options, Map<Variante, Section> lues, Map<Variante, Section> sections) {
-        this.options = options;
+    private Reglages(String scene, Map<Option<?>, Object> valeurs, Map<Variante, Section> lues,
+            Map<Variante, Section> sections) {
+        this.scene = scene;
+        this.valeurs = valeurs;
         this.lues = lues;
         this.sections = sections;
     }
 
     /** Ceux de la ligne de commande, pour une scène qui n'est pas encore lue. */
-    public Reglages(Options options) {
-        this(options, Collections.emptyMap(), Collections.emptyMap());
+    Reglages(String scene, Map<Option<?>, Object> valeurs) {
+        this(scene, valeurs, Collections.emptyMap(), Collections.emptyMap());
     }
 
     /**
@@ -48,16 +54,23 @@ public final class Reglages {
                 gardees.put(variante, sections.get(variante));
             }
         }
-        return new Reglages(options, nouvelles, gardees);
+        return new Reglages(scene, valeurs, nouvelles, gardees);
     }
 
-    /** La valeur de cette option. */
+    /** La valeur de cette option, donnée ou non. */
+    @SuppressWarnings("unchecked")
     public <T> T get(Option<T> option) {
-        return options.get(option);
+        return estDonnee(option) ? (T) valeurs.get(option) : option.absente;
+    }
+
+    public boolean estDonnee(Option<?> option) {
+        return valeurs.containsKey(option);
     }
 
     public <T> Reglages avec(Option<T> option, T valeur) {
-        return new Reglages(options.avec(option, valeur), lues, sections);
+        Map<Option<?>, Object> autres = new HashMap<>(valeurs);
+        autres.put(option, valeur);
+        return new Reglages(scene, autres, lues, sections);
     }
 
     public Reglages avecVariante(Variante variante, boolean branchee) {
@@ -73,11 +86,25 @@ public final class Reglages {
     public Reglages avecSection(Variante variante, Section section) {
         Map<Variante, Section> autres = new LinkedHashMap<>(sections);
         autres.put(variante, section);
-        return new Reglages(options, lues, autres);
+        return new Reglages(scene, valeurs, lues, autres);
     }
 
-    public Options getOptions() {
-        return options;
+    /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
+    public boolean sansFenetre() {
+        return estDonnee(Option.IMAGE) || estDonnee(Option.LINEAIRE) || estDonnee(Option.PIXEL)
+                || estDonnee(Option.COMPARER);
+    }
+
+    /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
+    public String getOptions() {
+        return Option.TABLE.stream().filter(option -> option.getTitre() != null).map(this::ecrire)
+                .collect(Collectors.joining());
+    }
+
+    private <T> String ecrire(Option<T> option) {
+        String valeur = option.ecrire(get(option));
+        String ecrite = " " + option.nom + (option.prendUneValeur() ? " " + valeur : "");
+        return valeur.equals(option.ecrire(option.absente)) ? "" : ecrite;
     }
 
     /** Le nombre de réflexions, compte tenu de l'étape du cours. */
@@ -120,12 +147,7 @@ public final class Reglages {
     /** La variante branchée, absente du fichier, dont des essais choisissent la section ; ou {@code null}. */
     public Variante getEssayee() {
         return sections.keySet().stream().filter(variante -> estBranchee(variante) && lues.get(variante).ligne == 0
-                && !getSectionsProposees(variante).isEmpty()).findFirst().orElse(null);
-    }
-
-    /** Voir {@link Variante#getSectionsProposees}. */
-    public Map<Section, Double> getSectionsProposees(Variante variante) {
-        return variante.getSectionsProposees(lues.get(variante));
+                && !variante.getSectionsProposees(getSection(variante)).isEmpty()).findFirst().orElse(null);
     }
 
     /** Les sections à écrire dans le fichier, à la place des siennes, pour obtenir ces réglages. */
@@ -159,7 +181,7 @@ public final class Reglages {
     /** Deux réglages égaux donnent la même image d'une même scène. */
     @Override
     public boolean equals(Object autre) {
-        return autre instanceof Reglages && options.getReglages().equals(((Reglages) autre).options.getReglages())
+        return autre instanceof Reglages && getOptions().equals(((Reglages) autre).getOptions())
                 && sections.equals(((Reglages) autre).sections);
     }
 

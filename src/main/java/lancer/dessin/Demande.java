@@ -6,7 +6,6 @@ import lancer.SceneFautive;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
-import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
@@ -38,28 +37,25 @@ public final class Demande {
         vue = reglages.get(Option.VUE);
     }
 
-    private Demande(SceneLue lue, Reglages reglages) {
-        this(lue, reglages, new Scene(lue.objets, lue.lampes, lue.getCadrage(), reglages.getModele()));
-    }
-
     /**
-     * Ce que la ligne de commande demande de cette scène.
+     * Ce qui est demandé de cette scène. Voir {@link Reglages#pour}.
      *
      * @throws SceneFautive si une section de variante est refusée
      * @throws Echec si {@code --sans} nomme une variante qui n'existe pas
      */
-    public Demande(SceneLue lue, Options options) {
-        this(lue, new Reglages(options).pour(lue.variantes));
-        for (String type : options.get(Option.SANS)) {
+    public Demande(SceneLue lue, Reglages voulus) {
+        this(lue, voulus.pour(lue.variantes),
+                new Scene(lue.objets, lue.lampes, lue.getCadrage(), voulus.pour(lue.variantes).getModele()));
+        for (String type : reglages.get(Option.SANS)) {
             if (!LecteurSections.estUneVariante(type)) {
                 throw Option.SANS.impossible(type, "une variante, par exemple Brume");
             }
         }
     }
 
-    /** La même demande d'une autre lecture. Voir {@link Reglages#pour}. @throws SceneFautive voir le constructeur */
+    /** La même demande d'une autre lecture. @throws SceneFautive voir le constructeur */
     public Demande avecLecture(SceneLue autre) {
-        return new Demande(autre, reglages.pour(autre.variantes));
+        return new Demande(autre, reglages);
     }
 
     /** @throws SceneFautive si un réglage est refusé */
@@ -77,11 +73,6 @@ public final class Demande {
         return new Demande(lue, reglages.avec(Option.VUE, autre), scene);
     }
 
-    /** Voir {@link Options#sansFenetre}. */
-    public boolean sansFenetre() {
-        return reglages.getOptions().sansFenetre();
-    }
-
     /** La scène, ainsi réglée. Chaque appel en rend une nouvelle, à préparer. */
     public Scene getScene() {
         return scene.pourUnFil();
@@ -89,7 +80,7 @@ public final class Demande {
 
     /** La commande qui demande la même chose. @param avant les options à écrire d'abord, chacune après un blanc */
     public String getCommande(String avant) {
-        return Messages.commande(avant + reglages.getOptions().getReglages(), lue.nom);
+        return Messages.commande(avant + reglages.getOptions(), lue.nom);
     }
 
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */

@@ -12,7 +12,6 @@ import lancer.auto.Mesure;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
-import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.contrat.Compteurs;
 import lancer.contrat.PixelFautif;
@@ -66,7 +65,7 @@ public final class Dessin {
 
     /** L'image à dessiner, sans ce qu'un fichier ne demande pas. */
     private static ImageMemoire image(Demande demande) {
-        Options options = demande.reglages.getOptions();
+        Reglages options = demande.reglages;
         boolean avecCodes = options.estDonnee(Option.IMAGE) || !options.estDonnee(Option.LINEAIRE);
         boolean avecLineaire = options.sansFenetre()
                 ? options.estDonnee(Option.LINEAIRE) || options.estDonnee(Option.AUTO)
@@ -90,7 +89,7 @@ public final class Dessin {
         try {
             if (demande.vue != null) {
                 tracerLaVue(toile);
-            } else if (demande.reglages.getOptions().estDonnee(Option.AUTO)) {
+            } else if (demande.reglages.estDonnee(Option.AUTO)) {
                 choisirEtTracer(toile);
             } else {
                 tracer(demande.reglages, lancer, toile);
@@ -109,7 +108,7 @@ public final class Dessin {
     private void tracer(Reglages reglages, Lancer celui, Toile toile) {
         dernier = celui;
         // une fenêtre montre un seul dessin
-        tracesNs = new long[demande.sansFenetre() ? reglages.get(Option.REPETER) : 1];
+        tracesNs = new long[demande.reglages.sansFenetre() ? reglages.get(Option.REPETER) : 1];
         for (int k = 0; k < tracesNs.length; k++) {
             celui.TracerImage(toile, reglages.getProfondeur(), reglages.get(Option.FILS));
             tracesNs[k] = celui.getAtelier().getDureeNs();
@@ -129,7 +128,7 @@ public final class Dessin {
 
     /** Dessine avec les réglages que {@code --auto} choisit, puis mesure l'erreur de l'image. */
     private void choisirEtTracer(Toile toile) {
-        Options options = demande.reglages.getOptions();
+        Reglages options = demande.reglages;
         auto = new Auto(lancer, Echelle.de(demande.reglages, options.estDonnee(Option.REFLETS),
                 options.estDonnee(Option.SEUIL)), options.get(Option.AUTO), options.get(Option.FILS));
         do {

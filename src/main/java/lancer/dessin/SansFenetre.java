@@ -11,7 +11,7 @@ import lancer.Scene;
 import lancer.commande.BarreProgression;
 import lancer.commande.Messages;
 import lancer.commande.Option;
-import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.image.Comparaison;
 import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
@@ -27,12 +27,12 @@ public final class SansFenetre {
 
     private static final String UNE_IMAGE = "une des images comparées";
 
-    private final Options options;
+    private final Reglages options;
     private final Programme programme;
     private final PrintStream sortie;
     private final PrintStream erreur;
 
-    public SansFenetre(Options options, Programme programme, PrintStream sortie, PrintStream erreur) {
+    public SansFenetre(Reglages options, Programme programme, PrintStream sortie, PrintStream erreur) {
         this.options = options;
         this.programme = programme;
         this.sortie = sortie;

@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
 import lancer.commande.Option;
-import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
@@ -28,14 +27,14 @@ final class Controleur implements Travail.Suite {
 
     final PanneauImage panneau;
     private final Programme programme;
-    private final Options options;
+    private final Reglages options;
     private final Supplier<Dimension> taille;
     private final Surveillance surveillance;
     private final List<Consumer<Etat>> prevenus = new ArrayList<>();
     private Etat etat = new Etat();
 
     /** @param taille donne la taille de l'image à dessiner */
-    Controleur(Programme programme, Options options, PanneauImage panneau, Supplier<Dimension> taille) {
+    Controleur(Programme programme, Reglages options, PanneauImage panneau, Supplier<Dimension> taille) {
         this.programme = programme;
         this.options = options;
         this.panneau = panneau;

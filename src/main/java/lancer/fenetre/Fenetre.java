@@ -24,7 +24,7 @@ import javax.swing.Timer;
 import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import lancer.commande.Option;
-import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
 import lancer.fenetre.Dialogues.Reponse;
@@ -55,7 +55,7 @@ final class Fenetre {
     boolean remplie;
 
     /** @param variantes noms des variantes présentes @param fin appelé à la fermeture, dans un autre fil */
-    Fenetre(Programme programme, Options options, List<String> variantes, Runnable fin) {
+    Fenetre(Programme programme, Reglages options, List<String> variantes, Runnable fin) {
         nom = variantes.isEmpty() ? "lancer" : "lancer (" + String.join(", ", variantes) + ")";
         demandee = new Dimension(options.get(Option.TAILLE).x, options.get(Option.TAILLE).y);
         this.fin = fin;

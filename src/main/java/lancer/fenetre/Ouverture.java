@@ -13,7 +13,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import lancer.commande.Echec;
 import lancer.commande.Messages;
-import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
@@ -38,7 +38,7 @@ public final class Ouverture {
      * @throws lancer.SceneFautive si la scène ne peut être utilisée ; aucune fenêtre n'est alors ouverte
      * @throws Echec s'il n'y a pas d'écran
      */
-    public static Fenetre ouvrir(Options options, Programme programme, PrintStream erreur, Runnable fin) {
+    public static Fenetre ouvrir(Reglages options, Programme programme, PrintStream erreur, Runnable fin) {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();

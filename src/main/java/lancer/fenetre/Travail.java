@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import javax.swing.SwingWorker;
-import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
@@ -34,7 +34,7 @@ final class Travail extends SwingWorker<Void, Runnable> {
     private static final long RESTE_NS = 2_000_000_000;
 
     private final Programme programme;
-    private final Options options;
+    private final Reglages options;
     /** Le fichier de la scène à lire ; {@code null} si elle est lue. */
     final String aLire;
     /** Ce qui est demandé ; pendant la lecture, de la scène d'avant, ou {@code null}. */
@@ -56,11 +56,11 @@ final class Travail extends SwingWorker<Void, Runnable> {
 
     /** Le dessin d'une scène lue. */
     Travail(Programme programme, Demande demande) {
-        this(programme, demande.reglages.getOptions(), null, demande);
+        this(programme, demande.reglages, null, demande);
     }
 
     /** Le dessin d'une scène à lire. @param avant la demande dont les réglages restent, ou {@code null} */
-    Travail(Programme programme, Options options, String aLire, Demande avant) {
+    Travail(Programme programme, Reglages options, String aLire, Demande avant) {
         this.programme = programme;
         this.options = options;
         this.aLire = aLire;

@@ -49,18 +49,16 @@ public final class Atelier {
         for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
             Vue vue = vues.get();
             comptes.add(vue.compteurs());
-            travaux.add(rang -> dessiner(paves.get(rang), echantillonnage, vue, toile));
+            travaux.add(rang -> {
+                Pave pave = paves.get(rang);
+                vue.compteurs().pixelsRaffines += echantillonnage.tracer(pave, pave, vue, toile);
+                fautes.peindre(pave, toile);
+            });
         }
         equipe.faire(paves.size(), travaux);
-        Compteurs total = new Compteurs();
-        comptes.forEach(total::ajouter);
-        compteurs = total;
+        compteurs = new Compteurs();
+        comptes.forEach(compteurs::ajouter);
         dureeNs = System.nanoTime() - debut;
-    }
-
-    private void dessiner(Pave pave, Echantillonnage echantillonnage, Vue vue, Toile toile) {
-        vue.compteurs().pixelsRaffines += echantillonnage.tracer(pave, pave, vue, toile);
-        fautes.peindre(pave, toile);
     }
 
     /**

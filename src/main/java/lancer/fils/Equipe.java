@@ -44,8 +44,11 @@ public final class Equipe {
         suivante.set(0);
         faites.set(0);
         AtomicInteger crees = new AtomicInteger();
-        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(),
-                travail -> demon("lancer-" + crees.incrementAndGet(), travail));
+        ExecutorService fils = Executors.newFixedThreadPool(ouvriers.size(), travail -> {
+            Thread fil = new Thread(null, travail, "lancer-" + crees.incrementAndGet(), PILE);
+            fil.setDaemon(true);
+            return fil;
+        });
         CompletionService<Void> finis = new ExecutorCompletionService<>(fils);
         boolean acheve = false;
         try {
@@ -69,12 +72,6 @@ public final class Equipe {
             fils.shutdownNow();
             laisserUneSeconde(fils);
         }
-    }
-
-    private static Thread demon(String nom, Runnable travail) {
-        Thread fil = new Thread(null, travail, nom, PILE);
-        fil.setDaemon(true);
-        return fil;
     }
 
     private void prendreLesTaches(IntConsumer ouvrier) {

@@ -63,11 +63,9 @@ public final class Fautes {
 
     /** Phrase qui donne le nombre de pixels fautifs ; {@code null} s'il n'y en a pas. */
     public synchronized String enMots() {
-        if (premiere == null) {
-            return null;
-        }
         int nombre = pixels.cardinality();
-        return nombre == 1 ? "un pixel n'a pu être calculé" : nombre + " pixels n'ont pu être calculés";
+        String dits = nombre == 1 ? "un pixel n'a pu être calculé" : nombre + " pixels n'ont pu être calculés";
+        return nombre == 0 ? null : dits;
     }
 
     /** La première faute située, ligne par ligne, {@code null} s'il n'y en a pas. */

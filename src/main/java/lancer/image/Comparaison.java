@@ -79,18 +79,12 @@ public final class Comparaison {
     public String toString() {
         int ou = IntStream.range(0, pixels).reduce((p, q) -> pire(q) > pire(p) ? q : p).getAsInt();
         double carre = IntStream.range(0, 3 * pixels).mapToDouble(k -> ecart(k) * ecart(k)).sum() / (3.0 * pixels);
-        String verdict = "différentes";
-        if (sontPareilles()) {
-            verdict = "pareilles";
-        } else if (pire(ou) <= PEU) {
-            verdict += ", à l'arrondi près : --tolerance 1 les tient pour pareilles";
-        }
         String place = pire(ou) > 0 ? " en " + ou % a.largeur + "," + ou / a.largeur : "";
         String permis = part == 0 ? ""
                 : String.format("%npixels au-delà de la tolérance: %d sur %d", compterAuDela(tolerance), pixels);
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
-                verdict, Math.sqrt(carre), pire(ou), place, compterAuDela(PEU), pixels, compterAuDela(BEAUCOUP), pixels,
-                permis);
+                sontPareilles() ? "pareilles" : "différentes", Math.sqrt(carre), pire(ou), place, compterAuDela(PEU),
+                pixels, compterAuDela(BEAUCOUP), pixels, permis);
     }
 }

@@ -11,8 +11,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.PosixFileAttributes;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Collection;
 import java.util.Collections;
 import lancer.commande.Echec;
@@ -124,19 +122,17 @@ public final class Ecriture<T> {
         }
         // il disparaît même si Ctrl+C interrompt l'écriture
         provisoire.toFile().deleteOnExit();
-        if (Files.exists(cible) && cible.getFileSystem().supportedFileAttributeViews().contains("unix")) {
-            PosixFileAttributes ancien = Files.readAttributes(cible, PosixFileAttributes.class);
-            // qui ne peut lire l'ancien ne lit jamais le nouveau
-            Files.createFile(provisoire, PosixFilePermissions.asFileAttribute(ancien.permissions()));
-            Files.setPosixFilePermissions(provisoire, ancien.permissions());
-            PosixFileAttributes neuf = Files.readAttributes(provisoire, PosixFileAttributes.class);
-            surPlace = (int) Files.getAttribute(cible, "unix:nlink") > 1 || !neuf.owner().equals(ancien.owner())
-                    || !neuf.group().equals(ancien.group());
+        if (Files.exists(cible)) {
+            // ses permissions et, si c'est permis, son propriétaire ; son contenu est ensuite remplacé
+            Files.copy(cible, provisoire, StandardCopyOption.COPY_ATTRIBUTES);
+            surPlace = cible.getFileSystem().supportedFileAttributeViews().contains("unix")
+                    && ((int) Files.getAttribute(cible, "unix:nlink") > 1
+                    || !Files.getOwner(provisoire).equals(Files.getOwner(cible)));
         } else {
             Files.createFile(provisoire);
         }
         // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
-        return Files.newOutputStream(provisoire, StandardOpenOption.WRITE);
+        return Files.newOutputStream(provisoire, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
     }
 
     private void remplacer() throws IOException {

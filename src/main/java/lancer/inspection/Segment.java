@@ -71,10 +71,9 @@ public final class Segment {
             return;
         }
         poids = rayon.getProduitKs().mul(contact.objet.getKs());
-        Vecteur normale = contact.objet.getNormale(contact);
-        R = contact.objet.getReflexion(rayon.getV(), normale);
+        N = contact.objet.getNormale(contact);
+        R = contact.objet.getReflexion(rayon.getV(), N);
         Kd = contact.objet.getKd(contact);
-        N = normale;
         for (Lampe lampe : scene.getLampes()) {
             eclairages.add(new Eclairage(lampe, this, scene));
         }

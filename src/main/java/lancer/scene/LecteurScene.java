@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.StringJoiner;
 import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
 import lancer.SceneFautive;
@@ -125,14 +124,12 @@ public final class LecteurScene {
             if (nomEcrit.indexOf(']') >= 0) {
                 throw illisible("[" + nomEcrit + "]");
             }
-            StringJoiner mots = new StringJoiner(" ");
-            StringTokenizer ecrits = new StringTokenizer(nomEcrit, " \t");
-            String mot = ecrits.nextToken();
-            mots.add(mot);
-            while (ecrits.hasMoreTokens()) {
-                mots.add(ecrits.nextToken());
+            StringTokenizer mots = new StringTokenizer(nomEcrit, " \t");
+            String mot = mots.nextToken();
+            String nom = mot;
+            while (mots.hasMoreTokens()) {
+                nom += " " + mots.nextToken();
             }
-            String nom = mots.toString();
             int ligne = lignes.getNumero();
             type = sections.trouver(mot);
             courante = new SectionLue(fichier, nom, ligne, type == null ? null : type.cles);

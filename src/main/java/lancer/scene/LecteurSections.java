@@ -53,12 +53,11 @@ public final class LecteurSections {
         /** Ajoute à la scène ce que dit une section. */
         final BiConsumer<SectionLue, SceneLue> lecture;
 
-        Type(String nom, Class<?> classe, List<String> cles, boolean unique,
-                BiConsumer<SectionLue, SceneLue> lecture) {
+        Type(String nom, Class<?> classe, List<String> cles, BiConsumer<SectionLue, SceneLue> lecture) {
             this.nom = nom;
             this.classe = classe;
             this.cles = cles;
-            this.unique = unique;
+            unique = cles == null || classe == Camera.class;
             this.lecture = lecture;
         }
     }
@@ -70,20 +69,19 @@ public final class LecteurSections {
     final List<Variante> variantes = inscrites(Variante.class);
 
     private LecteurSections() {
-        ajouter(new Type("Sphere", Sphere.class, avecMatiere("centre", "rayon"), false, LecteurSections::lireSphere));
-        ajouter(new Type("Lampe", Lampe.class, Arrays.asList("position", "couleur"), false,
-                LecteurSections::lireLampe));
-        ajouter(new Type("Camera", Camera.class, Arrays.asList("oeil", "cible", "champ"), true,
+        ajouter(new Type("Sphere", Sphere.class, avecMatiere("centre", "rayon"), LecteurSections::lireSphere));
+        ajouter(new Type("Lampe", Lampe.class, Arrays.asList("position", "couleur"), LecteurSections::lireLampe));
+        ajouter(new Type("Camera", Camera.class, Arrays.asList("oeil", "cible", "champ"),
                 (section, lue) -> lue.cadrage = lireCamera(section)));
         for (String absente : Arrays.asList("Brume", "Antialias", "Blinn")) {
-            ajouter(new Type(absente, null, null, true, (section, lue) -> laisser(absente, section, lue)));
+            ajouter(new Type(absente, null, null, (section, lue) -> laisser(absente, section, lue)));
         }
         for (Variante variante : variantes) {
-            ajouter(new Type(variante.getSection(), variante.getClass(), null, true,
+            ajouter(new Type(variante.getSection(), variante.getClass(), null,
                     (section, lue) -> lue.variantes.put(variante, section)));
         }
         for (Forme forme : inscrites(Forme.class)) {
-            ajouter(new Type(forme.getSection(), forme.getClass(), avecMatiere(forme.getCles()), false,
+            ajouter(new Type(forme.getSection(), forme.getClass(), avecMatiere(forme.getCles()),
                     (section, lue) -> lue.ajouter(lire(forme, section), section, "centre")));
         }
     }

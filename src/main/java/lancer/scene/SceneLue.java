@@ -194,9 +194,9 @@ public final class SceneLue {
         }).ecrire(ecrit);
         try {
             String nouvelle = version(chemin);
-            // un autre programme a pu écrire entre-temps : sa version est à lire
             deplacee.version = Arrays.equals(ecrit[0], Files.readAllBytes(chemin)) ? nouvelle : version;
         } catch (IOException e) {
+            // un autre programme a pu écrire entre-temps, ou effacer le fichier : sa version est à lire
             deplacee.version = version;
         }
     }

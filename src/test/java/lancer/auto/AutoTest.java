@@ -56,7 +56,7 @@ class AutoTest {
     private static final Map<Variante, Section> GRILLES = GrilleDEssai.seule("1", "2", "4", "16");
 
     private static Reglages reglages(Map<Variante, Section> variantes) {
-        return new Reglages(Options.lire()).pour(variantes);
+        return Options.lire().pour(variantes);
     }
 
     private static List<Reglages> echelle(Map<Variante, Section> variantes) {

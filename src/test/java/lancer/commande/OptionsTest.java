@@ -56,7 +56,7 @@ class OptionsTest {
 
     @Test
     void sansOptionLesValeursSontCellesDuCours() {
-        Options o = Options.lire();
+        Reglages o = Options.lire();
         assertNull(o.scene);
         assertFalse(o.sansFenetre());
         assertEquals(Constantes.LARGEUR_IMAGE, o.get(Option.TAILLE).x);
@@ -89,7 +89,7 @@ class OptionsTest {
                     arguments.addAll(Arrays.asList(paire));
                 }
             }
-            Options o = Options.lire(arguments.toArray(new String[0]));
+            Reglages o = Options.lire(arguments.toArray(new String[0]));
             assertEquals("a.png b.pfm 30 20 7 0.25 3 2 true s.ini", o.get(Option.IMAGE) + " " + o.get(Option.LINEAIRE) + " "
                     + o.get(Option.TAILLE).x + " " + o.get(Option.TAILLE).y
                     + " " + o.get(Option.REFLETS) + " " + o.get(Option.SEUIL) + " " + o.get(Option.FILS) + " " + o.get(Option.REPETER) + " "
@@ -155,8 +155,9 @@ class OptionsTest {
         "--auto | 1 erreur erreur= erreur=0 erreur=0.001 erreur=256 erreur=-1 erreur=NaN erreur=1e400 erreur=0,5 erreur=1s Erreur=1 "
                 + "erreur==1 temps=1s prix=3 erreur=1,temps=1s | erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
         "--pixel | 1 1, ,1 , 1,2,3 -1,5 5,-1 +1,5 1.0,2 1;2 1x2 a,b 0x1,2 ٣,1 1e2,3 "
+                + "99999999999999999999,1 4294967296,0 0,18446744073709551616 "
                 + "| X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
-        "--pixel | 800,0 0,600 800,600 99999999999999999999,1 4294967296,0 0,18446744073709551616 | un pixel de l'image, de 0,0 à 799,599",
+        "--pixel | 800,0 0,600 800,600 16384,0 | un pixel de l'image, de 0,0 à 799,599",
         "--sans | , Brume, ,Brume Brume,,Blinn | des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
         "--etape | P | une étape du cours : lambert, phong, ombres ou reflets",
         "--vue | x | une vue : normales, distance, lampes, rayons ou marge"})
@@ -207,7 +208,7 @@ class OptionsTest {
     @CsvSource({"--pixel 421;426, 421, 426", "--pixel=0;0, 0, 0", "--pixel 799;599, 799, 599", "--pixel 30;40 --taille 31x41, 30, 40",
         "--taille=16384x1 --pixel=016383;0, 16383, 0"})
     void unPixelDeLImagePeutEtreDemande(String ligne, int x, int y) {
-        Options o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
+        Reglages o = Options.lire(arguments(ligne.replace(';', ',') + " s.ini"));
         assertTrue(o.estDonnee(Option.PIXEL));
         assertEquals(x, o.get(Option.PIXEL).x);
         assertEquals(y, o.get(Option.PIXEL).y);

@@ -29,7 +29,7 @@ class ReglagesTest {
     }
 
     private final Variante gris = new Gris();
-    private final Reglages lus = new Reglages(Options.lire()).pour(lues(gris, "part", "0.5"));
+    private final Reglages lus = Options.lire().pour(lues(gris, "part", "0.5"));
 
     private static Map<Variante, Section> lues(Variante variante, String... clesEtValeurs) {
         return Collections.singletonMap(variante, new SectionLue("Gris", clesEtValeurs));
@@ -49,18 +49,18 @@ class ReglagesTest {
         assertEquals(lus, lus.avecSection(gris, autre).avecSection(gris, new SectionLue("Gris", "part", "0.5")));
         assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")), lus.avecVariante(gris, false), "quelle que soit la casse");
         assertEquals(lus.avec(Option.SANS, Option.SANS.lire("gris")).hashCode(), lus.avecVariante(gris, false).hashCode());
-        assertEquals(lus, new Reglages(Options.lire()).pour(lues(gris, "part", "0.5")), "une autre lecture du même fichier");
+        assertEquals(lus, Options.lire().pour(lues(gris, "part", "0.5")), "une autre lecture du même fichier");
     }
 
     @Test
     void lesOptionsEcritesRedonnentLesReglages() {
-        Reglages[] tous = {new Reglages(Options.lire()),
-                new Reglages(Options.lire()).avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
-            new Reglages(Options.lire()).avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true),
-                    new Reglages(Options.lire()).avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
+        Reglages[] tous = {Options.lire(),
+                Options.lire().avec(Option.ETAPE, Etape.PHONG).avec(Option.REFLETS, 7),
+            Options.lire().avec(Option.SEUIL, 0.25).avec(Option.SIMPLE, true),
+                    Options.lire().avec(Option.SANS, Option.SANS.lire("Brume,Blinn"))};
         for (Reglages ecrits : tous) {
-            String options = ecrits.getOptions().getReglages().trim();
-            assertEquals(ecrits, new Reglages(Options.lire(options.isEmpty() ? new String[0] : options.split(" "))), options);
+            String options = ecrits.getOptions().trim();
+            assertEquals(ecrits, Options.lire(options.isEmpty() ? new String[0] : options.split(" ")), options);
         }
     }
 
@@ -95,7 +95,7 @@ class ReglagesTest {
                 return Collections.singletonMap(sienne.sansFichier("n", "2"), 0.5);
             }
         };
-        Reglages absente = new Reglages(Options.lire()).pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
+        Reglages absente = Options.lire().pour(Collections.singletonMap(proposeuse, new SectionLue("Proposeuse")));
         assertEquals(proposeuse, absente.getEssayee());
         assertNull(absente.avecVariante(proposeuse, false).getEssayee());
     }

@@ -8,6 +8,7 @@ import java.util.function.DoubleConsumer;
 import lancer.Couleur;
 import lancer.Main;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
@@ -18,7 +19,7 @@ import lancer.scene.SceneLue;
 class MainLent implements Programme {
 
     private static final long PAUSE_NS = 1_000_000;
-    final Options options;
+    final Reglages options;
     final ByteArrayOutputStream sortie = new ByteArrayOutputStream();
     final ByteArrayOutputStream erreur = new ByteArrayOutputStream();
     volatile boolean lent;

@@ -60,7 +60,7 @@ class AutoAntialiasTest {
         Scene lue = new Scene(scene.toString());
         // sans la brume, que ce chemin des classes y installe
         Lancer prepare = Dessin.lancer(new Scene(lue.getObjets(), lue.getLampes()), 80, 50, false);
-        List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(
+        List<Reglages> echelle = Echelle.de(Options.lire().pour(
                 Collections.singletonMap(new Antialias(), new SectionLue("Antialias"))), false, false);
         assertEquals(10, echelle.size());
         Echantillon tires = new Echantillon(prepare, 2, rang -> new Couleur(), 0.125, Long.MAX_VALUE, Integer.MAX_VALUE,

@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.List;
 import lancer.commande.Option;
 import lancer.commande.Options;
-import lancer.commande.Reglages;
 import lancer.dessin.Durees;
 import org.junit.jupiter.api.Test;
 
@@ -17,7 +16,7 @@ import org.junit.jupiter.api.Test;
 class EssaiTest {
 
     private static Essai essai(int reflets, double erreur, double... secondes) {
-        return new Essai(new Reglages(Options.lire()).avec(Option.REFLETS, reflets),
+        return new Essai(Options.lire().avec(Option.REFLETS, reflets),
                 new Durees(Arrays.stream(secondes).mapToLong(t -> Math.round(t * 1e9)).toArray()), erreur, 0.1);
     }
 

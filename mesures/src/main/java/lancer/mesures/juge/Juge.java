@@ -17,6 +17,7 @@ import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Options;
+import lancer.commande.Reglages;
 import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
@@ -38,7 +39,7 @@ public final class Juge {
 
     private static final String LIGNE = "%-12s %8s %8s %8s %8s %8s %9s %9s  %s%n";
 
-    private final Options dessin;
+    private final Reglages dessin;
     private final PrintStream sortie;
     private final Circonstances circonstances = new Circonstances();
     private final List<String> csv = new ArrayList<>();

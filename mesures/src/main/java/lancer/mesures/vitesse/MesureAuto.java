@@ -132,7 +132,7 @@ public final class MesureAuto {
         Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE,
                 (i, j) -> true);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        List<Reglages> echelle = Echelle.de(new Reglages(Options.lire()).pour(Collections.singletonMap(new Antialias(),
+        List<Reglages> echelle = Echelle.de(Options.lire().pour(Collections.singletonMap(new Antialias(),
                 new SectionLue("Antialias"))),
                 false, false);
         // le prix du moins cher des échelons qui tiennent chaque erreur
