@@ -11,8 +11,8 @@ import java.util.function.DoubleSupplier;
 /** Une barre sur l'erreur standard, si elle est un terminal et si le travail dure. Elle est effacée à la fin. */
 public final class BarreProgression extends TimerTask implements AutoCloseable {
 
-    /** La barre pleine, puis la barre vide. */
-    private static final String BARRE = "####################....................";
+    private static final String PLEINE = "####################";
+    private static final String VIDE = "....................";
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
@@ -47,8 +47,10 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
     public synchronized void run() {
         if (avancement != null) {
             double part = avancement.getAsDouble();
-            int reste = BARRE.length() / 2 - (int) (BARRE.length() / 2 * part);
-            montrer("\r[" + BARRE.substring(reste, reste + BARRE.length() / 2) + "] " + (int) (100 * part) + " %");
+            int faits = (int) (PLEINE.length() * part);
+            terminal.print("\r[" + PLEINE.substring(0, faits) + VIDE.substring(faits) + "] " + (int) (100 * part)
+                    + " %");
+            terminal.flush();
         }
     }
 
@@ -58,12 +60,8 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
         if (avancement != null) {
             avancement = null;
             cancel();
-            montrer("\r\u001b[K");
+            terminal.print("\r\u001b[K");
+            terminal.flush();
         }
-    }
-
-    private void montrer(String texte) {
-        terminal.print(texte);
-        terminal.flush();
     }
 }

@@ -75,8 +75,7 @@ public final class Option<T> extends Parametre {
     public static final Option<Double> AUTO = new Option<>(Forme.ERREUR, "auto", "erreur=1",
             "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
             "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
-            + "qui tienne une erreur quadratique moyenne d'un niveau (1/255) ; puis\n"
-            + "contrôle l'image, et dit ce qu'il en est. Avec --image ou --lineaire", 0.0).entre(0.01, 255)
+            + "qui tienne cette erreur en niveaux (1/255) ; puis mesure l'image", 0.0).entre(0.01, 255)
             .avec(IMAGE, LINEAIRE).sans(PIXEL, VUE);
     public static final Option<String> COMPARER = new Option<String>(Forme.FICHIER, "comparer", "REF.png",
             "une image PNG ou PFM", "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"

@@ -63,7 +63,6 @@ public final class Options {
                 valeur = mots.pop();
             }
             if (option == Option.AIDE || option == Option.VERSION) {
-                // seule cette demande compte
                 textes.clear();
                 textes.put(option, valeur);
                 return null;

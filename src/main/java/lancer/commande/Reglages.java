@@ -15,8 +15,8 @@ import lancer.contrat.Variante;
 
 /**
  * Ce qui est demandé : la scène, la valeur de chaque option et, quand la scène est lue, chaque variante présente,
- * branchée ou non, avec sa section. Immuable.
- * Une méthode dont le nom commence par {@code avec} rend les mêmes réglages, à son argument près.
+ * branchée ou non, avec sa section. Immuable. Une méthode dont le nom commence par {@code avec} rend les mêmes
+ * réglages, à son argument près.
  */
 public final class Reglages {
 

@@ -64,8 +64,7 @@ public final class Demande {
     }
 
     public Demande avecTaille(int autreLargeur, int autreHauteur) {
-        return autreLargeur == largeur && autreHauteur == hauteur ? this
-                : new Demande(lue, reglages.avec(Option.TAILLE, new Option.Couple(autreLargeur, autreHauteur)), scene);
+        return new Demande(lue, reglages.avec(Option.TAILLE, new Option.Couple(autreLargeur, autreHauteur)), scene);
     }
 
     /** @param autre {@code null} pour l'image */

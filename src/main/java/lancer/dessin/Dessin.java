@@ -30,20 +30,18 @@ public final class Dessin {
     private static final double NS_PAR_MS = 1e6;
     private static final double NS_PAR_S = 1e9;
 
-    private static final String CACHE = "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des "
-            + "questions : ce sont les boucles sur tous les objets qui dessinent";
-
     public final Demande demande;
     public final ImageMemoire image;
     /** Le lancer de cette demande, préparé. */
     public final Lancer lancer;
+    /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */
+    public final String ecart;
     /** Celui qui a dessiné l'image en dernier : le même, ou celui d'autres réglages. */
     private volatile Lancer dernier;
     private Auto auto;
     /** Le temps de la préparation, puis celui de chaque dessin, en nanosecondes. */
     private final long preparationNs;
     private long[] tracesNs;
-    private final boolean cachait;
 
     /**
      * Prépare le dessin de cette demande.
@@ -57,9 +55,11 @@ public final class Dessin {
         long debut = System.nanoTime();
         Lancer prepare = lancer(scene, image.largeur, image.hauteur, demande.reglages.get(Option.SIMPLE));
         preparationNs = System.nanoTime() - debut;
-        cachait = prepare.getScene() != scene
+        boolean cachait = prepare.getScene() != scene
                 && Regard.trouveUneReponseCachee(prepare.getScene(), prepare.getCamera());
         lancer = cachait ? new Lancer(scene, prepare.getCamera()) : prepare;
+        ecart = !cachait ? null : "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : "
+                + "ce sont les boucles sur tous les objets qui dessinent";
         dernier = lancer;
     }
 
@@ -141,12 +141,7 @@ public final class Dessin {
         return dernier.getAtelier().getAvancement();
     }
 
-    /** Une phrase, si la recherche cachait une réponse : tous les objets sont alors demandés ; {@code null} sinon. */
-    public String getEcart() {
-        return cachait ? CACHE : null;
-    }
-
-    /** Dit ce qu'il faut de ce dessin achevé : statistiques demandées, réglages choisis, {@link #getEcart}. */
+    /** Dit ce qu'il faut de ce dessin achevé : statistiques demandées, réglages choisis, {@link #ecart}. */
     public Dessin rapporter(PrintStream sortie, PrintStream erreur) {
         if (demande.reglages.get(Option.STATISTIQUES)) {
             Messages.repondre(getStatistiques(), sortie);
@@ -156,8 +151,8 @@ public final class Dessin {
             Messages.avertir("auto, choisi : " + Echelle.dire(auto.getChoisi()), erreur);
             Messages.avertir("auto, mesuré : " + mesure, erreur);
         }
-        if (cachait) {
-            Messages.avertir(CACHE, erreur);
+        if (ecart != null) {
+            Messages.avertir(ecart, erreur);
         }
         return this;
     }
@@ -170,29 +165,25 @@ public final class Dessin {
     }
 
     /**
-     * Texte de {@code --statistiques} : compteurs d'un dessin, et temps. Les nombres ont un point décimal, sans
-     * séparateur de milliers ni exposant, quelle que soit la langue de la machine.
+     * Texte de {@code --statistiques} : compteurs d'un dessin, temps, choix de {@code --auto}. Les nombres ont un point
+     * décimal, sans séparateur de milliers ni exposant, quelle que soit la langue de la machine.
      */
     private String getStatistiques() {
         Compteurs c = dernier.getAtelier().getCompteurs();
         double traceNs = new Durees(tracesNs).getMediane();
-        return String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
+        String texte = String.format(Locale.ROOT, "rayons.primaires: %d\nrayons.ombre: %d\nrayons.reflechis: %d\n"
                 + "tests.spheres: %d\nnoeuds.visites: %d\npixels.raffines: %d\n"
                 + "lecture.ms: %.3f\npreparation.ms: %.3f\ntrace.ms: %.3f\nrayons.par.seconde: %d",
                 c.primaires, c.ombre, c.reflechis, c.testsSpheres, c.noeudsVisites,
                 c.pixelsRaffines, demande.lue.getDureeNs() / NS_PAR_MS, preparationNs / NS_PAR_MS,
-                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / NS_PAR_S))) + getEssais();
-    }
-
-    /** Ce que {@code --auto} ajoute aux statistiques. */
-    private String getEssais() {
+                traceNs / NS_PAR_MS, Math.round(c.rayons() / (Math.max(traceNs, 1) / NS_PAR_S)));
         if (auto == null) {
-            return "";
+            return texte;
         }
         Mesure mesure = auto.getMesure();
         String incertitude = mesure.rienVu ? ""
                 : String.format(Locale.ROOT, "auto.erreur.incertitude: %.2f%n", mesure.incertitude);
-        return String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d", mesure.erreur,
-                incertitude, auto.getRayonsDesEssais());
+        return texte + String.format(Locale.ROOT, "%nauto.erreur.mesuree: %.2f%n%sauto.rayons.essais: %d",
+                mesure.erreur, incertitude, auto.getRayonsDesEssais());
     }
 }

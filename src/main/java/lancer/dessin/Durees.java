@@ -15,11 +15,14 @@ public final class Durees {
     private final long[] toutes;
     /** La seconde moitié, de la plus courte à la plus longue. */
     private final long[] gardees;
+    /** Le rang du bas de l'intervalle dans {@link #gardees}. */
+    private final int rang;
 
     /** @param toutes en nanosecondes */
     public Durees(long... toutes) {
         this.toutes = toutes;
         gardees = Arrays.stream(toutes).skip(toutes.length / 2).sorted().toArray();
+        rang = (int) Math.max(0, (gardees.length - NORMALE * Math.sqrt(gardees.length)) / 2);
     }
 
     public Durees avec(long duree) {
@@ -41,14 +44,10 @@ public final class Durees {
 
     /** La plus petite durée de l'intervalle de la médiane, à 95 % si cinq durées ou plus comptent. */
     public long getMin() {
-        return gardees[getRang()];
+        return gardees[rang];
     }
 
     public long getMax() {
-        return gardees[gardees.length - 1 - getRang()];
-    }
-
-    private int getRang() {
-        return (int) Math.max(0, (gardees.length - NORMALE * Math.sqrt(gardees.length)) / 2);
+        return gardees[gardees.length - 1 - rang];
     }
 }

@@ -1,8 +1,6 @@
 package lancer.dessin;
 
 import java.io.PrintStream;
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -74,14 +72,14 @@ public final class SansFenetre {
     /** Les fichiers demandés. @throws lancer.commande.Echec si l'un d'eux ne peut être écrit */
     private List<Ecriture<ImageMemoire>> fichiers() {
         List<Ecriture<ImageMemoire>> fichiers = new ArrayList<>();
-        Map<Path, String> pris = new LinkedHashMap<>();
+        Map<String, String> pris = new LinkedHashMap<>();
         if (options.estDonnee(Option.COMPARER)) {
-            pris.put(Paths.get(options.get(Option.COMPARER)), UNE_IMAGE);
+            pris.put(options.get(Option.COMPARER), UNE_IMAGE);
         }
         if (compareDeuxFichiers()) {
-            pris.put(Paths.get(options.scene), UNE_IMAGE);
+            pris.put(options.scene, UNE_IMAGE);
         } else {
-            pris.put(LecteurScene.trouver(options.scene), "la scène elle-même");
+            pris.put(LecteurScene.trouver(options.scene).toString(), "la scène elle-même");
         }
         ajouter(fichiers, Option.IMAGE, new FichierPng(), pris);
         ajouter(fichiers, Option.LINEAIRE, new FichierPfm(), pris);
@@ -90,13 +88,13 @@ public final class SansFenetre {
 
     /** @throws lancer.commande.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont pris */
     private void ajouter(List<Ecriture<ImageMemoire>> fichiers, Option<String> option,
-            Ecriture.Format<ImageMemoire> format, Map<Path, String> pris) {
+            Ecriture.Format<ImageMemoire> format, Map<String, String> pris) {
         if (options.estDonnee(option)) {
             Ecriture<ImageMemoire> fichier = new Ecriture<>(options.get(option), format);
-            for (Map.Entry<Path, String> autre : pris.entrySet()) {
+            for (Map.Entry<String, String> autre : pris.entrySet()) {
                 fichier.distinguer(autre.getKey(), autre.getValue());
             }
-            pris.put(fichier.cible, "celle de --image et de --lineaire");
+            pris.put(fichier.cible.toString(), "celle de --image et de --lineaire");
             fichiers.add(fichier);
         }
     }
@@ -118,12 +116,10 @@ public final class SansFenetre {
 
     /** Compare deux images, et écrit celle des différences si elle est demandée. */
     private int comparer() {
-        ImageMemoire attendue = LectureImage.lire(options.get(Option.COMPARER));
-        ImageMemoire autre = compareDeuxFichiers() ? LectureImage.lire(options.scene) : null;
         List<Ecriture<ImageMemoire>> fichiers = fichiers();
-        if (autre == null) {
-            autre = dessiner(lire().avecTaille(attendue.largeur, attendue.hauteur)).rapporter(sortie, erreur).image;
-        }
+        ImageMemoire attendue = LectureImage.lire(options.get(Option.COMPARER));
+        ImageMemoire autre = compareDeuxFichiers() ? LectureImage.lire(options.scene)
+                : dessiner(lire().avecTaille(attendue.largeur, attendue.hauteur)).rapporter(sortie, erreur).image;
         Comparaison comparaison = new Comparaison(autre, attendue, options.get(Option.TOLERANCE),
                 options.get(Option.PART));
         if (!fichiers.isEmpty()) {

@@ -275,8 +275,8 @@ final class Controleur implements Travail.Suite {
         }
         if (celui.estAcheve()) {
             fini = fini.avec(new Montre(celui.dessin, true, fini.montre.avant));
-            if (celui.dessin.getEcart() != null) {
-                panneau.bandeau.dire(celui.dessin.getEcart());
+            if (celui.dessin.ecart != null) {
+                panneau.bandeau.dire(celui.dessin.ecart);
             }
         }
         if (echec != null && fini.demande != null && (!celui.lue || !fini.demande.equals(celui.demande))) {

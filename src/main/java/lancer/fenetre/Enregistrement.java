@@ -106,7 +106,7 @@ final class Enregistrement {
     private static void ecrire(ImageMemoire image, File cible, String scene) {
         Ecriture<ImageMemoire> ecriture = new Ecriture<>(cible.getPath(), new FichierPng());
         try {
-            ecriture.distinguer(LecteurScene.trouver(scene), "la scène elle-même");
+            ecriture.distinguer(LecteurScene.trouver(scene).toString(), "la scène elle-même");
         } catch (SceneFautive e) {
             // le fichier de la scène a été effacé depuis sa lecture
         }

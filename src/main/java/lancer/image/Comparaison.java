@@ -11,10 +11,6 @@ import lancer.commande.Echec;
  */
 public final class Comparaison {
 
-    private static final int PEU = 1;
-    private static final int BEAUCOUP = 8;
-    private static final int GROSSI = 8;
-
     private final ImageMemoire a;
     private final ImageMemoire b;
     private final double tolerance;
@@ -69,7 +65,7 @@ public final class Comparaison {
     public ImageMemoire peindreLesEcarts() {
         ImageMemoire image = new ImageMemoire(a.largeur, a.hauteur, false);
         for (int p = 0; p < pixels; p++) {
-            image.drawPixel(new Couleur(GROSSI * pire(p) / 255), p % a.largeur, p / a.largeur);
+            image.drawPixel(new Couleur(8 * pire(p) / 255), p % a.largeur, p / a.largeur);
         }
         return image;
     }
@@ -84,7 +80,7 @@ public final class Comparaison {
                 : String.format("%npixels au-delà de la tolérance: %d sur %d", compterAuDela(tolerance), pixels);
         return String.format(Locale.ROOT, "images: %s%nécart quadratique moyen: %.4f%nplus grand écart: %.4f%s%n"
                 + "pixels à plus de 1 niveau: %d sur %d%npixels à plus de 8 niveaux: %d sur %d%s",
-                sontPareilles() ? "pareilles" : "différentes", Math.sqrt(carre), pire(ou), place, compterAuDela(PEU),
-                pixels, compterAuDela(BEAUCOUP), pixels, permis);
+                sontPareilles() ? "pareilles" : "différentes", Math.sqrt(carre), pire(ou), place, compterAuDela(1),
+                pixels, compterAuDela(8), pixels, permis);
     }
 }

@@ -19,11 +19,9 @@ import lancer.texte.Texte;
 
 /**
  * Un fichier écrit en entier ou pas du tout : il est écrit sous un nom provisoire, dans le même dossier, puis renommé.
- * Il garde les permissions, le propriétaire et le groupe de celui qu'il remplace. Un lien symbolique est suivi.
- *
- * <p>Le fichier provisoire, une fois entier, est recopié dans la cible si elle a un autre nom (un lien dur) ou un autre
- * propriétaire : seule une panne pendant cette copie la laisserait incomplète. Une cible qui n'est pas un fichier
- * ordinaire (un tube) est écrite directement.
+ * Il garde les permissions de celui qu'il remplace. Un lien symbolique est suivi. Si l'ancien a un autre nom (un lien
+ * dur) ou un autre propriétaire, le nouveau y est recopié : seule une panne pendant cette copie le laisserait
+ * incomplet. Une cible qui n'est pas un fichier ordinaire (un tube) est écrite directement.
  *
  * @param <T> ce que contient le fichier
  */
@@ -77,13 +75,13 @@ public final class Ecriture<T> {
     }
 
     /** @throws Echec si la cible est cet autre fichier, même sous un autre nom ; {@code quoi} dit ce qu'il est */
-    public void distinguer(Path autre, String quoi) {
+    public void distinguer(String autre, String quoi) {
         try {
-            if (Files.isSameFile(cible, autre)) {
-                throw Echec.demande("la sortie est " + quoi + " : " + Texte.echappe(autre.toString())
+            if (Files.isSameFile(cible, Paths.get(autre))) {
+                throw Echec.demande("la sortie est " + quoi + " : " + Texte.echappe(autre)
                         + " ; attendu : un autre fichier");
             }
-        } catch (IOException e) {
+        } catch (IOException | InvalidPathException e) {
             // un des deux fichiers n'existe pas : ils sont différents
         }
     }
@@ -123,7 +121,7 @@ public final class Ecriture<T> {
         // il disparaît même si Ctrl+C interrompt l'écriture
         provisoire.toFile().deleteOnExit();
         if (Files.exists(cible)) {
-            // ses permissions et, si c'est permis, son propriétaire ; son contenu est ensuite remplacé
+            // pour ses permissions et, si le système le permet, son propriétaire
             Files.copy(cible, provisoire, StandardCopyOption.COPY_ATTRIBUTES);
             surPlace = cible.getFileSystem().supportedFileAttributeViews().contains("unix")
                     && ((int) Files.getAttribute(cible, "unix:nlink") > 1

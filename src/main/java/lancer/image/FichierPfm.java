@@ -20,6 +20,5 @@ public final class FichierPfm implements Ecriture.Format<ImageMemoire> {
             ligne.asFloatBuffer().put(image.lineaire, 3 * j * largeur, 3 * largeur);
             sortie.write(ligne.array());
         }
-        sortie.flush();
     }
 }

@@ -28,7 +28,6 @@ public final class FichierPng implements Ecriture.Format<ImageMemoire> {
         bloc(sortie, "IHDR", entete.array(), entete.capacity());
         pixels(sortie, image);
         bloc(sortie, "IEND", new byte[0], 0);
-        sortie.flush();
     }
 
     private static void pixels(DataOutputStream sortie, ImageMemoire image) throws IOException {

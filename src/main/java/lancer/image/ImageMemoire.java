@@ -16,8 +16,9 @@ public final class ImageMemoire implements Toile {
     public final int[] codes;
     public final float[] lineaire;
 
-    /** Le texte des trois nombres de {@link #lineaire}, si c'est une vue ; {@code null} pour des couleurs. */
-    public volatile Function<Couleur, String> sens;
+    /** Le texte des trois nombres de {@link #lineaire} : une couleur, ou la grandeur que montre une vue. */
+    public volatile Function<Couleur, String> sens =
+            c -> String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
 
     /** Légende d'une vue, en une ligne : ce que montrent ses teintes ; vide pour des couleurs. */
     public volatile String echelle = "";
@@ -66,10 +67,6 @@ public final class ImageMemoire implements Toile {
 
     /** Les nombres de ce pixel, comme {@link #sens} ; vide si l'image n'en garde pas. */
     public String dire(int k) {
-        if (lineaire == null) {
-            return "";
-        }
-        Couleur c = getCouleur(k);
-        return sens != null ? sens.apply(c) : String.format(Locale.ROOT, "← %.3f %.3f %.3f", c.r, c.v, c.b);
+        return lineaire == null ? "" : sens.apply(getCouleur(k));
     }
 }

@@ -27,7 +27,6 @@ public final class LectureImage {
     /** Sorte, largeur, hauteur, échelle, puis un seul blanc avant les données. */
     private static final Pattern ENTETE_PFM =
             Pattern.compile("P([Ff])\\s+(\\d{1,7})\\s+(\\d{1,7})\\s+([-+]?\\d+\\.?\\d*(?:[eE][-+]?\\d+)?)\\s");
-    private static final int ENTETE_PFM_MAX = 160;
 
     private LectureImage() {
     }
@@ -74,7 +73,7 @@ public final class LectureImage {
 
     private static ImageMemoire lirePfm(byte[] octets) throws IOException {
         Matcher entete = ENTETE_PFM.matcher(
-                new String(octets, 0, Math.min(octets.length, ENTETE_PFM_MAX), StandardCharsets.ISO_8859_1));
+                new String(octets, 0, Math.min(octets.length, 160), StandardCharsets.ISO_8859_1));
         if (!entete.lookingAt()) {
             throw new IOException("l'en-tête n'est pas celui d'un PFM");
         }

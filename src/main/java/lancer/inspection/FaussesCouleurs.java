@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.BiFunction;
-import java.util.function.Function;
+import java.util.function.DoubleFunction;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Couleur;
@@ -75,12 +75,19 @@ public final class FaussesCouleurs {
     }
 
     private void dessinerLesNormales() {
-        double[] nombres = nombrer(parContact((scene, contact) -> {
+        legender("N = %.4f %.4f %.4f", "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
+        tracer(parContact((scene, contact) -> {
             Vecteur N = contact.objet.getNormale(contact);
             return new Couleur(N.x, N.y, N.z);
-        }));
-        peindre(nombres, "N = %.4f %.4f %.4f", N -> N.add(new Couleur(1)).div(2),
-                "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
+        }), (N, x, y) -> image.drawPixel(N.add(new Couleur(1)).div(2), N, x, y));
+    }
+
+    private void dessinerLesLampes() {
+        int toutes = lancer.getScene().getLampes().size();
+        legender("lampes : %.0f", "vue lampes : lampes qui éclairent, noir : aucune, blanc : " + toutes + " sur "
+                + toutes + " ; ciel noir");
+        tracer(parContact(FaussesCouleurs::compterLesLampes),
+                (n, x, y) -> image.drawPixel(n.div(Math.max(1, toutes)), n, x, y));
     }
 
     /** Du blanc au gris sombre, selon le rang de la distance : un horizon n'éclaircit pas le reste. */
@@ -88,57 +95,52 @@ public final class FaussesCouleurs {
         double[] distances = nombrer(parContact((scene, contact) -> new Couleur(contact.distance)));
         double[] contacts = Arrays.stream(distances).filter(d -> d > 0).distinct().sorted().toArray();
         int dernier = contacts.length - 1;
-        peindre(distances, "d = %.5f", d -> new Couleur(
-                1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d.r) / Math.max(1, dernier)),
-                "vue distance : " + (dernier < 0 ? "aucun contact" : "d = " + Nombre.arrondir(contacts[0])
-                + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2]) + " au milieu, "
-                + Nombre.arrondir(contacts[dernier]) + " en gris sombre") + " ; ciel noir");
-    }
-
-    private void dessinerLesLampes() {
-        int toutes = lancer.getScene().getLampes().size();
-        peindre(nombrer(parContact(FaussesCouleurs::compterLesLampes)), "lampes : %.0f",
-                lampes -> lampes.div(Math.max(1, toutes)), "vue lampes : lampes qui éclairent, noir : aucune, blanc : "
-                + toutes + " sur " + toutes + " ; ciel noir");
+        legender("d = %.5f", "vue distance : " + (dernier < 0 ? "aucun contact" : "d = "
+                + Nombre.arrondir(contacts[0]) + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2])
+                + " au milieu, " + Nombre.arrondir(contacts[dernier]) + " en gris sombre") + " ; ciel noir");
+        peindre(distances, d -> d > 0 ? new Couleur(
+                1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d) / Math.max(1, dernier)) : CIEL);
     }
 
     /** Selon le logarithme du nombre de rayons, de 1 au plus grand de cette image. */
     private void dessinerLesRayons() {
         double[] rayons = nombrer(this::compterLesRayons);
         double max = Arrays.stream(rayons).max().getAsDouble();
-        peindre(rayons, "rayons : %.0f", n -> teinte(Math.log(n.r) / Math.log(Math.max(2, max))),
+        legender("rayons : %.0f",
                 String.format("vue rayons : noir : 1 rayon, rose : %.0f, blanc : %.0f", Math.sqrt(max), max));
+        peindre(rayons, n -> teinte(Math.log(n) / Math.log(Math.max(2, max))));
     }
 
     private void dessinerLesMarges() {
-        double[] marges = nombrer((pave, voulus, vue, toile) ->
-                Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile));
-        peindre(marges, "marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)",
-                m -> couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]),
+        legender("marge : %.0f décimales (" + (DERNIER - PREMIER + 1) + " : rien ne change)",
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
                 + "orange : 2 à 4, blanc : l'arrondi suffit");
+        tracer((pave, voulus, vue, toile) ->
+                Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile),
+                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y));
     }
 
-    /** Les nombres, trois par pixel, que cet échantillonnage donne comme couleurs. */
+    /** @param format celui du texte des nombres d'un pixel @param legende une ligne */
+    private void legender(String format, String legende) {
+        image.sens = n -> n.equals(CIEL) ? "ciel" : String.format(Locale.ROOT, format, n.r, n.v, n.b);
+        image.echelle = legende;
+    }
+
+    private void tracer(Echantillonnage echantillonnage, Toile toile) {
+        lancer.Tracer(echantillonnage, toile, profondeur, fils);
+    }
+
+    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
     private double[] nombrer(Echantillonnage echantillonnage) {
-        double[] nombres = new double[3 * image.largeur * image.hauteur];
-        lancer.Tracer(echantillonnage, (n, x, y) -> {
-            int k = 3 * (y * image.largeur + x);
-            nombres[k] = n.r;
-            nombres[k + 1] = n.v;
-            nombres[k + 2] = n.b;
-        }, profondeur, fils);
+        double[] nombres = new double[image.largeur * image.hauteur];
+        tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] = n.r);
         return nombres;
     }
 
-    /** Peint chaque pixel de la teinte de ses nombres. @param format celui de leur texte @param legende une ligne */
-    private void peindre(double[] nombres, String format, Function<Couleur, Couleur> teinte, String legende) {
-        image.sens = n -> n.equals(CIEL) ? "ciel" : String.format(Locale.ROOT, format, n.r, n.v, n.b);
-        image.echelle = legende;
-        for (int k = 0; k < nombres.length; k += 3) {
-            Couleur n = new Couleur(nombres[k], nombres[k + 1], nombres[k + 2]);
-            image.drawPixel(n.equals(CIEL) ? CIEL : teinte.apply(n), n, k / 3 % image.largeur, k / 3 / image.largeur);
+    private void peindre(double[] nombres, DoubleFunction<Couleur> teinte) {
+        for (int k = 0; k < nombres.length; k++) {
+            image.drawPixel(teinte.apply(nombres[k]), new Couleur(nombres[k]), k % image.largeur, k / image.largeur);
         }
     }
 

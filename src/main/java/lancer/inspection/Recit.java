@@ -126,14 +126,14 @@ public final class Recit {
         List<String> termes = new ArrayList<>();
         List<Eclairage> visibles = segment.eclairages.stream().filter(Eclairage::eclaire)
                 .collect(Collectors.toList());
-        if (!visibles.isEmpty()) {
-            List<String> parts = new ArrayList<>();
-            if (visibles.stream().anyMatch(eclairage -> !eclairage.diffus.estNoire())) {
-                parts.add("diffus");
-            }
-            if (visibles.stream().anyMatch(eclairage -> !eclairage.reflet.estNoire())) {
-                parts.add("reflet");
-            }
+        List<String> parts = new ArrayList<>();
+        if (visibles.stream().anyMatch(eclairage -> !eclairage.diffus.estNoire())) {
+            parts.add("diffus");
+        }
+        if (visibles.stream().anyMatch(eclairage -> !eclairage.reflet.estNoire())) {
+            parts.add("reflet");
+        }
+        if (!parts.isEmpty()) {
             termes.add(String.join(" + ", parts) + (visibles.size() > 1 ? " de " + visibles.size() + " lampes" : ""));
         }
         if (segment.reflet != null) {
