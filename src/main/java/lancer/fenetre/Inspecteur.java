@@ -30,8 +30,8 @@ import lancer.fenetre.figures.Figure;
 import lancer.fenetre.figures.VueDeCote;
 import lancer.image.ImageMemoire;
 import lancer.inspection.Inspection;
-import lancer.inspection.Noeud;
 import lancer.inspection.Recit;
+import lancer.inspection.Recit.Noeud;
 import lancer.texte.Nombre;
 
 /** Explication d'un pixel, calculée dans un autre fil. Tant qu'elle est visible, chaque dessin la met à jour. */

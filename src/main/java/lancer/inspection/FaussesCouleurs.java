@@ -38,9 +38,6 @@ public final class FaussesCouleurs {
     /** Rangs, dans l'échelle, des teintes de la marge : plus de 10 décimales, puis 8, 5 et 2 au moins, et moins. */
     private static final int[] MARGES = {0, 2, 4, 5, 6};
 
-    /** Le gris du contact le plus lointain, pour le distinguer du ciel. */
-    private static final double GRIS_LOINTAIN = 0.1;
-
     /** Les nombres d'un pixel où rien n'est vu : ni une normale, ni une distance, ni un compte. Sa teinte est noire. */
     private static final Couleur CIEL = new Couleur(-1);
 
@@ -76,18 +73,18 @@ public final class FaussesCouleurs {
 
     private void dessinerLesNormales() {
         legender("N = %.4f %.4f %.4f", "vue normales : (N + 1)/2 : x en rouge, y en vert, z en bleu ; ciel noir");
-        tracer(parContact((scene, contact) -> {
+        lancer.Tracer(parContact((scene, contact) -> {
             Vecteur N = contact.objet.getNormale(contact);
             return new Couleur(N.x, N.y, N.z);
-        }), (N, x, y) -> image.drawPixel(N.add(new Couleur(1)).div(2), N, x, y));
+        }), (N, x, y) -> image.drawPixel(N.add(new Couleur(1)).div(2), N, x, y), profondeur, fils);
     }
 
     private void dessinerLesLampes() {
         int toutes = lancer.getScene().getLampes().size();
         legender("lampes : %.0f", "vue lampes : lampes qui éclairent, noir : aucune, blanc : " + toutes + " sur "
                 + toutes + " ; ciel noir");
-        tracer(parContact(FaussesCouleurs::compterLesLampes),
-                (n, x, y) -> image.drawPixel(n.div(Math.max(1, toutes)), n, x, y));
+        lancer.Tracer(parContact(FaussesCouleurs::compterLesLampes),
+                (n, x, y) -> image.drawPixel(n.div(Math.max(1, toutes)), n, x, y), profondeur, fils);
     }
 
     /** Du blanc au gris sombre, selon le rang de la distance : un horizon n'éclaircit pas le reste. */
@@ -98,8 +95,9 @@ public final class FaussesCouleurs {
         legender("d = %.5f", "vue distance : " + (dernier < 0 ? "aucun contact" : "d = "
                 + Nombre.arrondir(contacts[0]) + " en blanc, " + Nombre.arrondir(contacts[contacts.length / 2])
                 + " au milieu, " + Nombre.arrondir(contacts[dernier]) + " en gris sombre") + " ; ciel noir");
-        peindre(distances, d -> d > 0 ? new Couleur(
-                1 - (1 - GRIS_LOINTAIN) * Arrays.binarySearch(contacts, d) / Math.max(1, dernier)) : CIEL);
+        // le contact le plus lointain n'est pas noir comme le ciel
+        peindre(distances, d -> d > 0
+                ? new Couleur(1 - 0.9 * Arrays.binarySearch(contacts, d) / Math.max(1, dernier)) : CIEL);
     }
 
     /** Selon le logarithme du nombre de rayons, de 1 au plus grand de cette image. */
@@ -116,9 +114,10 @@ public final class FaussesCouleurs {
                 "vue marge : décimales que peut perdre le rayon avant que la couleur change d'un niveau, d'après "
                 + TIRAGES + " rayons au hasard pour chacune ; noir : rien ne change, violet : 8 à 10, rouge : 5 à 7, "
                 + "orange : 2 à 4, blanc : l'arrondi suffit");
-        tracer((pave, voulus, vue, toile) ->
+        lancer.Tracer((pave, voulus, vue, toile) ->
                 Lancer.TracerPave(pave, voulus, (xe, ye) -> new Couleur(marge(xe, ye, vue)), toile),
-                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y));
+                (m, x, y) -> image.drawPixel(couleur(ECHELLE[MARGES[4 - ((int) m.r + 1) / 3]]), m, x, y),
+                profondeur, fils);
     }
 
     /** @param format celui du texte des nombres d'un pixel @param legende une ligne */
@@ -127,14 +126,10 @@ public final class FaussesCouleurs {
         image.echelle = legende;
     }
 
-    private void tracer(Echantillonnage echantillonnage, Toile toile) {
-        lancer.Tracer(echantillonnage, toile, profondeur, fils);
-    }
-
     /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
     private double[] nombrer(Echantillonnage echantillonnage) {
         double[] nombres = new double[image.largeur * image.hauteur];
-        tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] = n.r);
+        lancer.Tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] = n.r, profondeur, fils);
         return nombres;
     }
 

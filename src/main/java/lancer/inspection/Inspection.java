@@ -26,9 +26,6 @@ import lancer.fils.Equipe;
  */
 public final class Inspection {
 
-    /** Distance au-delà du pixel, en pixels, où un échantillon d'un pixel voisin peut être partagé avec lui. */
-    private static final double PARTAGE = 0.5;
-
     public final Scene scene;
     private final Function<Object, String> origines;
     public final Camera camera;
@@ -95,7 +92,8 @@ public final class Inspection {
     private Couleur voir(double xe, double ye) {
         equipe.obeir();
         Couleur vue = lancer.getCouleurPixel(xe, ye, profondeur);
-        if (couleur == null && xe >= x && xe < x + 1 + PARTAGE && ye >= y && ye < y + 1 + PARTAGE) {
+        // au plus un demi-pixel au-delà, le point d'un pixel voisin peut être partagé
+        if (couleur == null && xe >= x && xe < x + 1.5 && ye >= y && ye < y + 1.5) {
             echantillons.put(new Point(xe, ye, 0), vue);
         }
         return vue;

@@ -2,15 +2,14 @@ package lancer.inspection;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import lancer.Couleur;
 import lancer.Objet3D;
-import lancer.Sphere;
 import lancer.Tuple;
-import lancer.Vecteur;
 import lancer.contrat.Atmosphere;
 import lancer.inspection.Segment.Eclairage;
 import lancer.texte.Nombre;
@@ -20,12 +19,14 @@ import lancer.texte.ErreurSysteme;
 public final class Recit {
 
     private final Inspection pixel;
+    private final Atmosphere air;
     private final DoubleFunction<String> nombre;
     private final DoubleFunction<String> composante;
 
     /** @param nombre écriture d'un nombre calculé ; le fichier garde la sienne @param composante celle d'une couleur */
     public Recit(Inspection pixel, DoubleFunction<String> nombre, DoubleFunction<String> composante) {
         this.pixel = pixel;
+        air = pixel.scene.getModele().getAtmosphere();
         this.nombre = nombre;
         this.composante = composante;
     }
@@ -103,7 +104,15 @@ public final class Recit {
                 : ligne("%d  %s  %s%s", segment.numero, nom, segment.somme, resumer(segment));
         List<Noeud> lignes = new ArrayList<>();
         if (segment.contact != null) {
-            direLesTermes(lignes, segment);
+            segment.eclairages.forEach(eclairage -> lignes.add(direLaLampe(segment, eclairage)));
+            if (segment.N != null && segment.eclairages.isEmpty()) {
+                lignes.add(ligne("aucune lampe dans la scène : rien ne l'éclaire"));
+            }
+            if (segment.reflet != null) {
+                lignes.add(ligne("Ks (%s) ⊗ %s = %s", ecrireCommeLeFichier(segment.contact.objet.getKs()),
+                        nommerLaVue(segment.suite), segment.reflet).avec(Arrays.asList(
+                        ligne("R = %s", segment.R), ligne("poids, produit des Ks = %s", segment.poids)), true));
+            }
             direLAutre(lignes, segment.autre);
             lignes.add(ligne("contact, normale et rivaux").avec(direLeContact(segment), true));
         } else if (pixel.scene.getObjets().isEmpty()) {
@@ -152,18 +161,6 @@ public final class Recit {
         return (estChangeParLAir(segment) ? "vue " : "somme ") + segment.numero;
     }
 
-    private void direLesTermes(List<Noeud> lignes, Segment segment) {
-        if (segment.N != null && pixel.scene.getLampes().isEmpty()) {
-            lignes.add(ligne("aucune lampe dans la scène : rien ne l'éclaire"));
-        }
-        segment.eclairages.forEach(eclairage -> lignes.add(direLaLampe(segment, eclairage)));
-        if (segment.reflet != null) {
-            lignes.add(ligne("Ks (%s) ⊗ %s = %s", ecrireCommeLeFichier(segment.contact.objet.getKs()),
-                    nommerLaVue(segment.suite), segment.reflet).avec(Arrays.asList(
-                    ligne("R = %s", segment.R), ligne("poids, produit des Ks = %s", segment.poids)), true));
-        }
-    }
-
     private void direLAutre(List<Noeud> lignes, Couleur autre) {
         if (!autre.estNoire()) {
             lignes.add(ligne("autre = %s (que le récit ne connaît pas)", autre));
@@ -197,38 +194,28 @@ public final class Recit {
                 .avec(facteurs, true);
     }
 
-    /** Le contact, la demi-corde d'une sphère, et les deux autres objets les plus proches, par les boucles du cours. */
+    /** Le contact, et les deux autres objets les plus proches. */
     private List<Noeud> direLeContact(Segment segment) {
         List<Noeud> lignes = new ArrayList<>();
         lignes.add(ligne("d = %s", segment.distance));
         lignes.add(ligne("contact = %s", segment.contact));
         if (segment.N != null) {
             lignes.add(ligne("N = %s", segment.N));
-            if (segment.contact.objet instanceof Sphere) {
-                // cours : d = b ± h, où b est la distance jusqu'au milieu de la corde
-                Vecteur f = new Vecteur(segment.rayon.getP(), ((Sphere) segment.contact.objet).getCentre());
-                lignes.add(ligne("demi-corde h = %s", Math.abs(segment.distance - f.dot(segment.rayon.getV()))));
-            }
         }
         segment.rivaux.forEach(rival ->
                 lignes.add(ligne("rival %s  d = %s", pixel.nom(rival.objet), rival.distance)));
         return lignes;
     }
 
-    /** Part k de l'air dans la couleur, NaN si l'air n'en a pas. */
-    private double k(Segment segment) {
-        return pixel.scene.getModele().getAtmosphere().k(segment.distance);
-    }
-
     private boolean estChangeParLAir(Segment segment) {
-        return !Double.isNaN(k(segment)) || !segment.vue.equals(segment.somme);
+        return !Double.isNaN(air.k(segment.distance)) || !segment.vue.equals(segment.somme);
     }
 
     private void direLAir(List<Noeud> lignes, Segment segment) {
-        double k = k(segment);
+        double k = air.k(segment.distance);
         List<Noeud> parts = new ArrayList<>();
+        // NaN si l'air n'a pas de part
         if (!Double.isNaN(k)) {
-            Atmosphere air = pixel.scene.getModele().getAtmosphere();
             parts.add(ligne("air : k = %s", k));
             parts.add(ligne("k · air = %s", air.traverser(new Couleur(), segment.distance)));
             parts.add(ligne("(1 − k) · somme %d = %s", segment.numero, segment.somme.mul(1 - k)));
@@ -246,6 +233,49 @@ public final class Recit {
             lignes.add(ligne("arrêt : %d réflexion%s", pixel.profondeur, pixel.profondeur > 1 ? "s" : ""));
         } else if (segment.poids.max() < seuil) {
             lignes.add(ligne("arrêt : poids %s < seuil %s", segment.poids.max(), Nombre.ecrire(seuil)));
+        }
+    }
+
+    /** Une ligne de l'explication d'un pixel, et les lignes qui l'expliquent à leur tour. Immuable. */
+    public static final class Noeud {
+
+        public final String texte;
+
+        /** La couleur qu'elle montre, ou {@code null}. */
+        public final Couleur couleur;
+
+        public final List<Noeud> enfants;
+
+        /** Dit si les enfants ne sont montrés qu'à la demande. */
+        public final boolean replie;
+
+        private Noeud(String texte, Couleur couleur, List<Noeud> enfants, boolean replie) {
+            this.texte = texte;
+            this.couleur = couleur;
+            this.enfants = Collections.unmodifiableList(enfants);
+            this.replie = replie;
+        }
+
+        Noeud(String texte, Couleur couleur) {
+            this(texte, couleur, Collections.emptyList(), false);
+        }
+
+        /** La même ligne, expliquée par celles-ci. */
+        Noeud avec(List<Noeud> lignes, boolean replies) {
+            return new Noeud(texte, couleur, lignes, replies);
+        }
+
+        /** Les lignes, chacune suivie de celles qui l'expliquent, en retrait ; la racine n'ajoute pas de retrait. */
+        public List<String> lignes() {
+            List<String> lignes = new ArrayList<>();
+            lignes.add(texte);
+            enfants.forEach(enfant -> enfant.ecrire("", lignes));
+            return lignes;
+        }
+
+        private void ecrire(String retrait, List<String> lignes) {
+            lignes.add(retrait + texte);
+            enfants.forEach(enfant -> enfant.ecrire(retrait + "  ", lignes));
         }
     }
 }

@@ -21,8 +21,6 @@ import lancer.Vecteur;
  */
 public final class Segment {
 
-    private static final int RIVAUX = 2;
-
     /** Rang du rayon, depuis 1 ; son contact, {@code null} pour le ciel. */
     public final int numero;
     public final Rayon rayon;
@@ -81,7 +79,7 @@ public final class Segment {
         rivaux = scene.getObjets().stream().filter(objet -> objet != contact.objet && objet != depart).map(objet -> {
             libre.setContact(objet, objet.getIntersectionDistance(libre));
             return libre.calcContact();
-        }).filter(Objects::nonNull).sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(RIVAUX)
+        }).filter(Objects::nonNull).sorted(Comparator.comparingDouble(rival -> rival.distance)).limit(2)
                 .collect(Collectors.toList());
     }
 

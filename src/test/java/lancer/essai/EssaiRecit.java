@@ -196,14 +196,11 @@ public final class EssaiRecit {
         return proche;
     }
 
-    /** Le contact, la demi-corde et les rivaux du plus proche. */
+    /** Le contact et les rivaux du plus proche. */
     private void details(String texte, Sphere objet, Objet3D sauf, double d, double[] X, double[] N) {
         proche(new double[] {d}, lire(texte, "d = "), texte);
         proche(plus(P, d, V), X, texte);
         proche(unite(moins(X, t(objet.getCentre()))), N, texte);
-        double[] f = moins(t(objet.getCentre()), P);
-        double[] l = plus(f, -dot(f, V), V);
-        proche(new double[] {Math.sqrt(objet.getRayon() * objet.getRayon() - dot(l, l))}, lire(texte, "demi-corde h = "), texte);
         double[] rivaux = scene.getObjets().stream().filter(o -> o != objet && o != sauf)
                 .mapToDouble(o -> distance(P, V, (Sphere) o)).filter(di -> di < Double.POSITIVE_INFINITY).sorted().limit(2).toArray();
         proche(rivaux, Arrays.stream(texte.split("\\R")).filter(ligne -> ligne.startsWith("    rival ["))

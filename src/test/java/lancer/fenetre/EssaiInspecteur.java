@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultMutableTreeNode;
-import lancer.inspection.Noeud;
+import lancer.inspection.Recit.Noeud;
 
 /** De quoi attendre, dans l'inspecteur ouvert, son pixel, son récit et son verdict. */
 abstract class EssaiInspecteur extends EssaiFenetre {
