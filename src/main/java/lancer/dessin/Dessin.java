@@ -52,12 +52,12 @@ public final class Dessin {
         this.demande = demande;
         image = image(demande);
         Scene scene = demande.getScene();
+        Camera camera = scene.getCamera(image.largeur, image.hauteur);
         long debut = System.nanoTime();
-        Lancer prepare = lancer(scene, image.largeur, image.hauteur, demande.reglages.get(Option.SIMPLE));
+        Scene preparee = demande.reglages.get(Option.SIMPLE) ? scene : Preparation.preparer(scene, camera);
         preparationNs = System.nanoTime() - debut;
-        boolean cachait = prepare.getScene() != scene
-                && Regard.trouveUneReponseCachee(prepare.getScene(), prepare.getCamera());
-        lancer = cachait ? new Lancer(scene, prepare.getCamera()) : prepare;
+        boolean cachait = preparee != scene && Regard.trouveUneReponseCachee(preparee, camera);
+        lancer = new Lancer(cachait ? scene : preparee, camera);
         ecart = !cachait ? null : "un objet bouge, ou répond hors de son enveloppe ou selon l'ordre des questions : "
                 + "ce sont les boucles sur tous les objets qui dessinent";
         dernier = lancer;
