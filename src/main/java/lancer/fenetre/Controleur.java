@@ -9,7 +9,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
-import lancer.commande.Option;
 import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
@@ -24,13 +23,14 @@ import lancer.scene.Surveillance;
  * La suite des états de la fenêtre, et celle de ses dessins. Tout y est appelé dans le fil des événements ;
  * {@link Travail} calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
-final class Controleur implements Travail.Suite {
+final class Controleur {
 
     final PanneauImage panneau;
     private final Programme programme;
     private final Options options;
     private final Supplier<Dimension> taille;
-    private final Surveillance surveillance;
+    private final Surveillance surveillance = new Surveillance((fichier, version) ->
+            EventQueue.invokeLater(() -> observer(fichier, version)));
     private final List<Consumer<Etat>> prevenus = new ArrayList<>();
     private Etat etat = new Etat();
 
@@ -40,8 +40,6 @@ final class Controleur implements Travail.Suite {
         this.options = options;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance((fichier, version) ->
-                EventQueue.invokeLater(() -> observer(fichier, version)));
     }
 
     Etat getEtat() {
@@ -53,19 +51,14 @@ final class Controleur implements Travail.Suite {
         prevenus.add(siChange);
     }
 
-    /** Publie cet état, le même que le précédent si un panneau seul a changé. */
     private void publier(Etat nouveau) {
         etat = nouveau;
         prevenus.forEach(prevenu -> prevenu.accept(nouveau));
     }
 
+    /** Publie le même état : un panneau seul a changé. */
     void avertir() {
         publier(etat);
-    }
-
-    /** Nombre de fils d'un dessin. */
-    int getFils() {
-        return options.get(Option.FILS);
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
@@ -167,13 +160,14 @@ final class Controleur implements Travail.Suite {
 
     /** Suit la taille que la fenêtre donne à l'image. */
     void ajuster() {
-        if (etat.demande != null && !estALaTaille(etat.demande)) {
+        if (etat.demande != null && aLaTaille(etat.demande) != etat.demande) {
             demander(etat, etat.demande);
         }
     }
 
-    private boolean estALaTaille(Demande demande) {
-        return taille.get().equals(new Dimension(demande.largeur, demande.hauteur));
+    private Demande aLaTaille(Demande voulue) {
+        Dimension place = taille.get();
+        return voulue.avecTaille(place.width, place.height);
     }
 
     void arreter() {
@@ -191,12 +185,11 @@ final class Controleur implements Travail.Suite {
 
     /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */
     private void demander(Etat celui, Demande voulue) {
-        Dimension place = taille.get();
-        Etat demande = celui.avec(estALaTaille(voulue) ? voulue : voulue.avecTaille(place.width, place.height));
+        Etat demande = celui.avec(aLaTaille(voulue));
         if (!demande.enCours) {
             publier(dessiner(demande));
         } else {
-            publier(demande.travail.aSonBrouillon() ? suivre(demande) : demande);
+            publier(demande.travail.aSonBrouillon() ? montrer(demande) : demande);
         }
     }
 
@@ -215,36 +208,41 @@ final class Controleur implements Travail.Suite {
         if (abandonne.enCours) {
             abandonne.travail.cancel(true);
         }
-        nouveau.suite = this;
+        nouveau.suite = this::suivre;
         nouveau.execute();
         return etat;
     }
 
-    @Override
-    public void lue(Travail celui) {
-        if (celui == etat.travail) {
-            publier(etat.avec(new Source(etat.source.fichier, celui.version, null)));
+    /** Ce travail a passé une étape, ou il est achevé, arrêté, ou a échoué. */
+    private void suivre(Travail celui) {
+        if (celui != etat.travail || !etat.enCours) {
+            return;
         }
-    }
-
-    @Override
-    public void montrer(Travail celui) {
         Etat avant = etat;
-        Etat suivi = celui != etat.travail || celui.isCancelled() && etat.montre.dessin != null ? etat : suivre(etat);
+        Etat suivi = etat;
+        if (celui.lue && etat.source.version == null) {
+            // elle n'a plus de faute, même si son image n'est pas encore montrée
+            suivi = suivi.avec(new Source(etat.source.fichier, celui.version, null));
+        }
+        if (!celui.isCancelled() || etat.montre.dessin == null) {
+            suivi = montrer(suivi);
+        }
+        if (celui.estFini() && celui == suivi.travail) {
+            suivi = finir(suivi);
+        }
         if (suivi != avant) {
             publier(suivi);
         }
     }
 
     /** Montre le dessin du travail en cours, puis commence celui qui a été demandé depuis. */
-    private Etat suivre(Etat celui) {
+    private Etat montrer(Etat celui) {
         Travail travail = celui.travail;
         Etat suivant = celui;
-        Montre montre = celui.montre;
         // sans image, un brouillon se montre dès son début
-        if (montre.dessin != travail.dessin && (montre.dessin == null || travail.aSonBrouillon())) {
+        if (celui.montre.dessin != travail.dessin && (celui.montre.dessin == null || travail.aSonBrouillon())) {
             suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
-                    .avec(new Montre(travail.dessin, false, montre.avant));
+                    .avec(new Montre(travail.dessin, false, celui.montre.avant));
         }
         return travail.aSonBrouillon() && !travail.isCancelled() ? dessiner(suivant) : suivant;
     }
@@ -263,27 +261,25 @@ final class Controleur implements Travail.Suite {
                 .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lue));
     }
 
-    @Override
-    public void finir(Travail celui) {
-        if (celui != etat.travail) {
-            return;
-        }
-        Etat fini = etat.avec(celui, false);
-        Throwable echec = celui.getEchec();
-        if (!celui.lue) {
-            fini = fini.avec(new Source(fini.source.fichier, celui.version,
+    /** Le travail en cours est fini. */
+    private Etat finir(Etat celui) {
+        Travail travail = celui.travail;
+        Throwable echec = travail.getEchec();
+        Etat fini = celui.avec(travail, false);
+        if (!travail.lue) {
+            fini = fini.avec(new Source(fini.source.fichier, travail.version,
                     echec == null ? null : Messages.message(echec)));
         }
-        if (celui.estAcheve()) {
-            fini = fini.avec(new Montre(celui.dessin, true, fini.montre.avant));
-            if (celui.dessin.getEcart() != null) {
-                panneau.bandeau.dire(celui.dessin.getEcart());
+        if (travail.estAcheve()) {
+            fini = fini.avec(new Montre(travail.dessin, true, fini.montre.avant));
+            if (travail.dessin.getEcart() != null) {
+                panneau.bandeau.dire(travail.dessin.getEcart());
             }
         }
-        if (echec != null && fini.demande != null && (!celui.lue || !fini.demande.equals(celui.demande))) {
+        if (echec != null && fini.demande != null && (!travail.lue || !fini.demande.equals(travail.demande))) {
             // la lecture a interrompu le dessin d'avant, ou autre chose a été demandé avant cet échec
             fini = dessiner(fini);
         }
-        publier(fini);
+        return fini;
     }
 }

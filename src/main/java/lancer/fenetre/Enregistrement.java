@@ -98,8 +98,11 @@ final class Enregistrement {
         }
         dossier = cible.getParentFile();
         confier(() -> ecrire(image, cible, scene), faute -> {
-            bandeau.retenir(faute == null ? "" : faute);
-            bandeau.dire(faute == null ? "enregistrée : " + Texte.echappe(cible.getName()) : "");
+            if (faute == null) {
+                bandeau.dire("enregistrée : " + Texte.echappe(cible.getName()));
+            } else {
+                bandeau.retenir(faute);
+            }
         });
     }
 

@@ -4,11 +4,10 @@ import java.io.File;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
 import lancer.commande.Messages;
+import lancer.contrat.PixelFautif;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import lancer.texte.Texte;
@@ -176,18 +175,19 @@ final class Etat {
     /** Ce qui a échoué, une ligne chacun : du fichier demandé, puis du dessin. */
     List<String> getFautes() {
         List<String> fautes = new ArrayList<>();
-        fautes.add(source.faute);
-        fautes.add(source.faute == null || !montreUneAutre() ? null : "l'image qui reste est celle de " + getNom());
-        Throwable echec = enCours || travail == null ? null : travail.getEchec();
-        boolean magenta = montre.direFautes() != null && (montre.entier || !enCours);
-        if (magenta && !(echec instanceof Error)) {
-            Fautes pixels = montre.dessin.lancer.getAtelier().getFautes();
-            fautes.add(pixels.enMots() + " ; le premier : "
-                    + montre.dessin.demande.nommer(pixels.getPremiere()).getMessage());
-        } else {
-            fautes.add(echec == null || !travail.lue ? null : Messages.message(echec));
+        if (source.faute != null) {
+            fautes.add(source.faute);
+            if (montreUneAutre()) {
+                fautes.add("l'image qui reste est celle de " + getNom());
+            }
         }
-        fautes.removeIf(Objects::isNull);
+        Throwable echec = enCours || travail == null ? null : travail.getEchec();
+        if (montre.direFautes() != null && (montre.entier || !enCours) && !(echec instanceof Error)) {
+            PixelFautif premier = montre.dessin.lancer.getAtelier().getFautes().getPremiere();
+            fautes.add(montre.direFautes() + " ; le premier : " + montre.dessin.demande.nommer(premier).getMessage());
+        } else if (echec != null && travail.lue) {
+            fautes.add(Messages.message(echec));
+        }
         return fautes;
     }
 }

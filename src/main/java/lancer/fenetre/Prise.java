@@ -9,14 +9,13 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.util.Objects;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.PointContact;
-import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Messages;
@@ -77,16 +76,12 @@ final class Prise extends MouseAdapter {
         return controleur.getEtat().montre.dessin;
     }
 
-    private Camera getCamera() {
-        return montre().lancer.getCamera();
-    }
-
     @Override
     public void mousePressed(MouseEvent e) {
         if (montre() != null && prise == null && e.isShiftDown() && SwingUtilities.isLeftMouseButton(e)) {
             // un message cacherait le bas de l'image
             panneau.bandeau.dire("");
-            depart = panneau.pointDe(e);
+            depart = panneau.pointDe(e.getPoint());
             debut = controleur.getEtat().demande.lue;
             tiree = debut;
             try {
@@ -102,63 +97,53 @@ final class Prise extends MouseAdapter {
     private Object viser() {
         Point2D souris = panneau.placeDe(depart.getX(), depart.getY());
         for (Lampe lampe : debut.lampes) {
-            Point2D etoile = aLEcran(lampe.getPosition());
+            Point2D etoile = aLEcran(lampe);
             if (etoile != null && etoile.distance(souris) < RAYON_ETOILE) {
                 return lampe;
             }
         }
-        Scene montree = montre().lancer.getScene();
-        PointContact contact = montree.pourUnFil()
-                .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
+        Lancer lancer = montre().lancer;
+        PointContact contact = lancer.getScene().pourUnFil()
+                .getClosestIntersection(lancer.getCamera().getRayon(depart.getX(), depart.getY()));
         // l'image montrée peut être celle d'avant le dernier déplacement, où cet objet avait une autre place
         int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
-        Object vise = rang < 0 ? null : debut.objets.get(rang);
-        if (vise != null && vise.getClass() == Sphere.class && !estTropGrande((Sphere) vise)) {
-            return vise;
+        if (rang >= 0 && debut.objets.get(rang).getClass() == Sphere.class) {
+            Sphere sphere = (Sphere) debut.objets.get(rang);
+            double pixels = lancer.getCamera().projeter(sphere.getCentre()).z;
+            // plus large que l'image, ou autour de l'œil, c'est un sol ou une voûte
+            if (pixels > 0 && 2 * pixels * sphere.getRayon() <= lancer.getCamera().getLargeur()) {
+                return sphere;
+            }
         }
         panneau.bandeau.dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et "
                 + "l'étoile d'une lampe");
         return null;
     }
 
-    /** Dit si une sphère est derrière l'œil, ou plus large que l'image : un sol, une voûte. */
-    private boolean estTropGrande(Sphere sphere) {
-        double pixels = getCamera().projeter(sphere.getCentre()).z;
-        return !(pixels > 0) || 2 * pixels * sphere.getRayon() > getCamera().getLargeur();
-    }
-
     @Override
     public void mouseDragged(MouseEvent e) {
         if (prise != null) {
-            Point2D ici = panneau.pointDe(e);
-            Camera camera = getCamera();
+            Point2D ici = panneau.pointDe(e.getPoint());
+            Camera camera = montre().lancer.getCamera();
             Point origine = SceneLue.place(prise);
             double pixels = camera.projeter(origine).z;
-            // un pixel de l'écran, agrandi comme l'est le plan de ce qui est pris
-            double fois = camera.getLargeur() / Constantes.ECHELLE / pixels;
-            Point coin = camera.getEcran(0, 0);
-            Vecteur droite = new Vecteur(coin, camera.getEcran(1, 0)).mul(fois * (ici.getX() - depart.getX()));
-            Vecteur bas = new Vecteur(coin, camera.getEcran(0, 1)).mul(fois * (ici.getY() - depart.getY()));
-            tirer(bouger(origine, droite.add(bas), pixels));
+            // ce que la souris parcourt à l'écran, agrandi comme l'est le plan de ce qui est pris
+            Vecteur de = new Vecteur(camera.getEcran(depart.getX(), depart.getY()),
+                    camera.getEcran(ici.getX(), ici.getY())).mul(camera.getLargeur() / Constantes.ECHELLE / pixels);
+            // à un dixième de pixel : la valeur à écrire est courte
+            double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
+            Point ou = new Point(bouger(origine.x, de.x, fois), bouger(origine.y, de.y, fois),
+                    bouger(origine.z, de.z, fois));
+            tiree = debut.avec(prise, ou);
+            place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+                    + SceneLue.ecrire(ou);
+            controleur.deplacer(tiree);
         }
     }
 
-    /** Ce point, déplacé ; une coordonnée qui bouge est à un dixième de pixel. @param pixels ceux d'une unité */
-    private static Point bouger(Point p, Vecteur v, double pixels) {
-        double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
-        return new Point(bouger(p.x, v.x, fois), bouger(p.y, v.y, fois), bouger(p.z, v.z, fois));
-    }
-
     private static double bouger(double x, double de, double fois) {
-        // la valeur à écrire est courte, et celle que rien ne bouge reste celle du fichier
+        // la coordonnée que rien ne bouge reste celle du fichier
         return Math.abs(de * fois) < 0.5 ? x : Math.rint((x + de) * fois) / fois;
-    }
-
-    private void tirer(Point ou) {
-        tiree = debut.avec(prise, ou);
-        place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
-                + SceneLue.ecrire(ou);
-        controleur.deplacer(tiree);
     }
 
     @Override
@@ -180,19 +165,21 @@ final class Prise extends MouseAdapter {
         }
     }
 
-    /** La place de ce point à l'écran ; {@code null} s'il est derrière l'œil. */
-    private Point2D aLEcran(Point p) {
-        Point vu = getCamera().projeter(p);
+    /** La place de cette lampe dans le panneau ; {@code null} si elle est derrière l'œil. */
+    private Point2D aLEcran(Lampe lampe) {
+        Point vu = montre().lancer.getCamera().projeter(lampe.getPosition());
         return vu.z > 0 && vu.z < Double.POSITIVE_INFINITY ? panneau.placeDe(vu.x, vu.y) : null;
     }
 
     /** Avec Maj, peint l'étoile de chaque lampe qui est devant l'œil. */
     private void peindre(Graphics2D g) {
-        if (montre() != null && etoiles) {
+        if (etoiles) {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            controleur.getEtat().demande.lue.lampes.stream().map(lampe -> aLEcran(lampe.getPosition()))
-                    .filter(Objects::nonNull).forEach(ou -> Figure.peindreLisere(g, AffineTransform
-                    .getTranslateInstance(ou.getX(), ou.getY()).createTransformedShape(ETOILE), LAMPE));
+            for (Lampe lampe : controleur.getEtat().demande.lue.lampes) {
+                Point2D ou = aLEcran(lampe);
+                Figure.tracer(g, ou == null ? null : AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                        .createTransformedShape(ETOILE), LAMPE);
+            }
         }
     }
 }

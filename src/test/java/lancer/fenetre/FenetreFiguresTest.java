@@ -56,7 +56,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getEtat().getImageEntiere()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction() == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);

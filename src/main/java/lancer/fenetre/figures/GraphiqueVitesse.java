@@ -11,6 +11,7 @@ import java.awt.geom.Rectangle2D;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -51,10 +52,10 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /** @param celui le réglage de l'image montrée @param entoure celui qui est entouré, ou {@code null} */
-    public void montrer(List<Essai> tous, Reglages celui, Reglages entoure) {
+    public void montrer(Collection<Essai> tous, Reglages celui, Reglages entoure) {
         present = celui;
         vise = entoure;
-        essais = tous.stream().filter(essai -> essai.durees.getNombre() > 0)
+        essais = tous.stream().filter(Essai::estFait)
                 .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
         xMin = essais.stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / AU_DELA;
         xMax = essais.stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * AU_DELA;

@@ -4,10 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Collections;
 import javax.swing.UIManager;
@@ -58,7 +57,7 @@ class FiguresTest {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
-        new Figure(pixel(camera, i, j)).peindre(g, new Rectangle(0, 0, L, H), new Dimension(L, H));
+        new Figure(pixel(camera, i, j)).peindre(g, new AffineTransform());
         int blancs = 0;
         for (int k = 0; k < 16; k++) {
             int plusClair = 0;
