@@ -54,11 +54,12 @@ final class BarreEtat extends JPanel {
         String texte = etat.travail == null ? "" : etat.travail.getTexte();
         avancement.setValue(etat.enCours ? (int) (POUR_MILLE * etat.travail.getAvancement()) : 0);
         avancement.getAccessibleContext().setAccessibleDescription(texte);
-        if (tenue || etat.montre.entier && !etat.enCours) {
-            texte = (tenue ? "avant : " : "")
-                    + resumer(tenue ? etat.montre.avant : etat.montre.dessin, panneau.getReduction());
-            panneau.getAccessibleContext().setAccessibleDescription(texte);
+        if (tenue) {
+            texte = "avant : " + resumer(etat.montre.avant, panneau.getReduction());
+        } else if (etat.montre.entier && !etat.enCours) {
+            texte = resumer(etat.montre.dessin, panneau.getReduction());
         }
+        panneau.getAccessibleContext().setAccessibleDescription(texte);
         resume.setText(geste == null ? texte : geste);
         montrerPixel(panneau.getPixelSouris(), panneau.getVisible(), !tenue && !etat.montre.entier);
     }

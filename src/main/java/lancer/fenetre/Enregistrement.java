@@ -132,7 +132,9 @@ final class Enregistrement {
             confier(() -> avant.remplacer(voulue), faute -> {
                 if (faute == null) {
                     controleur.finirLEcriture(fichier, avant, voulue);
-                    bandeau.dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
+                    if (!controleur.getEtat().estDeplace()) {
+                        bandeau.dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
+                    }
                     ensuite.run();
                 } else {
                     controleur.echouerALEcrire(fichier, faute);

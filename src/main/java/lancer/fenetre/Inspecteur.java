@@ -137,20 +137,18 @@ final class Inspecteur extends JPanel {
     }
 
     /** Le calcul de l'explication d'un pixel. L'explication d'avant est grisée pendant ce temps. */
-    private final class Explication extends SwingWorker<Figure, Void> {
+    private final class Explication extends SwingWorker<Noeud, Void> {
 
         private final Inspection nouvelle;
-        private Noeud recit;
 
         Explication(Inspection nouvelle) {
             this.nouvelle = nouvelle;
         }
 
         @Override
-        protected Figure doInBackground() {
+        protected Noeud doInBackground() {
             nouvelle.faireOuEchouer();
-            recit = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
-            return new Figure(nouvelle);
+            return new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
         }
 
         @Override
@@ -160,13 +158,12 @@ final class Inspecteur extends JPanel {
             }
             enCours = null;
             try {
-                Figure figure = get();
+                arbre.setModel(new DefaultTreeModel(branche(get())));
                 montree = nouvelle;
-                arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
                 verdict.setText(comparer(nouvelle));
                 vue.montrer(nouvelle);
-                controleur.panneau.superposer(figure);
+                controleur.panneau.superposer(new Figure(nouvelle));
             } catch (ExecutionException e) {
                 verdict.setText(Messages.message(e.getCause()));
             } catch (InterruptedException | CancellationException e) {

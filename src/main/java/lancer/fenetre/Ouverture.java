@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.AWTError;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
@@ -94,7 +93,7 @@ public final class Ouverture {
             }
             pourquoi = System.getenv().getOrDefault("DISPLAY", "").isEmpty() ? "pas d'écran"
                     : System.getProperty("java.home");
-        } catch (AWTError | LinkageError e) {
+        } catch (Error e) {
             // DISPLAY sans serveur, Java sans bibliothèques graphiques, classe d'accessibilité qui manque
             pourquoi = Pile.cause(e);
         }

@@ -200,7 +200,10 @@ final class PanneauImage extends JPanel {
 
     /** Le pixel de l'image sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
     Point getPixelVise() {
-        return getVisible() == null ? null : pixelDe(estSousLaSouris() ? souris : getCentre());
+        if (getVisible() == null) {
+            return null;
+        }
+        return pixelDe(estSousLaSouris() ? souris : getCentre());
     }
 
     /** Le pixel de l'image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
@@ -255,8 +258,8 @@ final class PanneauImage extends JPanel {
 
     /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
     static BufferedImage deJava(ImageMemoire image, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
-                vides ? 0xFF000000 : 0);
+        DirectColorModel couleurs = vides ? new DirectColorModel(32, 0xFF0000, 0xFF00, 0xFF, 0xFF000000)
+                : new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
         return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(image.codes, image.codes.length),
                 image.largeur, image.hauteur, image.largeur, couleurs.getMasks(), null), false, null);
     }

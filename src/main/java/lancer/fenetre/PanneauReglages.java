@@ -49,7 +49,7 @@ final class PanneauReglages extends JScrollPane {
     /** À créer quand une scène est lue. */
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
-        grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, 0));
         Option.enFenetre().forEach(this::ajouter);
         for (Variante presente : reglages().getVariantes()) {
             // chaque lecture de la scène crée de nouvelles variantes
@@ -125,8 +125,11 @@ final class PanneauReglages extends JScrollPane {
         JLabel titre = new JLabel(reglage.getTitre());
         titre.setLabelFor(composant);
         poser(titre, 0, 1);
-        poser(composant, 1, 1);
-        poser(valeur, 0, GridBagConstraints.REMAINDER);
+        // à côté de ce qui se lit en toutes lettres, pas de place perdue : un écran est parfois étroit
+        poser(composant, 1, reglage.estUnNombre() ? 1 : GridBagConstraints.REMAINDER);
+        if (reglage.estUnNombre()) {
+            poser(valeur, 0, GridBagConstraints.REMAINDER);
+        }
         ajustements.add(() -> {
             montre.accept(present.get());
             composant.setEnabled(possible.getAsBoolean());

@@ -206,11 +206,16 @@ final class PanneauVitesse extends JPanel {
     private void montrer() {
         Etat etat = controleur.getEtat();
         graphique.montrer(essais.values(), etat.demande.reglages, vise);
-        String empechement = direLEmpechement(etat);
+        String dit = direLEmpechement(etat);
+        if (dit == null) {
+            dit = direLaMesure();
+        }
         Essai designe = essais.get(vise);
-        texte.setText((empechement == null ? direLaMesure() : empechement)
-                + (designe == null || !designe.estFait() ? "" : "\n" + Echelle.dire(vise) + " : " + designe.dire()));
-        graphique.getAccessibleContext().setAccessibleDescription(texte.getText());
+        if (designe != null && designe.estFait()) {
+            dit += "\n" + Echelle.dire(vise) + " : " + designe.dire();
+        }
+        texte.setText(dit);
+        graphique.getAccessibleContext().setAccessibleDescription(dit);
     }
 
     /** Ce qui empêche de mesurer l'image, en mots ; {@code null} si rien. */

@@ -68,8 +68,8 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Le réglage sous ce point, ou {@code null}. */
     public Essai sous(Point ou) {
-        return essais.stream().filter(p -> ou.distance(x(p), y(p.erreur)) < 2 * RAYON)
-                .min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p.erreur)))).orElse(null);
+        return essais.stream().min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p))))
+                .filter(p -> ou.distance(x(p), y(p)) < 2 * RAYON).orElse(null);
     }
 
     /** Le réglage dessiné qui suit celui-ci, ou le précède ; le premier si celui-ci n'est pas dessiné. */
@@ -97,6 +97,10 @@ public final class GraphiqueVitesse extends JPanel {
         return x(p.durees.getMediane());
     }
 
+    private double y(Essai p) {
+        return y(p.erreur);
+    }
+
     private double x(double ns) {
         return MARGE + (getWidth() - MARGE - BORD) * Math.log(ns / xMin) / Math.log(xMax / xMin);
     }
@@ -117,8 +121,8 @@ public final class GraphiqueVitesse extends JPanel {
             peindreAxes(g, getWidth() - BORD, getHeight() - MARGE);
             essais.forEach(p -> peindre(g, p));
             // un nom ne cache ni un point, ni un autre nom
-            List<Rectangle2D> pris = essais.stream().map(p -> new Rectangle2D.Double(x(p) - RAYON, y(p.erreur) - RAYON,
-                    2 * RAYON, 2 * RAYON)).collect(Collectors.toCollection(ArrayList::new));
+            List<Rectangle2D> pris = essais.stream().map(p -> rond(p, RAYON).getBounds2D())
+                    .collect(Collectors.toCollection(ArrayList::new));
             essais.forEach(p -> nommer(g, p, pris));
         }
     }
@@ -145,17 +149,19 @@ public final class GraphiqueVitesse extends JPanel {
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
+    private Ellipse2D rond(Essai p, int rayon) {
+        return new Ellipse2D.Double(x(p) - rayon, y(p) - rayon, 2 * rayon, 2 * rayon);
+    }
+
     /** Peint ce réglage et ses deux intervalles. */
     private void peindre(Graphics2D g, Essai p) {
-        double x = x(p);
-        double y = y(p.erreur);
         g.setColor(POINT);
-        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-        g.draw(new Line2D.Double(x(p.durees.getMin()), y, x(p.durees.getMax()), y));
-        g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
+        g.draw(new Line2D.Double(x(p), y(p.erreur - p.incertitude), x(p), y(p.erreur + p.incertitude)));
+        g.draw(new Line2D.Double(x(p.durees.getMin()), y(p), x(p.durees.getMax()), y(p)));
+        g.fill(rond(p, RAYON));
         if (p.reglages.equals(vise)) {
             g.setColor(UIManager.getColor("Component.focusColor"));
-            g.draw(new Ellipse2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
+            g.draw(rond(p, 2 * RAYON));
         }
     }
 
@@ -164,17 +170,18 @@ public final class GraphiqueVitesse extends JPanel {
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
         double large = g.getFontMetrics().stringWidth(nom);
         double haut = g.getFontMetrics().getHeight();
-        Rectangle2D cadre = new Rectangle2D.Double(0, HAUT - haut / 2, getWidth(), getHeight() - MARGE - HAUT + haut);
+        Rectangle2D cadre = new Rectangle2D.Double(MARGE, HAUT - haut / 2, getWidth() - MARGE,
+                getHeight() - MARGE - HAUT + haut);
         for (int k = 0; k < 2 * getHeight() / haut; k++) {
             // au-dessus, au-dessous, puis de plus en plus loin
-            double milieu = y(p.erreur) + (k / 2 % 2 == 0 ? -1 : 1) * (0.6 + k / 4) * haut;
+            double milieu = y(p) + (k / 2 % 2 == 0 ? -1 : 1) * (0.6 + k / 4) * haut;
             double gauche = k % 2 == 0 ? x(p) + 2 * RAYON : x(p) - 2 * RAYON - large;
             Rectangle2D place = new Rectangle2D.Double(gauche, milieu - haut / 2, large, haut);
             if (cadre.contains(place) && pris.stream().noneMatch(place::intersects)) {
                 pris.add(place);
                 if (k >= 4) {
                     g.setColor(POINT);
-                    g.draw(new Line2D.Double(x(p), y(p.erreur), k % 2 == 0 ? gauche : gauche + large, milieu));
+                    g.draw(new Line2D.Double(x(p), y(p), k % 2 == 0 ? gauche : gauche + large, milieu));
                 }
                 ecrire(g, nom, gauche, milieu + haut / 2 - g.getFontMetrics().getDescent(), 0);
                 return;
