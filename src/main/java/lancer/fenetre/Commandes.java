@@ -63,7 +63,8 @@ final class Commandes {
     private JMenu fichier() {
         return menu("Fichier",
                 commande("Ouvrir une scène…", "ctrl O", toujours, f::choisirScene),
-                commande("Relire la scène et redessiner", "F5", () -> c.getEtat().source.fichier != null, c::relire),
+                commande("Relire la scène et redessiner", "F5", () -> c.getEtat().source.fichier != null,
+                        () -> f.enregistrement.apres(c::relire)),
                 commande("Écrire dans la scène", "ctrl E", () -> c.getEtat().estDeplace(),
                         () -> f.enregistrement.ecrireLaScene(() -> { })),
                 commande("Enregistrer l'image…", "ctrl S", scene, f.enregistrement::enregistrer),
@@ -92,7 +93,7 @@ final class Commandes {
     private JMenu dessin() {
         return menu("Dessin",
                 commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", f::peutEchapper, f::echapper),
-                commande("Défaire le déplacement", "ctrl Z", () -> !c.getEtat().deplaces.avant.isEmpty(), c::defaire));
+                commande("Défaire le déplacement", "ctrl Z", f.prise::peutDefaire, f.prise::defaire));
     }
 
     /** Les commandes sans article : celles de l'image demandent qu'elle ait le clavier. */

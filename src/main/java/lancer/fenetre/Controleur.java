@@ -3,7 +3,6 @@ package lancer.fenetre;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -13,7 +12,6 @@ import lancer.commande.Options;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
-import lancer.fenetre.Etat.Deplaces;
 import lancer.fenetre.Etat.Montre;
 import lancer.fenetre.Etat.Source;
 import lancer.scene.SceneLue;
@@ -121,40 +119,23 @@ final class Controleur {
         demander(etat.avec(etat.montre.retenu()), etat.demande.avecLecture(deplacee));
     }
 
-    /** Un déplacement est fini, et peut être défait. @param debut la scène d'avant */
-    void retenir(SceneLue debut) {
-        publier(etat.avec(etat.deplaces.apres(debut)));
-    }
-
-    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
-    void defaire() {
-        List<SceneLue> avant = etat.deplaces.avant;
-        panneau.bandeau.dire("");
-        etat = etat.avec(etat.deplaces.sansLeDernier());
-        deplacer(avant.get(avant.size() - 1));
-    }
-
-    void commencerLEcriture() {
-        publier(etat.avec(etat.deplaces.enEcriture(true)));
-    }
-
-    /** Ce fichier, qui contenait la scène {@code avant}, contient désormais celle-ci : rien n'y est à relire. */
-    void finirLEcriture(String fichier, SceneLue avant, SceneLue ecrite) {
-        // une autre scène a pu être lue depuis
-        if (etat.deplaces.ecrite == avant) {
-            Etat fini = etat.avec(new Deplaces(ecrite, etat.deplaces.avant, false));
-            publier(etat.montreUneAutre() ? fini : fini.avec(new Source(fichier, ecrite.getVersion(), null)));
-        }
-    }
-
-    /** Les déplacements n'ont pu être écrits dans ce fichier. */
-    void echouerALEcrire(String fichier, String faute) {
-        Etat echoue = etat.avec(etat.deplaces.enEcriture(false));
-        if (fichier.equals(etat.source.fichier)) {
-            publier(echoue.avec(new Source(fichier, etat.source.version, faute)));
-        } else {
-            publier(echoue);
+    /**
+     * L'écriture des déplacements est finie.
+     *
+     * @param avant ce que contenait leur fichier
+     * @param voulue ce qu'il contient, et qui n'est pas à relire
+     * @param faute ce qui a empêché de l'écrire, ou {@code null}
+     */
+    void finirLEcriture(SceneLue avant, SceneLue voulue, String faute) {
+        boolean demandee = avant.nom.equals(etat.source.fichier);
+        if (faute != null && demandee) {
+            publier(etat.avec(new Source(avant.nom, etat.source.version, faute)));
+        } else if (faute != null) {
             panneau.bandeau.dire(faute);
+        } else if (etat.ecrite == avant) {
+            // une autre scène aurait pu être lue depuis
+            Etat ecrit = etat.avec(voulue);
+            publier(demandee ? ecrit.avec(new Source(avant.nom, voulue.getVersion(), null)) : ecrit);
         }
     }
 
@@ -250,14 +231,14 @@ final class Controleur {
     /** La scène montrée est désormais celle qui vient d'être lue. */
     private Etat adopter(Etat celui, Demande lue) {
         List<String> avis = new ArrayList<>(lue.lue.avertissements);
-        if (celui.estDeplace() && !celui.deplaces.enEcriture) {
+        if (celui.estDeplace()) {
             avis.add("ce qui était déplacé dans " + celui.getNom() + " sans être écrit est oublié");
         }
         if (!avis.isEmpty()) {
             panneau.bandeau.dire(String.join("\n", avis));
         }
         return celui.avec(new Source(celui.source.fichier, celui.source.version, null))
-                .avec(new Deplaces(lue.lue, Collections.emptyList(), false))
+                .avec(lue.lue)
                 .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lue));
     }
 

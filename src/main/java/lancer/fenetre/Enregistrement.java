@@ -27,6 +27,8 @@ final class Enregistrement {
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
+    /** Vrai pendant l'écriture des déplacements. */
+    private boolean enEcriture;
     /** Le dossier que propose le prochain dialogue. */
     private File dossier = new File("").getAbsoluteFile();
 
@@ -118,34 +120,35 @@ final class Enregistrement {
 
     /** Écrit les déplacements dans le fichier de leur scène. @param ensuite fait quand ils y sont tous */
     void ecrireLaScene(Runnable ensuite) {
-        Etat etat = controleur.getEtat();
-        if (etat.deplaces.enEcriture) {
+        SceneLue avant = controleur.getEtat().ecrite;
+        SceneLue voulue = controleur.getEtat().demande.lue;
+        if (enEcriture) {
             // ce qui a été déplacé depuis s'écrit après
             apres(() -> ecrireLaScene(ensuite));
-        } else if (!etat.estDeplace()) {
+        } else if (avant == voulue) {
             ensuite.run();
         } else {
-            SceneLue avant = etat.deplaces.ecrite;
-            SceneLue voulue = etat.demande.lue;
-            String fichier = etat.demande.lue.nom;
-            controleur.commencerLEcriture();
+            enEcriture = true;
             confier(() -> avant.remplacer(voulue), faute -> {
+                enEcriture = false;
+                controleur.finirLEcriture(avant, voulue, faute);
                 if (faute == null) {
-                    controleur.finirLEcriture(fichier, avant, voulue);
                     if (!controleur.getEtat().estDeplace()) {
-                        bandeau.dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
+                        bandeau.dire("écrit dans " + controleur.getEtat().getNom());
                     }
                     ensuite.run();
-                } else {
-                    controleur.echouerALEcrire(fichier, faute);
                 }
             });
         }
     }
 
-    /** Fait ceci quand les écritures commencées sont finies. */
+    /** Fait ceci quand l'écriture des déplacements est finie, s'il y en a une. */
     void apres(Runnable suite) {
-        confier(() -> { }, rien -> suite.run());
+        if (enEcriture) {
+            confier(() -> { }, rien -> suite.run());
+        } else {
+            suite.run();
+        }
     }
 
     /** Confie une écriture au disque. @param fin reçoit son échec, ou {@code null}, dans le fil des événements */

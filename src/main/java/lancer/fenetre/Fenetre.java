@@ -148,17 +148,15 @@ final class Fenetre {
 
     /** Fait ce geste, qui oublie les déplacements, une fois qu'ils sont écrits, ou que l'on y renonce. */
     private void sansRienPerdre(Runnable geste) {
-        Etat etat = controleur.getEtat();
-        if (etat.deplaces.enEcriture) {
-            enregistrement.apres(() -> sansRienPerdre(geste));
-            return;
-        }
-        Reponse reponse = etat.estDeplace() ? Dialogues.demanderDEcrire(panneau, etat.getNom()) : Reponse.OUBLIER;
-        if (reponse == Reponse.ECRIRE) {
-            enregistrement.ecrireLaScene(geste);
-        } else if (reponse == Reponse.OUBLIER) {
-            geste.run();
-        }
+        enregistrement.apres(() -> {
+            Etat etat = controleur.getEtat();
+            Reponse reponse = etat.estDeplace() ? Dialogues.demanderDEcrire(panneau, etat.getNom()) : Reponse.OUBLIER;
+            if (reponse == Reponse.ECRIRE) {
+                enregistrement.ecrireLaScene(geste);
+            } else if (reponse == Reponse.OUBLIER) {
+                geste.run();
+            }
+        });
     }
 
     void inspecter() {

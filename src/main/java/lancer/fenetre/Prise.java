@@ -9,6 +9,8 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
@@ -40,9 +42,11 @@ final class Prise extends MouseAdapter {
     private Object prise;
     private Point2D depart;
     private SceneLue debut;
-    /** La scène pendant le geste, et la nouvelle place de ce qui est tiré. */
-    private SceneLue tiree;
+    /** La scène, à jour du geste, et la nouvelle place de ce qui est tiré. */
+    private SceneLue scene;
     private String place;
+    /** La scène avant chaque déplacement, le dernier en tête. */
+    private final Deque<SceneLue> avant = new ArrayDeque<>();
     private boolean etoiles;
 
     Prise(Controleur controleur) {
@@ -54,11 +58,29 @@ final class Prise extends MouseAdapter {
         controleur.prevenir(this::suivre);
     }
 
-    /** Lâche ce qui est tiré si un autre geste ou une lecture a changé la scène. */
+    /** D'une scène qui vient d'être lue, rien n'est tiré, ni à défaire. */
     private void suivre(Etat etat) {
-        if (prise != null && etat.demande.lue != tiree) {
+        if (etat.demande != null && etat.demande.lue != scene) {
+            scene = etat.demande.lue;
             prise = null;
+            avant.clear();
         }
+    }
+
+    private void deplacer(SceneLue deplacee) {
+        scene = deplacee;
+        controleur.deplacer(deplacee);
+    }
+
+    boolean peutDefaire() {
+        return !avant.isEmpty();
+    }
+
+    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
+    void defaire() {
+        prise = null;
+        panneau.bandeau.dire("");
+        deplacer(avant.pop());
     }
 
     /** Ce qui est tiré, et sa nouvelle place ; {@code null} si rien n'est tiré. */
@@ -69,7 +91,7 @@ final class Prise extends MouseAdapter {
     /** Renonce au geste : ce qui est tiré revient où il était. */
     void lacher() {
         prise = null;
-        controleur.deplacer(debut);
+        deplacer(debut);
     }
 
     private Dessin montre() {
@@ -82,8 +104,7 @@ final class Prise extends MouseAdapter {
             // un message cacherait le bas de l'image
             panneau.bandeau.dire("");
             depart = panneau.pointDe(e.getPoint());
-            debut = controleur.getEtat().demande.lue;
-            tiree = debut;
+            debut = scene;
             try {
                 prise = viser();
                 place = "";
@@ -134,10 +155,9 @@ final class Prise extends MouseAdapter {
             double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
             Point ou = new Point(bouger(origine.x, de.x, fois), bouger(origine.y, de.y, fois),
                     bouger(origine.z, de.z, fois));
-            tiree = debut.avec(prise, ou);
             place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
                     + SceneLue.ecrire(ou);
-            controleur.deplacer(tiree);
+            deplacer(debut.avec(prise, ou));
         }
     }
 
@@ -150,9 +170,10 @@ final class Prise extends MouseAdapter {
     public void mouseReleased(MouseEvent e) {
         if (prise != null && SwingUtilities.isLeftMouseButton(e)) {
             prise = null;
-            if (tiree != debut) {
+            if (scene != debut) {
                 panneau.bandeau.dire(place + " ; Ctrl+E l'écrit dans " + controleur.getEtat().getNom());
-                controleur.retenir(debut);
+                avant.push(debut);
+                controleur.avertir();
             }
         }
     }
@@ -175,7 +196,7 @@ final class Prise extends MouseAdapter {
     private void peindre(Graphics2D g) {
         if (etoiles) {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            for (Lampe lampe : controleur.getEtat().demande.lue.lampes) {
+            for (Lampe lampe : scene.lampes) {
                 Point2D ou = aLEcran(lampe);
                 Figure.tracer(g, ou == null ? null : AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
                         .createTransformedShape(ETOILE), LAMPE);

@@ -109,8 +109,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
-        // autour de la souris, qui est au bord du pixel
-        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
+        // le milieu du pixel reste où il est
+        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
         attendre("Ctrl+Q termine le programme", () -> {
             robot.keyPress(KeyEvent.VK_CONTROL);
             robot.keyPress(KeyEvent.VK_Q);
