@@ -120,32 +120,32 @@ final class Enregistrement {
 
     /** Écrit les déplacements dans le fichier de leur scène. @param ensuite fait quand ils y sont tous */
     void ecrireLaScene(Runnable ensuite) {
-        SceneLue avant = controleur.getEtat().ecrite;
-        SceneLue voulue = controleur.getEtat().demande.lue;
-        if (enEcriture) {
-            // ce qui a été déplacé depuis s'écrit après
-            apres(() -> ecrireLaScene(ensuite));
-        } else if (avant == voulue) {
-            ensuite.run();
-        } else {
+        // ce qui a été déplacé pendant une écriture s'écrit après elle
+        apres(() -> {
+            SceneLue avant = controleur.getEtat().ecrite;
+            SceneLue voulue = controleur.getEtat().demande.lue;
+            if (avant == voulue) {
+                ensuite.run();
+                return;
+            }
             enEcriture = true;
             confier(() -> avant.remplacer(voulue), faute -> {
                 enEcriture = false;
                 controleur.finirLEcriture(avant, voulue, faute);
+                if (faute == null && !controleur.getEtat().estDeplace()) {
+                    bandeau.dire("écrit dans " + controleur.getEtat().getNom());
+                }
                 if (faute == null) {
-                    if (!controleur.getEtat().estDeplace()) {
-                        bandeau.dire("écrit dans " + controleur.getEtat().getNom());
-                    }
                     ensuite.run();
                 }
             });
-        }
+        });
     }
 
     /** Fait ceci quand l'écriture des déplacements est finie, s'il y en a une. */
     void apres(Runnable suite) {
         if (enEcriture) {
-            confier(() -> { }, rien -> suite.run());
+            confier(() -> { }, rien -> apres(suite));
         } else {
             suite.run();
         }

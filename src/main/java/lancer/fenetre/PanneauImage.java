@@ -123,7 +123,7 @@ final class PanneauImage extends JPanel {
         public void mouseWheelMoved(MouseWheelEvent e) {
             placer(e);
             if (e.getWheelRotation() != 0) {
-                grossir(e.getWheelRotation() < 0);
+                grossir(e.getWheelRotation() < 0, souris);
             }
         }
     }
@@ -212,18 +212,16 @@ final class PanneauImage extends JPanel {
         return pixel == null || getVisible().codes[pixel.y * getVisible().largeur + pixel.x] == 0 ? null : pixel;
     }
 
-    /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
+    /** Agrandit ou réduit deux fois, comme la molette, autour du pixel suivi ou, à défaut, du milieu. */
     void approcher(boolean plus) {
-        grossir(plus);
-        suivre(suivi);
+        grossir(plus, suivi == null ? getCentre() : placeDe(suivi.x + 0.5, suivi.y + 0.5));
     }
 
-    private void grossir(boolean plus) {
+    /** Agrandit ou réduit deux fois ; ce qui est là y reste. */
+    private void grossir(boolean plus, Point2D ici) {
         if (montree == null) {
             return;
         }
-        // ce que vise la souris reste sous elle
-        Point2D ici = souris == null ? getCentre() : souris;
         Point2D vise = pointDe(ici);
         // une image réduite passe d'abord à sa taille, un pixel pour un pixel
         int premiere = getRapport(montree.largeur, montree.hauteur) < 1 ? 1 : 2;
