@@ -22,7 +22,7 @@ final class Dialogues {
     /** Ce qu'un dialogue ajoute à la table des touches : une barre, son cadre, un bouton. */
     private static final int MARGE_H = 30;
     private static final int MARGE_V = 120;
-    private static final int LARGEUR = 620;
+    private static final int LARGEUR = 590;
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Ce que l'on fait d'un déplacement qui n'est pas écrit. */

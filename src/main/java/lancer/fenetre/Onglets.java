@@ -39,6 +39,7 @@ final class Onglets extends JSplitPane {
         setDividerSize(0);
         onglets.setName("panneau");
         onglets.setFocusable(false);
+        onglets.addChangeListener(e -> controleur.avertir());
     }
 
     boolean estOuvert() {

@@ -1,7 +1,6 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
-import java.awt.event.HierarchyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Collections;
@@ -80,11 +79,6 @@ final class PanneauVitesse extends JPanel {
         new Commande(null, "RIGHT", () -> true, () -> viser(graphique.voisin(vise, 1))).lier(graphique, WHEN_FOCUSED);
         new Commande(null, "ENTER", () -> true, this::prendre).lier(graphique, WHEN_FOCUSED);
         controleur.prevenir(this::suivre);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                suivre(controleur.getEtat());
-            }
-        });
     }
 
     private void viser(Essai celui) {
