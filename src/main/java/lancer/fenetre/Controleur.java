@@ -164,22 +164,26 @@ final class Controleur {
         surveillance.terminer();
     }
 
-    /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */
     private void demander(Etat celui, Demande voulue) {
-        Etat demande = celui.avec(aLaTaille(voulue));
-        if (!demande.enCours) {
-            publier(dessiner(demande));
-        } else {
-            publier(demande.travail.aSonBrouillon() ? montrer(demande) : demande);
-        }
+        publier(avancer(celui.avec(aLaTaille(voulue))));
     }
 
-    /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
-    private Etat dessiner(Etat celui) {
+    /** Montre le dessin en cours dès son brouillon, puis commence celui qui est demandé, s'il ne l'est pas déjà. */
+    private Etat avancer(Etat celui) {
+        Travail travail = celui.travail;
         Montre montre = celui.montre;
-        boolean commence = celui.enCours ? celui.demande.equals(celui.travail.demande)
-                : montre.entier && celui.demande.equals(montre.dessin.demande);
-        return commence ? celui : commencer(celui, new Travail(programme, celui.demande));
+        if (!celui.enCours) {
+            boolean fait = montre.entier && celui.demande.equals(montre.dessin.demande);
+            return fait ? celui : commencer(celui, new Travail(programme, celui.demande));
+        }
+        Etat suivant = celui;
+        // sans image, un brouillon se montre dès son début
+        if (montre.dessin != travail.dessin && (montre.dessin == null || travail.aSonBrouillon())) {
+            suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
+                    .avec(new Montre(travail.dessin, false, montre.avant));
+        }
+        boolean autre = travail.aSonBrouillon() && !travail.isCancelled() && !suivant.demande.equals(travail.demande);
+        return autre ? commencer(suivant, new Travail(programme, suivant.demande)) : suivant;
     }
 
     private Etat commencer(Etat celui, Travail nouveau) {
@@ -206,7 +210,7 @@ final class Controleur {
             suivi = suivi.avec(new Source(etat.source.fichier, celui.version, null));
         }
         if (!celui.isCancelled() || etat.montre.dessin == null) {
-            suivi = montrer(suivi);
+            suivi = avancer(suivi);
         }
         if (celui.estFini() && celui == suivi.travail) {
             suivi = finir(suivi);
@@ -214,18 +218,6 @@ final class Controleur {
         if (suivi != avant) {
             publier(suivi);
         }
-    }
-
-    /** Montre le dessin du travail en cours, puis commence celui qui a été demandé depuis. */
-    private Etat montrer(Etat celui) {
-        Travail travail = celui.travail;
-        Etat suivant = celui;
-        // sans image, un brouillon se montre dès son début
-        if (celui.montre.dessin != travail.dessin && (celui.montre.dessin == null || travail.aSonBrouillon())) {
-            suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
-                    .avec(new Montre(travail.dessin, false, celui.montre.avant));
-        }
-        return travail.aSonBrouillon() && !travail.isCancelled() ? dessiner(suivant) : suivant;
     }
 
     /** La scène montrée est désormais celle qui vient d'être lue. */
@@ -259,7 +251,7 @@ final class Controleur {
         }
         if (echec != null && fini.demande != null && (!travail.lue || !fini.demande.equals(travail.demande))) {
             // la lecture a interrompu le dessin d'avant, ou autre chose a été demandé avant cet échec
-            fini = dessiner(fini);
+            fini = avancer(fini);
         }
         return fini;
     }

@@ -92,12 +92,12 @@ public final class Ouverture {
                         ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits" : null;
             }
             pourquoi = System.getenv().getOrDefault("DISPLAY", "").isEmpty() ? "pas d'écran"
-                    : System.getProperty("java.home");
+                    : "ce Java n'en ouvre pas, " + System.getProperty("java.home");
         } catch (Error e) {
             // DISPLAY sans serveur, Java sans bibliothèques graphiques, classe d'accessibilité qui manque
             pourquoi = Pile.cause(e);
         }
-        return "ce Java ne sait pas ouvrir de fenêtre : " + pourquoi
+        return "impossible d'ouvrir une fenêtre : " + pourquoi
                 + " ; attendu : un écran, et un JDK complet, par exemple le paquet default-jdk";
     }
 }

@@ -105,8 +105,9 @@ final class PanneauVitesse extends JPanel {
             // les bords se cherchent dans l'image, et non dans une vue
             IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
                     : rang -> Constantes.CIEL;
-            Echantillon echantillon = new Echantillon(prepare.lancer, montre.demande.reglages.get(Option.FILS), dessinee,
-                    VOULUE, Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
+            int fils = montre.demande.reglages.get(Option.FILS);
+            Echantillon echantillon = new Echantillon(prepare.lancer, fils, dessinee, VOULUE, Long.MAX_VALUE,
+                    Integer.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 long dureeNs = prepare.tracer(moins.reglages, prepare.image);
