@@ -181,7 +181,7 @@ final class Fenetre {
     void echapper() {
         PanneauVitesse vitesse = onglets.getVisible(PanneauVitesse.class);
         if (prise.getGeste() != null) {
-            prise.lacher();
+            prise.defaire();
         } else if (controleur.getEtat().enCours) {
             controleur.arreter();
         } else if (vitesse == null || !vitesse.arreter()) {

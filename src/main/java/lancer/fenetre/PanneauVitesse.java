@@ -167,7 +167,8 @@ final class PanneauVitesse extends JPanel {
     /** Reprend la mesure qui est arrêtée. Le clavier est au graphique. */
     void reprendre() {
         graphique.requestFocusInWindow();
-        arreter(null, null);
+        arrete = null;
+        suivre(controleur.getEtat());
     }
 
     /** Commence, continue ou interrompt les mesures. */

@@ -38,14 +38,13 @@ final class Prise extends MouseAdapter {
 
     private final Controleur controleur;
     private final PanneauImage panneau;
-    /** Au début du geste : ce qui est tiré, ou {@code null}, le point de l'image, et la scène. */
+    /** Au début du geste, ce qui est tiré, ou {@code null}, et le point de l'image. */
     private Object prise;
     private Point2D depart;
-    private SceneLue debut;
     /** La scène, à jour du geste, et la nouvelle place de ce qui est tiré. */
     private SceneLue scene;
     private String place;
-    /** La scène avant chaque déplacement, le dernier en tête. */
+    /** La scène avant chaque déplacement, en tête celle d'avant le dernier ou le geste. */
     private final Deque<SceneLue> avant = new ArrayDeque<>();
     private boolean etoiles;
 
@@ -76,7 +75,7 @@ final class Prise extends MouseAdapter {
         return !avant.isEmpty();
     }
 
-    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
+    /** Rend sa place d'avant à ce qui est tiré ou, à défaut, a été déplacé en dernier. */
     void defaire() {
         prise = null;
         panneau.bandeau.dire("");
@@ -86,12 +85,6 @@ final class Prise extends MouseAdapter {
     /** Ce qui est tiré, et sa nouvelle place ; {@code null} si rien n'est tiré. */
     String getGeste() {
         return prise == null ? null : place;
-    }
-
-    /** Renonce au geste : ce qui est tiré revient où il était. */
-    void lacher() {
-        prise = null;
-        deplacer(debut);
     }
 
     private Dessin montre() {
@@ -104,10 +97,12 @@ final class Prise extends MouseAdapter {
             // un message cacherait le bas de l'image
             panneau.bandeau.dire("");
             depart = panneau.pointDe(e.getPoint());
-            debut = scene;
             try {
                 prise = viser();
                 place = "";
+                if (prise != null) {
+                    avant.push(scene);
+                }
             } catch (RuntimeException panne) {
                 panneau.bandeau.dire(Messages.message(panne));
             }
@@ -117,7 +112,7 @@ final class Prise extends MouseAdapter {
     /** La lampe ou la sphère sous la souris ; {@code null}, et un avis, si rien n'y peut être pris. */
     private Object viser() {
         Point2D souris = panneau.placeDe(depart.getX(), depart.getY());
-        for (Lampe lampe : debut.lampes) {
+        for (Lampe lampe : scene.lampes) {
             Point2D etoile = aLEcran(lampe);
             if (etoile != null && etoile.distance(souris) < RAYON_ETOILE) {
                 return lampe;
@@ -128,8 +123,8 @@ final class Prise extends MouseAdapter {
                 .getClosestIntersection(lancer.getCamera().getRayon(depart.getX(), depart.getY()));
         // l'image montrée peut être celle d'avant le dernier déplacement, où cet objet avait une autre place
         int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
-        if (rang >= 0 && debut.objets.get(rang).getClass() == Sphere.class) {
-            Sphere sphere = (Sphere) debut.objets.get(rang);
+        if (rang >= 0 && scene.objets.get(rang).getClass() == Sphere.class) {
+            Sphere sphere = (Sphere) scene.objets.get(rang);
             double pixels = lancer.getCamera().projeter(sphere.getCentre()).z;
             // plus large que l'image, ou autour de l'œil, c'est un sol ou une voûte
             if (pixels > 0 && 2 * pixels * sphere.getRayon() <= lancer.getCamera().getLargeur()) {
@@ -155,9 +150,9 @@ final class Prise extends MouseAdapter {
             double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
             Point ou = new Point(bouger(origine.x, de.x, fois), bouger(origine.y, de.y, fois),
                     bouger(origine.z, de.z, fois));
-            place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+            place = avant.peek().getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
                     + SceneLue.ecrire(ou);
-            deplacer(debut.avec(prise, ou));
+            deplacer(avant.peek().avec(prise, ou));
         }
     }
 
@@ -170,9 +165,10 @@ final class Prise extends MouseAdapter {
     public void mouseReleased(MouseEvent e) {
         if (prise != null && SwingUtilities.isLeftMouseButton(e)) {
             prise = null;
-            if (scene != debut) {
+            if (scene == avant.peek()) {
+                avant.pop();
+            } else {
                 panneau.bandeau.dire(place + " ; Ctrl+E l'écrit dans " + controleur.getEtat().getNom());
-                avant.push(debut);
                 controleur.avertir();
             }
         }
