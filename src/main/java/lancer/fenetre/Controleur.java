@@ -101,7 +101,7 @@ final class Controleur {
     void regler(Reglages voulus) {
         if (!voulus.equals(etat.demande.reglages)) {
             try {
-                demander(etat.avec(etat.montre.retenu()), etat.demande.avecReglages(voulus));
+                publier(avancer(etat.avec(etat.montre.retenu()).avec(etat.demande.avecReglages(voulus))));
             } catch (SceneFautive e) {
                 panneau.bandeau.dire(e.getMessage());
                 avertir();
@@ -111,12 +111,12 @@ final class Controleur {
 
     /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
-        demander(etat, etat.demande.avecVue(vue));
+        publier(avancer(etat.avec(etat.demande.avecVue(vue))));
     }
 
     /** Dessine la scène avec ces déplacements, que le fichier ne contient pas. */
     void deplacer(SceneLue deplacee) {
-        demander(etat.avec(etat.montre.retenu()), etat.demande.avecLecture(deplacee));
+        publier(avancer(etat.avec(etat.montre.retenu()).avec(etat.demande.avecLecture(deplacee))));
     }
 
     /**
@@ -141,14 +141,16 @@ final class Controleur {
 
     /** Suit la taille que la fenêtre donne à l'image. */
     void ajuster() {
-        if (etat.demande != null && aLaTaille(etat.demande) != etat.demande) {
-            demander(etat, etat.demande);
+        Etat ajuste = aLaTaille(etat);
+        if (ajuste != etat) {
+            publier(avancer(ajuste));
         }
     }
 
-    private Demande aLaTaille(Demande voulue) {
+    private Etat aLaTaille(Etat celui) {
         Dimension place = taille.get();
-        return voulue.avecTaille(place.width, place.height);
+        Demande voulue = celui.demande == null ? null : celui.demande.avecTaille(place.width, place.height);
+        return voulue == celui.demande ? celui : celui.avec(voulue);
     }
 
     void arreter() {
@@ -164,12 +166,9 @@ final class Controleur {
         surveillance.terminer();
     }
 
-    private void demander(Etat celui, Demande voulue) {
-        publier(avancer(celui.avec(aLaTaille(voulue))));
-    }
-
     /** Montre le dessin en cours dès son brouillon, puis commence celui qui est demandé, s'il ne l'est pas déjà. */
-    private Etat avancer(Etat celui) {
+    private Etat avancer(Etat voulu) {
+        Etat celui = aLaTaille(voulu);
         Travail travail = celui.travail;
         Montre montre = celui.montre;
         if (!celui.enCours) {
