@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.RenderingHints;
@@ -34,7 +33,6 @@ final class Prise extends MouseAdapter {
     private static final int RAYON_ETOILE = 9;
     private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
             new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
-    private static final Color LAMPE = new Color(0xFFE040);
 
     private final Controleur controleur;
     private final PanneauImage panneau;
@@ -195,7 +193,7 @@ final class Prise extends MouseAdapter {
             for (Lampe lampe : scene.lampes) {
                 Point2D ou = aLEcran(lampe);
                 Figure.tracer(g, ou == null ? null : AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
-                        .createTransformedShape(ETOILE), LAMPE);
+                        .createTransformedShape(ETOILE), Figure.LAMPE);
             }
         }
     }

@@ -22,8 +22,9 @@ import lancer.inspection.Segment.Eclairage;
 /** La chaîne d'un pixel, peinte selon une projection : les rayons, les contacts numérotés, ce qui les éclaire. */
 public final class Figure {
 
+    /** La couleur d'une lampe, et de ses rayons. */
+    public static final Color LAMPE = new Color(0xFFE040);
     private static final Color REFLET = new Color(0x66E0FF);
-    private static final Color LAMPE = new Color(0xFFE040);
     private static final Color OMBRE = new Color(0xFF8A3C);
     private static final Color LISERE = new Color(0, 0, 0, 120);
 

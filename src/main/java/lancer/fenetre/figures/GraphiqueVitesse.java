@@ -8,8 +8,6 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -21,6 +19,7 @@ import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import lancer.commande.Reglages;
+import lancer.texte.Nombre;
 
 /** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
@@ -191,7 +190,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     private static String nombre(double t) {
         // le produit d'un entier et d'un pas n'est pas toujours rond
-        return new BigDecimal(t).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('.', ',');
+        return Nombre.ecrire(Math.rint(t * 1e9) / 1e9).replace('.', ',');
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */
