@@ -123,7 +123,7 @@ final class Prise extends MouseAdapter {
         int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
         if (rang >= 0 && scene.objets.get(rang).getClass() == Sphere.class) {
             Sphere sphere = (Sphere) scene.objets.get(rang);
-            double pixels = lancer.getCamera().projeter(sphere.getCentre()).z;
+            double pixels = Figure.projeter(lancer.getCamera(), sphere.getCentre()).z;
             // plus large que l'image, ou autour de l'œil, c'est un sol ou une voûte
             if (pixels > 0 && 2 * pixels * sphere.getRayon() <= lancer.getCamera().getLargeur()) {
                 return sphere;
@@ -140,7 +140,7 @@ final class Prise extends MouseAdapter {
             Point2D ici = panneau.pointDe(e.getPoint());
             Camera camera = montre().lancer.getCamera();
             Point origine = SceneLue.place(prise);
-            double pixels = camera.projeter(origine).z;
+            double pixels = Figure.projeter(camera, origine).z;
             // ce que la souris parcourt à l'écran, agrandi comme l'est le plan de ce qui est pris
             Vecteur de = new Vecteur(camera.getEcran(depart.getX(), depart.getY()),
                     camera.getEcran(ici.getX(), ici.getY())).mul(camera.getLargeur() / Constantes.ECHELLE / pixels);
@@ -182,7 +182,7 @@ final class Prise extends MouseAdapter {
 
     /** La place de cette lampe dans le panneau ; {@code null} si elle est derrière l'œil. */
     private Point2D aLEcran(Lampe lampe) {
-        Point vu = montre().lancer.getCamera().projeter(lampe.getPosition());
+        Point vu = Figure.projeter(montre().lancer.getCamera(), lampe.getPosition());
         return vu.z > 0 && vu.z < Double.POSITIVE_INFINITY ? panneau.placeDe(vu.x, vu.y) : null;
     }
 

@@ -13,6 +13,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.function.BiFunction;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Point;
 import lancer.Vecteur;
 import lancer.inspection.Inspection;
@@ -45,6 +46,15 @@ public final class Figure {
         this.pixel = pixel;
     }
 
+    /** Le point de l'image où l'œil voit p : x et y, en pixels ; z est le nombre de pixels d'une unité en p. */
+    public static Point projeter(Camera camera, Point p) {
+        Vecteur vu = camera.depuisLOeil(p);
+        Vecteur coin = camera.depuisLOeil(camera.getEcran(0, 0));
+        double pixels = coin.z / vu.z * camera.getLargeur() / Constantes.ECHELLE;
+        double unite = camera.getLargeur() / Constantes.ECHELLE;
+        return new Point(vu.x * pixels - coin.x * unite, coin.y * unite - vu.y * pixels, pixels);
+    }
+
     /** Peint la chaîne sur l'image. @param vue la place des points de l'image */
     public void peindre(Graphics2D g, AffineTransform vue) {
         Camera camera = pixel.camera;
@@ -56,8 +66,8 @@ public final class Figure {
                 // le premier rayon vient de l'œil : il n'est qu'un point de l'image
                 return null;
             }
-            Point de = camera.projeter(a);
-            Point vers = camera.projeter(deB < PRES ? a.add((PRES - deA) / (deB - deA), new Vecteur(a, b)) : b);
+            Point de = projeter(camera, a);
+            Point vers = projeter(camera, deB < PRES ? a.add((PRES - deA) / (deB - deA), new Vecteur(a, b)) : b);
             return new Line2D.Double(vue.transform(new Point2D.Double(de.x, de.y), null),
                     vue.transform(new Point2D.Double(vers.x, vers.y), null));
         });

@@ -70,7 +70,7 @@ class FiguresTest {
         }
         assertTrue(blancs >= 12, blancs + " points blancs autour de " + i + ", " + j);
         // jaune jusqu'à la lampe
-        Point lampe = camera.projeter(new Point(0.5, 0.5, 1));
+        Point lampe = Figure.projeter(camera, new Point(0.5, 0.5, 1));
         for (double part = 0.6; part < 0.95; part += 0.05) {
             assertTrue(voisins(image, i + 0.5 + part * (lampe.x - i - 0.5), j + 0.5 + part * (lampe.y - j - 0.5), false),
                     "pas de trait à la part " + part);
