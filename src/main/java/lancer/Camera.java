@@ -56,15 +56,6 @@ public class Camera {
         return new Vecteur(getOeil(), p);
     }
 
-    /** Le point de l'image où l'œil voit p : x et y, en pixels ; z est le nombre de pixels d'une unité en p. */
-    public Point projeter(Point p) {
-        Vecteur vu = depuisLOeil(p);
-        Vecteur centre = depuisLOeil(getEcran(largeur / 2.0, hauteur / 2.0));
-        double pixels = centre.z / vu.z * largeur / Constantes.ECHELLE;
-        return new Point(largeur / 2.0 - centre.x * largeur / Constantes.ECHELLE + vu.x * pixels,
-                hauteur / 2.0 + centre.y * largeur / Constantes.ECHELLE - vu.y * pixels, pixels);
-    }
-
     /**
      * Le rayon qui part de l'écran en (xe, ye) et s'éloigne de l'œil.
      *

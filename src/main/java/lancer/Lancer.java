@@ -80,7 +80,7 @@ public final class Lancer {
         Tracer(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
     }
 
-    /** Dessine l'image selon cet échantillonnage. Chaque fil a sa vue de la scène. */
+    /** Dessine l'image selon cet échantillonnage. */
     public void Tracer(Echantillonnage echantillonnage, Toile toile, int profondeur, int fils) {
         atelier.dessiner(echantillonnage, () -> getVueDUnFil(profondeur), toile, fils);
     }
@@ -116,7 +116,7 @@ public final class Lancer {
         return 0;
     }
 
-    /** Les points de l'écran que voit un fil, par son propre lancer. */
+    /** La vue d'un fil, par son propre lancer. */
     private Vue getVueDUnFil(int profondeur) {
         Lancer lancer = new Lancer(scene.pourUnFil(), camera, atelier);
         return new Vue() {

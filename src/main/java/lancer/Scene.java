@@ -144,11 +144,7 @@ public final class Scene {
 
     /** Dit si une coordonnée de la lampe dépasse {@link Constantes#LOINTAINE} fois chaque coordonnée du contact. */
     public static boolean estLointaine(Lampe lampe, Point contact) {
-        return plusGrande(lampe.getPosition()) > Constantes.LOINTAINE * plusGrande(contact);
-    }
-
-    private static double plusGrande(Point p) {
-        return Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
+        return lampe.getPosition().plusGrande() > Constantes.LOINTAINE * contact.plusGrande();
     }
 
     /**

@@ -20,6 +20,11 @@ public class Tuple {
         this.z = z;
     }
 
+    /** La plus grande composante, en valeur absolue. */
+    public double plusGrande() {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
     /** Égalité stricte : même classe et mêmes composantes au sens de {@link Double#compare} (0.0 et −0.0 diffèrent). */
     @Override
     public boolean equals(Object autre) {

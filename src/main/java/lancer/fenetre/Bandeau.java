@@ -3,49 +3,36 @@ package lancer.fenetre;
 import java.awt.Cursor;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Collections;
-import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import javax.swing.Timer;
 import javax.swing.UIManager;
-import javax.swing.border.Border;
 import lancer.texte.Texte;
 
-/** Messages de la fenêtre, sur le bas de l'image : les fautes de son état, puis un échec, puis un avis. */
+/** Messages de la fenêtre, sur le bas de l'image : les fautes de son état, puis un avis. */
 @SuppressWarnings("serial")
 final class Bandeau extends JTextArea {
 
     private static final int DUREE_AVIS_MS = 8000;
-    private static final int MARGE_V = 6;
-    private static final Border MARGES = BorderFactory.createEmptyBorder(MARGE_V, MARGE_V, MARGE_V, MARGE_V);
+    private static final int MARGE = 6;
 
     private final Timer oubli = new Timer(DUREE_AVIS_MS, e -> dire(""));
     private Etat etat = new Etat();
-    /**
-     * Les fautes qu'un clic a fermées, jusqu'à ce qu'elles changent, et celle du fichier, jusqu'à une autre lecture.
-     */
-    private List<String> fermees = Collections.emptyList();
-    private String fauteFermee;
-    /** Le dernier échec d'un enregistrement, et un avis, qui s'efface au bout de quelques secondes ; vides sinon. */
-    private String echec = "";
+    /** L'état dont un clic a fermé les fautes, jusqu'à ce qu'elles changent ou que le fichier soit relu. */
+    private Etat ferme = etat;
     private String avis = "";
 
     Bandeau() {
-        setName("message");
-        getAccessibleContext().setAccessibleName("message");
-        donnerALire(this);
+        donnerALire(this, "message");
         setVisible(false);
         oubli.setRepeats(false);
         setToolTipText("cliquer pour fermer");
         addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                fermees = etat.getFautes();
-                fauteFermee = etat.source.faute;
-                echec = "";
+                ferme = etat;
                 dire("");
             }
         });
@@ -53,15 +40,15 @@ final class Bandeau extends JTextArea {
 
     static JTextArea etiquette(String nom) {
         JTextArea etiquette = new JTextArea(" ");
-        etiquette.setName(nom);
-        etiquette.getAccessibleContext().setAccessibleName(nom);
         etiquette.setOpaque(false);
-        donnerALire(etiquette);
+        donnerALire(etiquette, nom);
         return etiquette;
     }
 
-    /** Donne à ce texte l'aspect d'une étiquette de plusieurs lignes. */
-    private static void donnerALire(JTextArea texte) {
+    /** Donne à ce texte ce nom, et l'aspect d'une étiquette de plusieurs lignes. */
+    private static void donnerALire(JTextArea texte, String nom) {
+        texte.setName(nom);
+        texte.getAccessibleContext().setAccessibleName(nom);
         texte.setEditable(false);
         texte.setFocusable(false);
         texte.setLineWrap(true);
@@ -75,30 +62,31 @@ final class Bandeau extends JTextArea {
         ecrire();
     }
 
-    /** Remplace l'échec du dernier enregistrement, qui reste jusqu'au suivant ; vide s'il a réussi. */
-    void retenir(String nouveau) {
-        echec = nouveau;
-        ecrire();
-    }
-
-    /** Remplace l'avis, d'une ou de plusieurs lignes ; un avis vide l'efface. */
+    /** Remplace l'avis, d'une ou de plusieurs lignes, qui s'efface au bout de quelques secondes ; vide pour aucun. */
     void dire(String nouveau) {
         avis = nouveau;
         oubli.restart();
         ecrire();
     }
 
+    /** Remplace l'avis par cet échec, qui reste jusqu'à un clic ou un autre avis. */
+    void retenir(String echec) {
+        avis = echec;
+        oubli.stop();
+        ecrire();
+    }
+
     private void ecrire() {
-        List<String> toutes = etat.getFautes();
-        boolean ferme = etat.source.faute == fauteFermee && toutes.equals(fermees);
-        String fautes = ferme ? "" : String.join("\n", toutes);
-        String texte = Stream.of(fautes, echec, avis).filter(dit -> !dit.isEmpty())
+        boolean lues = etat.source.faute == ferme.source.faute && etat.getFautes().equals(ferme.getFautes());
+        String fautes = lues ? "" : String.join("\n", etat.getFautes());
+        String texte = Stream.of(fautes, avis).filter(dit -> !dit.isEmpty())
                 .flatMap(dit -> Stream.of(dit.split("\n"))).map(Texte::echappe).collect(Collectors.joining("\n"));
+        boolean grave = !fautes.isEmpty() || !oubli.isRunning();
         setBackground(UIManager.getColor("ToolTip.background"));
         setForeground(UIManager.getColor("ToolTip.foreground"));
-        setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE_V, 0, 0,
-                UIManager.getColor(fautes.isEmpty() && echec.isEmpty() ? "Component.warning.focusedBorderColor"
-                        : "Component.error.focusedBorderColor")), MARGES));
+        setBorder(BorderFactory.createCompoundBorder(BorderFactory.createMatteBorder(0, MARGE, 0, 0,
+                UIManager.getColor("Component." + (grave ? "error" : "warning") + ".focusedBorderColor")),
+                BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE)));
         if (!texte.equals(getText())) {
             setText(texte);
             setVisible(!texte.isEmpty());

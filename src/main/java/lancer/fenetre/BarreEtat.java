@@ -28,55 +28,58 @@ final class BarreEtat extends JPanel {
     private final JLabel pastille = new JLabel("    ");
 
     BarreEtat() {
-        super(new BorderLayout(MARGE, 0));
+        super(new BorderLayout(MARGE, MARGE / 2));
+        setBorder(BorderFactory.createEmptyBorder(0, MARGE, MARGE / 2, MARGE));
         pixel.setName("pixel");
         resume.setRows(2);
         avancement.setName("avancement");
         avancement.getAccessibleContext().setAccessibleName("avancement du dessin");
         avancement.setBorderPainted(false);
         avancement.setPreferredSize(new Dimension(FILET, FILET));
-        JPanel textes = new JPanel(new BorderLayout(MARGE, 0));
-        textes.setBorder(BorderFactory.createEmptyBorder(MARGE / 2, MARGE, MARGE / 2, MARGE));
-        textes.add(pastille, BorderLayout.LINE_START);
-        textes.add(pixel, BorderLayout.CENTER);
-        textes.add(resume, BorderLayout.PAGE_END);
         add(avancement, BorderLayout.PAGE_START);
-        add(textes, BorderLayout.CENTER);
+        add(pastille, BorderLayout.LINE_START);
+        add(pixel, BorderLayout.CENTER);
+        add(resume, BorderLayout.PAGE_END);
         // sa taille ne change pas : l'image ne bouge pas quand un texte est long
         setPreferredSize(getPreferredSize());
-        pixel.setText(" ");
     }
 
-    /** @param part la part faite du travail en cours, de 0 à 1 @param texte ce travail, vide s'il n'y en a pas */
-    void avancer(double part, String texte) {
-        avancement.setValue((int) (POUR_MILLE * part));
+    /**
+     * Dit l'avancement du travail ou, s'il est achevé, ce qu'est l'image ; et le pixel sous la souris.
+     *
+     * @param geste dit à la place de l'image, ou {@code null}
+     */
+    void montrer(Etat etat, PanneauImage panneau, String geste) {
+        boolean tenue = panneau.tenue != null;
+        String texte = etat.travail == null ? "" : etat.travail.getTexte();
+        avancement.setValue(etat.enCours ? (int) (POUR_MILLE * etat.travail.getAvancement()) : 0);
         avancement.getAccessibleContext().setAccessibleDescription(texte);
-    }
-
-    void resumer(String texte) {
-        if (!texte.equals(resume.getText())) {
-            resume.setText(texte);
+        if (tenue) {
+            texte = "avant : " + resumer(etat.montre.avant, panneau.getReduction());
+        } else if (etat.montre.entier && !etat.enCours) {
+            texte = resumer(etat.montre.dessin, panneau.getReduction());
         }
+        panneau.getAccessibleContext().setAccessibleDescription(texte);
+        resume.setText(geste == null ? texte : geste);
+        montrerPixel(panneau.getPixelSouris(), panneau.getVisible(), !tenue && !etat.montre.entier);
     }
 
     /** La taille de l'image, son coût, ses réglages, ses fautes. @param reduction rapport à sa taille réelle */
-    static String resume(Dessin dessin, double reduction) {
-        String fautes = dessin.lancer.getAtelier().getFautes().enMots();
-        return resume(dessin.image, reduction) + ", " + dessin.getCout() + ", " + dessin.demande.reglages
-                + (fautes == null ? "" : ", " + fautes);
-    }
-
-    private static String resume(ImageMemoire image, double reduction) {
-        String taille = (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
+    private static String resumer(Dessin dessin, double reduction) {
+        ImageMemoire image = dessin.image;
+        String texte = (image.echelle.isEmpty() ? "" : image.echelle + " ; ") + image.largeur + " × " + image.hauteur
                 + " pixels";
         if (reduction < 1) {
-            return taille + " montrés à " + (int) (100 * reduction) + " %";
+            texte += " montrés à " + (int) (100 * reduction) + " %";
+        } else if (reduction > 1) {
+            texte += " à la loupe × " + Math.round(reduction);
         }
-        return reduction > 1 ? taille + " à la loupe × " + Math.round(reduction) : taille;
+        String fautes = dessin.lancer.getAtelier().getFautes().enMots();
+        return texte + ", " + dessin.getCout() + ", " + dessin.demande.reglages + (fautes == null ? "" : ", " + fautes);
     }
 
     /** @param ou le pixel sous la souris, ou {@code null} @param brouillon vrai si sa couleur n'est pas définitive */
-    void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
+    private void montrerPixel(Point ou, ImageMemoire image, boolean brouillon) {
         pastille.setOpaque(ou != null);
         pixel.setText("");
         if (ou != null) {

@@ -6,7 +6,9 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.function.BooleanSupplier;
 import javax.swing.AbstractAction;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
+import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 
 /** Une commande de la fenêtre : son nom, sa touche, quand elle est possible, quand elle est cochée, ce qu'elle fait. */
@@ -37,12 +39,16 @@ final class Commande extends AbstractAction {
     /** Son article porte une coche tant que {@code condition} est vraie. */
     Commande cochee(BooleanSupplier condition) {
         cochee = condition;
-        putValue(SELECTED_KEY, false);
+        putValue(SELECTED_KEY, condition.getAsBoolean());
         return this;
     }
 
-    boolean seCoche() {
-        return cochee != null;
+    /** Un article de menu de cette commande. Un nom de fichier qui commence par {@code <html>} y est écrit tel quel. */
+    JMenuItem article() {
+        JMenuItem article = cochee == null ? new JMenuItem() : new JCheckBoxMenuItem();
+        article.putClientProperty("html.disable", true);
+        article.setAction(this);
+        return article;
     }
 
     String getNom() {

@@ -14,12 +14,9 @@ import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
-import javax.swing.JMenuItem;
-import javax.swing.JRadioButtonMenuItem;
 import lancer.commande.Etape;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
@@ -66,7 +63,8 @@ final class Commandes {
     private JMenu fichier() {
         return menu("Fichier",
                 commande("Ouvrir une scène…", "ctrl O", toujours, f::choisirScene),
-                commande("Relire la scène et redessiner", "F5", () -> c.getEtat().source.fichier != null, c::relire),
+                commande("Relire la scène et redessiner", "F5", () -> c.getEtat().source.fichier != null,
+                        () -> f.enregistrement.apres(c::relire)),
                 commande("Écrire dans la scène", "ctrl E", () -> c.getEtat().estDeplace(),
                         () -> f.enregistrement.ecrireLaScene(() -> { })),
                 commande("Enregistrer l'image…", "ctrl S", scene, f.enregistrement::enregistrer),
@@ -78,7 +76,7 @@ final class Commandes {
 
     private JMenu affichage() {
         JMenu menu = menu("Affichage",
-                commande("Réglages", "F2", scene, () -> f.onglets.montrer(1).transferFocus()),
+                commande("Réglages", "F2", scene, () -> f.onglets.montrer(Onglets.REGLAGES).transferFocus()),
                 commande("Vitesse ou précision", "F3", scene, f::mesurer),
                 commande("Remplir la fenêtre", "ctrl R", toujours, f::remplir).cochee(() -> f.remplie),
                 commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
@@ -86,8 +84,8 @@ final class Commandes {
         menu.addSeparator();
         Stream.concat(Stream.of("image"), Option.VUE.valeurs.stream()).forEach(nom -> {
             String vue = nom.equals("image") ? null : nom;
-            ajouter(menu, commande("Vue : " + nom, null, scene, () -> c.voir(vue))
-                    .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.getEtat().demande.vue)));
+            menu.add(commande("Vue : " + nom, null, scene, () -> c.voir(vue))
+                    .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.getEtat().demande.vue)).article());
         });
         return menu;
     }
@@ -95,7 +93,7 @@ final class Commandes {
     private JMenu dessin() {
         return menu("Dessin",
                 commande("Arrêter le dessin, sinon fermer le panneau", "ESCAPE", f::peutEchapper, f::echapper),
-                commande("Défaire le déplacement", "ctrl Z", () -> !c.getEtat().deplaces.avant.isEmpty(), c::defaire));
+                commande("Défaire le déplacement", "ctrl Z", f.prise::peutDefaire, f.prise::defaire));
     }
 
     /** Les commandes sans article : celles de l'image demandent qu'elle ait le clavier. */
@@ -158,23 +156,8 @@ final class Commandes {
         JMenu menu = new JMenu(nom);
         menu.addChangeListener(e -> toutes.forEach(Commande::ajuster));
         menu.setMnemonic(nom.charAt(0));
-        Arrays.stream(siennes).forEach(commande -> ajouter(menu, commande));
+        Arrays.stream(siennes).forEach(commande -> menu.add(commande.article()));
         return menu;
-    }
-
-    private static void ajouter(JMenu menu, Commande commande) {
-        menu.add(commande.seCoche() ? new JCheckBoxMenuItem(commande) : new JMenuItem(commande));
-    }
-
-    private JMenuItem article(File scene) {
-        String fichier = c.getEtat().source.fichier;
-        JMenuItem article = new JRadioButtonMenuItem("",
-                fichier != null && scene.getName().equals(new File(fichier).getName()));
-        // un nom de fichier qui commence par <html> doit être affiché tel quel
-        article.putClientProperty("html.disable", true);
-        article.setText(Texte.echappe(scene.getName()));
-        article.addActionListener(e -> f.ouvrir(scene.getPath()));
-        return article;
     }
 
     /** Les scènes du dossier de celle qui est demandée, lues quand le menu s'ouvre. */
@@ -183,10 +166,13 @@ final class Commandes {
         menu.addChangeListener(e -> {
             if (menu.isSelected()) {
                 menu.removeAll();
-                File[] scenes = Dialogues.dossierDesScenes(c.getEtat().source.fichier)
-                        .listFiles(scene -> Texte.minuscules(scene.getName()).endsWith(".ini"));
-                Arrays.stream(scenes == null ? new File[0] : scenes).sorted().limit(SCENES_MAX)
-                        .forEach(scene -> menu.add(article(scene)));
+                String ouverte = c.getEtat().source.fichier;
+                File dossier = Dialogues.dossierDesScenes(ouverte);
+                String[] scenes = dossier.list((ici, nom) -> Texte.minuscules(nom).endsWith(".ini"));
+                Arrays.stream(scenes == null ? new String[0] : scenes).sorted().limit(SCENES_MAX).forEach(nom ->
+                        menu.add(new Commande(Texte.echappe(nom), null, toujours,
+                                () -> f.ouvrir(new File(dossier, nom).getPath()))
+                                .cochee(() -> ouverte != null && nom.equals(new File(ouverte).getName())).article()));
             }
         });
         return menu;

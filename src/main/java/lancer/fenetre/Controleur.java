@@ -3,17 +3,14 @@ package lancer.fenetre;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.SceneFautive;
 import lancer.commande.Messages;
-import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
-import lancer.fenetre.Etat.Deplaces;
 import lancer.fenetre.Etat.Montre;
 import lancer.fenetre.Etat.Source;
 import lancer.scene.SceneLue;
@@ -23,13 +20,14 @@ import lancer.scene.Surveillance;
  * La suite des états de la fenêtre, et celle de ses dessins. Tout y est appelé dans le fil des événements ;
  * {@link Travail} calcule dans un autre. La scène montrée reste la même jusqu'au premier brouillon d'une autre.
  */
-final class Controleur implements Travail.Suite {
+final class Controleur {
 
     final PanneauImage panneau;
     private final Programme programme;
     private final Reglages options;
     private final Supplier<Dimension> taille;
-    private final Surveillance surveillance;
+    private final Surveillance surveillance = new Surveillance((fichier, version) ->
+            EventQueue.invokeLater(() -> observer(fichier, version)));
     private final List<Consumer<Etat>> prevenus = new ArrayList<>();
     private Etat etat = new Etat();
 
@@ -39,8 +37,6 @@ final class Controleur implements Travail.Suite {
         this.options = options;
         this.panneau = panneau;
         this.taille = taille;
-        surveillance = new Surveillance((fichier, version) ->
-                EventQueue.invokeLater(() -> observer(fichier, version)));
     }
 
     Etat getEtat() {
@@ -52,19 +48,14 @@ final class Controleur implements Travail.Suite {
         prevenus.add(siChange);
     }
 
-    /** Publie cet état, le même que le précédent si un panneau seul a changé. */
     private void publier(Etat nouveau) {
         etat = nouveau;
         prevenus.forEach(prevenu -> prevenu.accept(nouveau));
     }
 
+    /** Publie le même état : un panneau seul a changé. */
     void avertir() {
         publier(etat);
-    }
-
-    /** Nombre de fils d'un dessin. */
-    int getFils() {
-        return options.get(Option.FILS);
     }
 
     /** Montre le premier dessin de la fenêtre, déjà demandé ; sa scène est lue. */
@@ -109,7 +100,7 @@ final class Controleur implements Travail.Suite {
     void regler(Reglages voulus) {
         if (!voulus.equals(etat.demande.reglages)) {
             try {
-                demander(etat.avec(etat.montre.retenu()), etat.demande.avecReglages(voulus));
+                publier(avancer(etat.avec(etat.montre.retenu()).avec(etat.demande.avecReglages(voulus))));
             } catch (SceneFautive e) {
                 panneau.bandeau.dire(e.getMessage());
                 avertir();
@@ -119,60 +110,46 @@ final class Controleur implements Travail.Suite {
 
     /** Montre cette vue. @param vue {@code null} pour l'image */
     void voir(String vue) {
-        demander(etat, etat.demande.avecVue(vue));
+        publier(avancer(etat.avec(etat.demande.avecVue(vue))));
     }
 
     /** Dessine la scène avec ces déplacements, que le fichier ne contient pas. */
     void deplacer(SceneLue deplacee) {
-        demander(etat.avec(etat.montre.retenu()), etat.demande.avecLecture(deplacee));
+        publier(avancer(etat.avec(etat.montre.retenu()).avec(etat.demande.avecLecture(deplacee))));
     }
 
-    /** Un déplacement est fini, et peut être défait. @param debut la scène d'avant */
-    void retenir(SceneLue debut) {
-        publier(etat.avec(etat.deplaces.apres(debut)));
-    }
-
-    /** Rend sa place d'avant à ce qui a été déplacé en dernier. */
-    void defaire() {
-        List<SceneLue> avant = etat.deplaces.avant;
-        panneau.bandeau.dire("");
-        etat = etat.avec(etat.deplaces.sansLeDernier());
-        deplacer(avant.get(avant.size() - 1));
-    }
-
-    void commencerLEcriture() {
-        publier(etat.avec(etat.deplaces.enEcriture(true)));
-    }
-
-    /** Ce fichier, qui contenait la scène {@code avant}, contient désormais celle-ci : rien n'y est à relire. */
-    void finirLEcriture(String fichier, SceneLue avant, SceneLue ecrite) {
-        // une autre scène a pu être lue depuis
-        if (etat.deplaces.ecrite == avant) {
-            Etat fini = etat.avec(new Deplaces(ecrite, etat.deplaces.avant, false));
-            publier(etat.montreUneAutre() ? fini : fini.avec(new Source(fichier, ecrite.getVersion(), null)));
-        }
-    }
-
-    /** Les déplacements n'ont pu être écrits dans ce fichier. */
-    void echouerALEcrire(String fichier, String faute) {
-        Etat echoue = etat.avec(etat.deplaces.enEcriture(false));
-        if (fichier.equals(etat.source.fichier)) {
-            publier(echoue.avec(new Source(fichier, etat.source.version, faute)));
-        } else {
-            publier(echoue);
+    /**
+     * L'écriture des déplacements est finie.
+     *
+     * @param avant ce que contenait leur fichier
+     * @param voulue ce qu'il contient, et qui n'est pas à relire
+     * @param faute ce qui a empêché de l'écrire, ou {@code null}
+     */
+    void finirLEcriture(SceneLue avant, SceneLue voulue, String faute) {
+        boolean demandee = avant.nom.equals(etat.source.fichier);
+        if (faute != null && demandee) {
+            publier(etat.avec(new Source(avant.nom, etat.source.version, faute)));
+        } else if (faute != null) {
             panneau.bandeau.dire(faute);
+        } else if (etat.ecrite == avant) {
+            // une autre scène aurait pu être lue depuis
+            Etat ecrit = etat.avec(voulue);
+            publier(demandee ? ecrit.avec(new Source(avant.nom, voulue.getVersion(), null)) : ecrit);
         }
     }
 
     /** Suit la taille que la fenêtre donne à l'image. */
     void ajuster() {
-        if (etat.demande != null && !estALaTaille(etat.demande)) {
-            demander(etat, etat.demande);
+        Etat ajuste = aLaTaille(etat);
+        if (ajuste != etat) {
+            publier(avancer(ajuste));
         }
     }
 
-    private boolean estALaTaille(Demande demande) {
-        return taille.get().equals(new Dimension(demande.largeur, demande.hauteur));
+    private Etat aLaTaille(Etat celui) {
+        Dimension place = taille.get();
+        Demande voulue = celui.demande == null ? null : celui.demande.avecTaille(place.width, place.height);
+        return voulue == celui.demande ? celui : celui.avec(voulue);
     }
 
     void arreter() {
@@ -188,23 +165,23 @@ final class Controleur implements Travail.Suite {
         surveillance.terminer();
     }
 
-    /** Demande ce dessin. Si un brouillon se prépare, il est d'abord montré. */
-    private void demander(Etat celui, Demande voulue) {
-        Dimension place = taille.get();
-        Etat demande = celui.avec(estALaTaille(voulue) ? voulue : voulue.avecTaille(place.width, place.height));
-        if (!demande.enCours) {
-            publier(dessiner(demande));
-        } else {
-            publier(demande.travail.aSonBrouillon() ? suivre(demande) : demande);
-        }
-    }
-
-    /** Commence le dessin de ce qui est demandé, s'il ne l'est pas déjà. */
-    private Etat dessiner(Etat celui) {
+    /** Montre le dessin en cours dès son brouillon, puis commence celui qui est demandé, s'il ne l'est pas déjà. */
+    private Etat avancer(Etat voulu) {
+        Etat celui = aLaTaille(voulu);
+        Travail travail = celui.travail;
         Montre montre = celui.montre;
-        boolean commence = celui.enCours ? celui.demande.equals(celui.travail.demande)
-                : montre.entier && celui.demande.equals(montre.dessin.demande);
-        return commence ? celui : commencer(celui, new Travail(programme, celui.demande));
+        if (!celui.enCours) {
+            boolean fait = montre.entier && celui.demande.equals(montre.dessin.demande);
+            return fait ? celui : commencer(celui, new Travail(programme, celui.demande));
+        }
+        Etat suivant = celui;
+        // sans image, un brouillon se montre dès son début
+        if (montre.dessin != travail.dessin && (montre.dessin == null || travail.aSonBrouillon())) {
+            suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
+                    .avec(new Montre(travail.dessin, false, montre.avant));
+        }
+        boolean autre = travail.aSonBrouillon() && !travail.isCancelled() && !suivant.demande.equals(travail.demande);
+        return autre ? commencer(suivant, new Travail(programme, suivant.demande)) : suivant;
     }
 
     private Etat commencer(Etat celui, Travail nouveau) {
@@ -214,75 +191,66 @@ final class Controleur implements Travail.Suite {
         if (abandonne.enCours) {
             abandonne.travail.cancel(true);
         }
-        nouveau.suite = this;
+        nouveau.suite = this::suivre;
         nouveau.execute();
         return etat;
     }
 
-    @Override
-    public void lue(Travail celui) {
-        if (celui == etat.travail) {
-            publier(etat.avec(new Source(etat.source.fichier, celui.version, null)));
+    /** Ce travail a passé une étape, ou il est achevé, arrêté, ou a échoué. */
+    private void suivre(Travail celui) {
+        if (celui != etat.travail || !etat.enCours) {
+            return;
         }
-    }
-
-    @Override
-    public void montrer(Travail celui) {
         Etat avant = etat;
-        Etat suivi = celui != etat.travail || celui.isCancelled() && etat.montre.dessin != null ? etat : suivre(etat);
+        Etat suivi = etat;
+        if (celui.lue && etat.source.version == null) {
+            // elle n'a plus de faute, même si son image n'est pas encore montrée
+            suivi = suivi.avec(new Source(etat.source.fichier, celui.version, null));
+        }
+        if (!celui.isCancelled() || etat.montre.dessin == null) {
+            suivi = avancer(suivi);
+        }
+        if (celui.estFini() && celui == suivi.travail) {
+            suivi = finir(suivi);
+        }
         if (suivi != avant) {
             publier(suivi);
         }
     }
 
-    /** Montre le dessin du travail en cours, puis commence celui qui a été demandé depuis. */
-    private Etat suivre(Etat celui) {
-        Travail travail = celui.travail;
-        Etat suivant = celui;
-        Montre montre = celui.montre;
-        // sans image, un brouillon se montre dès son début
-        if (montre.dessin != travail.dessin && (montre.dessin == null || travail.aSonBrouillon())) {
-            suivant = (travail.aLire == null ? celui : adopter(celui, travail.demande))
-                    .avec(new Montre(travail.dessin, false, montre.avant));
-        }
-        return travail.aSonBrouillon() && !travail.isCancelled() ? dessiner(suivant) : suivant;
-    }
-
     /** La scène montrée est désormais celle qui vient d'être lue. */
     private Etat adopter(Etat celui, Demande lue) {
         List<String> avis = new ArrayList<>(lue.lue.avertissements);
-        if (celui.estDeplace() && !celui.deplaces.enEcriture) {
+        if (celui.estDeplace()) {
             avis.add("ce qui était déplacé dans " + celui.getNom() + " sans être écrit est oublié");
         }
         if (!avis.isEmpty()) {
             panneau.bandeau.dire(String.join("\n", avis));
         }
         return celui.avec(new Source(celui.source.fichier, celui.source.version, null))
-                .avec(new Deplaces(lue.lue, Collections.emptyList(), false))
+                .avec(lue.lue)
                 .avec(celui.demande == null ? lue : celui.demande.avecLecture(lue.lue));
     }
 
-    @Override
-    public void finir(Travail celui) {
-        if (celui != etat.travail) {
-            return;
-        }
-        Etat fini = etat.avec(celui, false);
-        Throwable echec = celui.getEchec();
-        if (!celui.lue) {
-            fini = fini.avec(new Source(fini.source.fichier, celui.version,
+    /** Le travail en cours est fini. */
+    private Etat finir(Etat celui) {
+        Travail travail = celui.travail;
+        Throwable echec = travail.getEchec();
+        Etat fini = celui.avec(travail, false);
+        if (!travail.lue) {
+            fini = fini.avec(new Source(fini.source.fichier, travail.version,
                     echec == null ? null : Messages.message(echec)));
         }
-        if (celui.estAcheve()) {
-            fini = fini.avec(new Montre(celui.dessin, true, fini.montre.avant));
-            if (celui.dessin.ecart != null) {
-                panneau.bandeau.dire(celui.dessin.ecart);
+        if (travail.estAcheve()) {
+            fini = fini.avec(new Montre(travail.dessin, true, fini.montre.avant));
+            if (travail.dessin.ecart != null) {
+                panneau.bandeau.dire(travail.dessin.ecart);
             }
         }
-        if (echec != null && fini.demande != null && (!celui.lue || !fini.demande.equals(celui.demande))) {
+        if (echec != null && fini.demande != null && (!travail.lue || !fini.demande.equals(travail.demande))) {
             // la lecture a interrompu le dessin d'avant, ou autre chose a été demandé avant cet échec
-            fini = dessiner(fini);
+            fini = avancer(fini);
         }
-        publier(fini);
+        return fini;
     }
 }

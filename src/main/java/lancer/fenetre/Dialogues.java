@@ -22,7 +22,7 @@ final class Dialogues {
     /** Ce qu'un dialogue ajoute à la table des touches : une barre, son cadre, un bouton. */
     private static final int MARGE_H = 30;
     private static final int MARGE_V = 120;
-    private static final int LARGEUR = 620;
+    private static final int LARGEUR = 590;
     private static final String TITRE_IMAGE = "Enregistrer l'image";
 
     /** Ce que l'on fait d'un déplacement qui n'est pas écrit. */
@@ -50,10 +50,8 @@ final class Dialogues {
                 .map(touche -> touche.split(" ")).forEach(touche -> deroulant.getInputMap(
                         JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(touche[0]), touche[1]));
         Dimension place = deroulant.getPreferredSize();
-        int haut = ecran().height - MARGE_V;
-        int large = place.height > haut ? place.width + MARGE_H : place.width;
-        deroulant.setPreferredSize(new Dimension(Math.min(large, ecran().width - 2 * MARGE_H),
-                Math.min(place.height, haut)));
+        deroulant.setPreferredSize(new Dimension(Math.min(place.width + MARGE_H, ecran().width - 2 * MARGE_H),
+                Math.min(place.height, ecran().height - MARGE_V)));
         JOptionPane.showMessageDialog(parent, deroulant, "Touches", JOptionPane.PLAIN_MESSAGE);
     }
 

@@ -27,6 +27,8 @@ final class Enregistrement {
     /** Fil qui empêche la fin du programme : une écriture commencée s'achève après la fermeture de la fenêtre. */
     private final ExecutorService disque =
             Executors.newSingleThreadExecutor(tache -> new Thread(tache, "lancer-disque"));
+    /** Vrai pendant l'écriture des déplacements. */
+    private boolean enEcriture;
     /** Le dossier que propose le prochain dialogue. */
     private File dossier = new File("").getAbsoluteFile();
 
@@ -98,8 +100,11 @@ final class Enregistrement {
         }
         dossier = cible.getParentFile();
         confier(() -> ecrire(image, cible, scene), faute -> {
-            bandeau.retenir(faute == null ? "" : faute);
-            bandeau.dire(faute == null ? "enregistrée : " + Texte.echappe(cible.getName()) : "");
+            if (faute == null) {
+                bandeau.dire("enregistrée : " + Texte.echappe(cible.getName()));
+            } else {
+                bandeau.retenir(faute);
+            }
         });
     }
 
@@ -115,32 +120,35 @@ final class Enregistrement {
 
     /** Écrit les déplacements dans le fichier de leur scène. @param ensuite fait quand ils y sont tous */
     void ecrireLaScene(Runnable ensuite) {
-        Etat etat = controleur.getEtat();
-        if (etat.deplaces.enEcriture) {
-            // ce qui a été déplacé depuis s'écrit après
-            apres(() -> ecrireLaScene(ensuite));
-        } else if (!etat.estDeplace()) {
-            ensuite.run();
-        } else {
-            SceneLue avant = etat.deplaces.ecrite;
-            SceneLue voulue = etat.demande.lue;
-            String fichier = etat.demande.lue.nom;
-            controleur.commencerLEcriture();
+        // ce qui a été déplacé pendant une écriture s'écrit après elle
+        apres(() -> {
+            SceneLue avant = controleur.getEtat().ecrite;
+            SceneLue voulue = controleur.getEtat().demande.lue;
+            if (avant == voulue) {
+                ensuite.run();
+                return;
+            }
+            enEcriture = true;
             confier(() -> avant.remplacer(voulue), faute -> {
+                enEcriture = false;
+                controleur.finirLEcriture(avant, voulue, faute);
+                if (faute == null && !controleur.getEtat().estDeplace()) {
+                    bandeau.dire("écrit dans " + controleur.getEtat().getNom());
+                }
                 if (faute == null) {
-                    controleur.finirLEcriture(fichier, avant, voulue);
-                    bandeau.dire("écrit dans " + Texte.echappe(new File(fichier).getName()));
                     ensuite.run();
-                } else {
-                    controleur.echouerALEcrire(fichier, faute);
                 }
             });
-        }
+        });
     }
 
-    /** Fait ceci quand les écritures commencées sont finies. */
+    /** Fait ceci quand l'écriture des déplacements est finie, s'il y en a une. */
     void apres(Runnable suite) {
-        confier(() -> { }, rien -> suite.run());
+        if (enEcriture) {
+            confier(() -> { }, rien -> apres(suite));
+        } else {
+            suite.run();
+        }
     }
 
     /** Confie une écriture au disque. @param fin reçoit son échec, ou {@code null}, dans le fil des événements */

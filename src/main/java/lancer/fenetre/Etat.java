@@ -2,13 +2,11 @@ package lancer.fenetre;
 
 import java.io.File;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
 import lancer.commande.Messages;
+import lancer.contrat.PixelFautif;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
-import lancer.fils.Fautes;
 import lancer.image.ImageMemoire;
 import lancer.scene.SceneLue;
 import lancer.texte.Texte;
@@ -25,16 +23,17 @@ final class Etat {
     final Source source;
     /** Ce qui est demandé de la scène montrée, déplacements compris ; {@code null} avant la première. */
     final Demande demande;
-    final Deplaces deplaces;
+    /** La scène que contient le fichier de la scène montrée ; {@code null} avant la première. */
+    final SceneLue ecrite;
     /** Le dernier travail commencé, ou {@code null}, et vrai tant qu'il n'est pas fini. */
     final Travail travail;
     final boolean enCours;
     final Montre montre;
 
-    private Etat(Source source, Demande demande, Deplaces deplaces, Travail travail, boolean enCours, Montre montre) {
+    private Etat(Source source, Demande demande, SceneLue ecrite, Travail travail, boolean enCours, Montre montre) {
         this.source = source;
         this.demande = demande;
-        this.deplaces = deplaces;
+        this.ecrite = ecrite;
         this.travail = travail;
         this.enCours = enCours;
         this.montre = montre;
@@ -42,8 +41,7 @@ final class Etat {
 
     /** Celui d'une fenêtre sans scène. */
     Etat() {
-        this(new Source(null, null, null), null, new Deplaces(null, Collections.emptyList(), false), null, false,
-                new Montre(null, false, null));
+        this(new Source(null, null, null), null, null, null, false, new Montre(null, false, null));
     }
 
     /** Le fichier de la scène demandée en dernier, même fautif : celui du titre, de F5 et de la surveillance. */
@@ -59,38 +57,6 @@ final class Etat {
             this.fichier = fichier;
             this.version = version;
             this.faute = faute;
-        }
-    }
-
-    /** Les déplacements de la scène montrée. */
-    static final class Deplaces {
-
-        /** La scène que contient le fichier. */
-        final SceneLue ecrite;
-        /** La scène avant chaque déplacement, le dernier à la fin. */
-        final List<SceneLue> avant;
-        /** Vrai pendant l'écriture des déplacements. */
-        final boolean enEcriture;
-
-        Deplaces(SceneLue ecrite, List<SceneLue> avant, boolean enEcriture) {
-            this.ecrite = ecrite;
-            this.avant = avant;
-            this.enEcriture = enEcriture;
-        }
-
-        /** Les mêmes, avec un déplacement de plus à défaire. */
-        Deplaces apres(SceneLue scene) {
-            List<SceneLue> autres = new ArrayList<>(avant);
-            autres.add(scene);
-            return new Deplaces(ecrite, autres, enEcriture);
-        }
-
-        Deplaces sansLeDernier() {
-            return new Deplaces(ecrite, avant.subList(0, avant.size() - 1), enEcriture);
-        }
-
-        Deplaces enEcriture(boolean commencee) {
-            return new Deplaces(ecrite, avant, commencee);
         }
     }
 
@@ -124,23 +90,23 @@ final class Etat {
     }
 
     Etat avec(Source autre) {
-        return new Etat(autre, demande, deplaces, travail, enCours, montre);
+        return new Etat(autre, demande, ecrite, travail, enCours, montre);
     }
 
     Etat avec(Demande autre) {
-        return new Etat(source, autre, deplaces, travail, enCours, montre);
+        return new Etat(source, autre, ecrite, travail, enCours, montre);
     }
 
-    Etat avec(Deplaces autres) {
-        return new Etat(source, demande, autres, travail, enCours, montre);
+    Etat avec(SceneLue autre) {
+        return new Etat(source, demande, autre, travail, enCours, montre);
     }
 
     Etat avec(Travail autre, boolean commence) {
-        return new Etat(source, demande, deplaces, autre, commence, montre);
+        return new Etat(source, demande, ecrite, autre, commence, montre);
     }
 
     Etat avec(Montre autre) {
-        return new Etat(source, demande, deplaces, travail, enCours, autre);
+        return new Etat(source, demande, ecrite, travail, enCours, autre);
     }
 
     /** Le nom, sans dossier, du fichier de la scène montrée. */
@@ -155,12 +121,12 @@ final class Etat {
 
     /** Dit si la scène montrée est celle que contient cette version du fichier demandé. */
     boolean connait(String version) {
-        return demande != null && !montreUneAutre() && version.equals(deplaces.ecrite.getVersion());
+        return demande != null && !montreUneAutre() && version.equals(ecrite.getVersion());
     }
 
     /** Dit si un déplacement n'est pas dans le fichier de la scène montrée. */
     boolean estDeplace() {
-        return demande != null && demande.lue != deplaces.ecrite;
+        return demande != null && demande.lue != ecrite;
     }
 
     /** L'image montrée si elle est achevée, même si un autre dessin est commencé ; {@code null} sinon. */
@@ -176,18 +142,19 @@ final class Etat {
     /** Ce qui a échoué, une ligne chacun : du fichier demandé, puis du dessin. */
     List<String> getFautes() {
         List<String> fautes = new ArrayList<>();
-        fautes.add(source.faute);
-        fautes.add(source.faute == null || !montreUneAutre() ? null : "l'image qui reste est celle de " + getNom());
-        Throwable echec = enCours || travail == null ? null : travail.getEchec();
-        boolean magenta = montre.direFautes() != null && (montre.entier || !enCours);
-        if (magenta && !(echec instanceof Error)) {
-            Fautes pixels = montre.dessin.lancer.getAtelier().getFautes();
-            fautes.add(pixels.enMots() + " ; le premier : "
-                    + montre.dessin.demande.nommer(pixels.getPremiere()).getMessage());
-        } else {
-            fautes.add(echec == null || !travail.lue ? null : Messages.message(echec));
+        if (source.faute != null) {
+            fautes.add(source.faute);
+            if (montreUneAutre()) {
+                fautes.add("l'image qui reste est celle de " + getNom());
+            }
         }
-        fautes.removeIf(Objects::isNull);
+        Throwable echec = enCours || travail == null ? null : travail.getEchec();
+        if (montre.direFautes() != null && (montre.entier || !enCours) && !(echec instanceof Error)) {
+            PixelFautif premier = montre.dessin.lancer.getAtelier().getFautes().getPremiere();
+            fautes.add(montre.direFautes() + " ; le premier : " + montre.dessin.demande.nommer(premier).getMessage());
+        } else if (echec != null && travail.lue) {
+            fautes.add(Messages.message(echec));
+        }
         return fautes;
     }
 }

@@ -11,9 +11,7 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
@@ -28,7 +26,6 @@ import lancer.commande.Reglages;
 import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
 import lancer.fenetre.Dialogues.Reponse;
-import lancer.image.ImageMemoire;
 
 /**
  * La fenêtre : le cadre, l'image et les onglets, le titre, la ligne du bas. Une horloge y montre où en est le dessin en
@@ -75,19 +72,11 @@ final class Fenetre {
                 celui.scrollRectToVisible(new Rectangle(celui.getSize()));
             }
         });
-        onglets = new Onglets(cadre, bord, this::creerOnglets, controleur::avertir);
+        onglets = new Onglets(cadre, bord, controleur);
         controleur.prevenir(this::suivre);
         cadre.add(onglets, BorderLayout.CENTER);
         cadre.add(barre, BorderLayout.PAGE_END);
         ecouter();
-    }
-
-    private Map<String, JComponent> creerOnglets() {
-        Map<String, JComponent> crees = new LinkedHashMap<>();
-        crees.put("Pixel", new Inspecteur(controleur));
-        crees.put("Réglages", new PanneauReglages(controleur));
-        crees.put("Vitesse", new PanneauVitesse(controleur));
-        return crees;
     }
 
     private void ecouter() {
@@ -159,23 +148,21 @@ final class Fenetre {
 
     /** Fait ce geste, qui oublie les déplacements, une fois qu'ils sont écrits, ou que l'on y renonce. */
     private void sansRienPerdre(Runnable geste) {
-        Etat etat = controleur.getEtat();
-        if (etat.deplaces.enEcriture) {
-            enregistrement.apres(() -> sansRienPerdre(geste));
-            return;
-        }
-        Reponse reponse = etat.estDeplace() ? Dialogues.demanderDEcrire(panneau, etat.getNom()) : Reponse.OUBLIER;
-        if (reponse == Reponse.ECRIRE) {
-            enregistrement.ecrireLaScene(geste);
-        } else if (reponse == Reponse.OUBLIER) {
-            geste.run();
-        }
+        enregistrement.apres(() -> {
+            Etat etat = controleur.getEtat();
+            Reponse reponse = etat.estDeplace() ? Dialogues.demanderDEcrire(panneau, etat.getNom()) : Reponse.OUBLIER;
+            if (reponse == Reponse.ECRIRE) {
+                enregistrement.ecrireLaScene(geste);
+            } else if (reponse == Reponse.OUBLIER) {
+                geste.run();
+            }
+        });
     }
 
     void inspecter() {
         Point pixel = panneau.getPixelVise();
         if (pixel != null) {
-            ((Inspecteur) onglets.montrer(0)).montrer(pixel);
+            ((Inspecteur) onglets.montrer(Onglets.PIXEL)).montrer(pixel);
         }
     }
 
@@ -194,7 +181,7 @@ final class Fenetre {
     void echapper() {
         PanneauVitesse vitesse = onglets.getVisible(PanneauVitesse.class);
         if (prise.getGeste() != null) {
-            prise.lacher();
+            prise.defaire();
         } else if (controleur.getEtat().enCours) {
             controleur.arreter();
         } else if (vitesse == null || !vitesse.arreter()) {
@@ -204,7 +191,7 @@ final class Fenetre {
 
     /** Montre les réglages mesurés, et reprend leur mesure si elle est arrêtée. */
     void mesurer() {
-        ((PanneauVitesse) onglets.montrer(2)).reprendre();
+        ((PanneauVitesse) onglets.montrer(Onglets.VITESSE)).reprendre();
     }
 
     /** L'onglet Pixel s'il est visible, ou {@code null}. */
@@ -253,19 +240,7 @@ final class Fenetre {
         decrire();
     }
 
-    /** Dit l'avancement du travail ou, s'il est achevé, le coût de l'image ; et le pixel sous la souris. */
     private void decrire() {
-        Etat etat = controleur.getEtat();
-        boolean tenue = panneau.tenue != null;
-        Dessin dessin = tenue ? etat.montre.avant : etat.montre.dessin;
-        String texte = etat.travail == null ? "" : etat.travail.getTexte();
-        barre.avancer(etat.enCours ? etat.travail.getAvancement() : 0, texte);
-        if (tenue || etat.montre.entier && !etat.enCours) {
-            texte = (tenue ? "avant : " : "") + BarreEtat.resume(dessin, panneau.getReduction(dessin.image));
-            panneau.getAccessibleContext().setAccessibleDescription(texte);
-        }
-        barre.resumer(prise.getGeste() == null ? texte : prise.getGeste());
-        ImageMemoire image = panneau.getVisible();
-        barre.montrerPixel(panneau.getPixelSouris(image), image, !tenue && !etat.montre.entier);
+        barre.montrer(controleur.getEtat(), panneau, prise.getGeste());
     }
 }

@@ -8,7 +8,6 @@ import java.awt.Point;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
-import java.awt.event.HierarchyEvent;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
@@ -43,13 +42,7 @@ final class Inspecteur extends JPanel {
     private static final int HAUTEUR_VUE = 190;
 
     private final Controleur controleur;
-    private final JTree arbre = new JTree(new DefaultTreeModel(null)) {
-        /** Une ligne trop longue se continue au-dessous : l'arbre a la largeur de ce qui s'en voit. */
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-    };
+    private final JTree arbre = new JTree(new DefaultTreeModel(null));
     private final JTextArea verdict = Bandeau.etiquette("verdict");
     private final VueDeCote vue = new VueDeCote();
     private Explication enCours;
@@ -57,6 +50,8 @@ final class Inspecteur extends JPanel {
     /** Le dessin dont le pixel est expliqué. */
     private Dessin dessin;
     private Point pixel;
+    /** Vrai si ce panneau se voit : la figure et le pixel sont alors suivis sur l'image. */
+    private boolean visible;
     /** Vrai si le détail est déplié. */
     private boolean tout;
 
@@ -73,7 +68,9 @@ final class Inspecteur extends JPanel {
         arbre.setRequestFocusEnabled(false);
         arbre.setRowHeight(0);
         arbre.setCellRenderer(new Ligne());
-        arbre.addComponentListener(new ComponentAdapter() {
+        JScrollPane deroulant = new JScrollPane(arbre, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
+                JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        deroulant.getViewport().addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
                 // un autre peintre : la hauteur de chaque ligne est calculée de nouveau
@@ -81,7 +78,7 @@ final class Inspecteur extends JPanel {
             }
         });
         vue.setPreferredSize(new Dimension(0, HAUTEUR_VUE));
-        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, new JScrollPane(arbre), vue);
+        JSplitPane partage = new JSplitPane(JSplitPane.VERTICAL_SPLIT, deroulant, vue);
         // un écran dense n'a parfois que quatre cents points de haut
         vue.setMinimumSize(new Dimension(0, HAUTEUR_VUE / 2));
         partage.setResizeWeight(0.6);
@@ -90,18 +87,15 @@ final class Inspecteur extends JPanel {
         add(verdict, BorderLayout.PAGE_START);
         add(partage, BorderLayout.CENTER);
         controleur.prevenir(this::suivre);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                paraitreOuNon();
-            }
-        });
     }
 
     /** Explique le pixel d'une autre image, ou compare à la même, si elle est achevée, ce qui est expliqué. */
     private void suivre(Etat etat) {
-        if (etat.montre.dessin != dessin) {
+        if (isShowing() != visible) {
+            montrer(pixel);
+        } else if (etat.montre.dessin != dessin) {
             calculer();
-        } else if (isShowing() && enCours == null && montree != null) {
+        } else if (visible && enCours == null && montree != null) {
             verdict.setText(comparer(montree));
         }
     }
@@ -116,12 +110,9 @@ final class Inspecteur extends JPanel {
     /** Explique ce pixel, tout de suite ou dès que le panneau est visible. */
     void montrer(Point voulu) {
         pixel = voulu;
-        paraitreOuNon();
-    }
-
-    private void paraitreOuNon() {
-        controleur.panneau.suivre(isShowing() ? pixel : null);
-        if (!isShowing()) {
+        visible = isShowing();
+        controleur.panneau.suivre(visible ? pixel : null);
+        if (!visible) {
             controleur.panneau.superposer(null);
         }
         calculer();
@@ -137,20 +128,18 @@ final class Inspecteur extends JPanel {
     }
 
     /** Le calcul de l'explication d'un pixel. L'explication d'avant est grisée pendant ce temps. */
-    private final class Explication extends SwingWorker<Figure, Void> {
+    private final class Explication extends SwingWorker<Noeud, Void> {
 
         private final Inspection nouvelle;
-        private Noeud recit;
 
         Explication(Inspection nouvelle) {
             this.nouvelle = nouvelle;
         }
 
         @Override
-        protected Figure doInBackground() {
+        protected Noeud doInBackground() {
             nouvelle.faire();
-            recit = new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
-            return new Figure(nouvelle);
+            return new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
         }
 
         @Override
@@ -160,13 +149,12 @@ final class Inspecteur extends JPanel {
             }
             enCours = null;
             try {
-                Figure figure = get();
+                arbre.setModel(new DefaultTreeModel(branche(get())));
                 montree = nouvelle;
-                arbre.setModel(new DefaultTreeModel(branche(recit)));
                 ouvrir();
                 verdict.setText(comparer(nouvelle));
                 vue.montrer(nouvelle);
-                controleur.panneau.superposer(figure);
+                controleur.panneau.superposer(new Figure(nouvelle));
             } catch (ExecutionException e) {
                 verdict.setText(Messages.message(e.getCause()));
             } catch (InterruptedException | CancellationException e) {
@@ -182,7 +170,7 @@ final class Inspecteur extends JPanel {
             enCours = null;
         }
         dessin = controleur.getEtat().montre.dessin;
-        if (!isShowing() || dessin == null || pixel == null) {
+        if (!visible || dessin == null || pixel == null) {
             return;
         }
         pixel = new Point(Math.max(0, Math.min(dessin.image.largeur - 1, pixel.x)),
@@ -247,7 +235,7 @@ final class Inspecteur extends JPanel {
                             BorderFactory.createEmptyBorder(0, MARGE, 0, 0))));
             int niveau = ((DefaultMutableTreeNode) branche).getLevel() + 1;
             // à cette largeur, la hauteur est celle de toutes les lignes de l'écran qu'il faut
-            setSize(Math.max(20 * PASTILLE, arbre.getWidth() - niveau * retrait), Short.MAX_VALUE);
+            setSize(Math.max(20 * PASTILLE, arbre.getParent().getWidth() - niveau * retrait), Short.MAX_VALUE);
             return this;
         }
     }

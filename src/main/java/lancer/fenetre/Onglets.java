@@ -4,16 +4,18 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Rectangle;
-import java.util.Map;
-import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
-/** Les onglets à droite de l'image. Le contenu d'un onglet est créé quand il est demandé. */
+/** Les onglets à droite de l'image, créés quand l'un d'eux est demandé. */
 @SuppressWarnings("serial")
 final class Onglets extends JSplitPane {
+
+    static final int PIXEL = 0;
+    static final int REGLAGES = 1;
+    static final int VITESSE = 2;
 
     private static final int LARGEUR = 430;
     private static final int BARRE = 6;
@@ -21,29 +23,23 @@ final class Onglets extends JSplitPane {
     private static final int[] HAUTEURS = {300, 300, 480};
 
     private final JFrame cadre;
-    private final Runnable siChange;
+    private final Controleur controleur;
     private final JTabbedPane onglets = new JTabbedPane();
-    private final Supplier<Map<String, JComponent>> contenus;
-    private final int largeur = Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
-    /** Ce que le cadre a gagné depuis l'ouverture du panneau. */
-    private final Dimension gagne = new Dimension();
+    /** La taille du cadre avant l'ouverture du panneau. */
+    private Dimension avant;
 
-    /**
-     * @param image composant de gauche, toujours visible
-     * @param contenus crée les onglets, par nom, quand le panneau s'ouvre pour la première fois
-     * @param siChange appelé quand le panneau s'ouvre ou se ferme
-     */
-    Onglets(JFrame cadre, JComponent image, Supplier<Map<String, JComponent>> contenus, Runnable siChange) {
+    /** @param image composant de gauche, toujours visible */
+    Onglets(JFrame cadre, JComponent image, Controleur controleur) {
         super(HORIZONTAL_SPLIT, image, null);
         this.cadre = cadre;
-        this.contenus = contenus;
-        this.siChange = siChange;
+        this.controleur = controleur;
         setBorder(null);
         setResizeWeight(1);
         setFocusable(false);
         setDividerSize(0);
         onglets.setName("panneau");
         onglets.setFocusable(false);
+        onglets.addChangeListener(e -> controleur.avertir());
     }
 
     boolean estOuvert() {
@@ -59,48 +55,47 @@ final class Onglets extends JSplitPane {
     /** Montre cet onglet. Le cadre s'élargit vers la droite si l'écran le permet ; l'image ne se déplace pas. */
     Component montrer(int rang) {
         if (onglets.getTabCount() == 0) {
-            contenus.get().forEach(onglets::addTab);
+            onglets.addTab("Pixel", new Inspecteur(controleur));
+            onglets.addTab("Réglages", new PanneauReglages(controleur));
+            onglets.addTab("Vitesse", new PanneauVitesse(controleur));
         }
         onglets.setSelectedIndex(rang);
-        if (!estOuvert()) {
+        boolean ouvert = estOuvert();
+        int large = ouvert ? 0 : BARRE + Math.min(LARGEUR, 2 * Dialogues.ecran().width / 5);
+        if (!ouvert) {
+            avant = cadre.getSize();
             setRightComponent(onglets);
             setDividerSize(BARRE);
-            agrandir(largeur + BARRE, HAUTEURS[rang] - cadre.getHeight());
-            setDividerLocation(getWidth() - largeur - BARRE);
+        }
+        if (cadre.getExtendedState() == Frame.NORMAL) {
+            Rectangle ecran = Dialogues.ecran();
+            Rectangle place = cadre.getBounds();
+            place.width = Math.max(place.width, Math.min(place.width + large, ecran.x + ecran.width - place.x));
+            place.height = Math.max(place.height, Math.min(HAUTEURS[rang], ecran.height));
+            // plus haut s'il le faut pour tenir dans l'écran
+            place.y = Math.min(place.y, ecran.y + ecran.height - place.height);
+            cadre.setBounds(place);
+        }
+        cadre.validate();
+        if (!ouvert) {
+            setDividerLocation(getWidth() - large);
             validate();
-            siChange.run();
-        } else {
-            agrandir(0, HAUTEURS[rang] - cadre.getHeight());
+            controleur.avertir();
         }
         return onglets.getSelectedComponent();
     }
 
-    /** Agrandit le cadre d'autant de points, si l'écran le permet. */
-    private void agrandir(int enLargeur, int enHauteur) {
-        if (cadre.getExtendedState() == Frame.NORMAL) {
-            Rectangle ecran = Dialogues.ecran();
-            int large = Math.max(0, Math.min(enLargeur, ecran.x + ecran.width - cadre.getX() - cadre.getWidth()));
-            int haut = Math.max(0, Math.min(enHauteur, ecran.height - cadre.getHeight()));
-            // plus haut s'il le faut pour tenir dans l'écran
-            int bas = ecran.y + ecran.height - cadre.getHeight() - haut;
-            cadre.setBounds(cadre.getX(), Math.min(cadre.getY(), bas), cadre.getWidth() + large,
-                    cadre.getHeight() + haut);
-            gagne.setSize(gagne.width + large, gagne.height + haut);
-        }
-        cadre.validate();
-    }
-
+    /** Cache le panneau. Le cadre reprend la taille qu'il avait. */
     void fermer() {
         if (estOuvert()) {
             setRightComponent(null);
             setDividerSize(0);
             if (cadre.getExtendedState() == Frame.NORMAL) {
-                cadre.setSize(cadre.getWidth() - gagne.width, cadre.getHeight() - gagne.height);
+                cadre.setSize(avant);
             }
-            gagne.setSize(0, 0);
             cadre.validate();
             getLeftComponent().transferFocus();
-            siChange.run();
+            controleur.avertir();
         }
     }
 }

@@ -1,9 +1,7 @@
 package lancer.fenetre;
 
-import java.awt.AWTError;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.awt.Toolkit;
 import java.io.File;
 import java.io.PrintStream;
@@ -19,7 +17,6 @@ import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
 import lancer.scene.Surveillance;
 import lancer.texte.ErreurSysteme;
-import lancer.texte.Texte;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
@@ -42,19 +39,18 @@ public final class Ouverture {
         // AWT lit la langue une seule fois, pour les menus et les dialogues
         Locale.setDefault(Locale.FRANCE);
         String manque = getManque();
-        if (manque != null) {
-            if (options.scene != null) {
-                // une faute de la scène est plus utile à dire que l'absence d'écran
-                new Demande(programme.lire(options.scene, part -> { }), options);
-            }
-            throw Echec.machine(manque + ", ou --image FICHIER.png");
-        }
-        // pendant que la scène se lit ici
         FutureTask<Void> apparence = new FutureTask<>(Apparence::preparer, null);
-        EventQueue.invokeLater(apparence);
+        if (manque == null) {
+            // pendant que la scène se lit ici
+            EventQueue.invokeLater(apparence);
+        }
         String version = options.scene == null ? null : Surveillance.version(options.scene);
         Demande demande = options.scene == null ? null
                 : new Demande(programme.lire(options.scene, part -> { }), options);
+        if (manque != null) {
+            // après une faute de la scène, plus utile à dire
+            throw Echec.machine(manque + ", ou --image FICHIER.png");
+        }
         Fenetre[] ouverte = new Fenetre[1];
         try {
             apparence.get();
@@ -72,10 +68,8 @@ public final class Ouverture {
         } catch (ExecutionException e) {
             throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + ErreurSysteme.cause(e)
                     + " ; attendu : les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png");
-        } catch (InvocationTargetException e) {
-            throw Echec.machine(Messages.message(e.getCause()));
-        } catch (InterruptedException e) {
-            throw Echec.machine("interrompu");
+        } catch (InvocationTargetException | InterruptedException e) {
+            throw Echec.machine(Messages.message(e));
         }
         if (demande != null) {
             demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
@@ -89,37 +83,21 @@ public final class Ouverture {
             // « ? » pour un utilisateur sans nom : Java y écrirait ses polices, dans un dossier de ce nom
             System.setProperty("user.home", System.getProperty("java.io.tmpdir"));
         }
-        // sous X11, DISPLAY nomme un écran ; à demander avant AWT, qui peut changer cette propriété
-        boolean nomme = !System.getenv().getOrDefault("DISPLAY", "").isEmpty()
-                && System.getProperty("java.awt.headless") == null;
+        String pourquoi;
         try {
-            if (!GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0) {
-                return getManqueDeJava();
+            if (!GraphicsEnvironment.isHeadless()) {
+                // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
+                int bits = Toolkit.getDefaultToolkit().getColorModel().getPixelSize();
+                return bits == BITS_DE_TROP
+                        ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits" : null;
             }
-        } catch (HeadlessException | AWTError e) {
-            // DISPLAY sans serveur
-            nomme = false;
-        } catch (LinkageError e) {
-            // Java sans bibliothèques graphiques
+            pourquoi = System.getenv().getOrDefault("DISPLAY", "").isEmpty() ? "pas d'écran"
+                    : "ce Java n'en ouvre pas, " + System.getProperty("java.home");
+        } catch (Error e) {
+            // DISPLAY sans serveur, Java sans bibliothèques graphiques, classe d'accessibilité qui manque
+            pourquoi = ErreurSysteme.cause(e);
         }
-        return nomme ? "ce Java ne sait pas ouvrir de fenêtre : " + System.getProperty("java.home")
-                + " ; attendu : un JDK complet, par exemple le paquet default-jdk"
-                : "pas d'écran pour ouvrir une fenêtre ; attendu : un écran";
-    }
-
-    /** Ce qui manque à Java, sur un écran qui répond. */
-    private static String getManqueDeJava() {
-        try {
-            // à appeler dans ce fil : le bureau reconnaît la fenêtre à la classe principale de ce fil
-            int bits = Toolkit.getDefaultToolkit().getColorModel().getPixelSize();
-            return bits == BITS_DE_TROP
-                    ? "écran de 30 bits, où Java ne sait pas dessiner ; attendu : un écran de 24 bits"
-                    : null;
-        } catch (AWTError e) {
-            // une classe d'accessibilité que nomme accessibility.properties, et qui manque
-            return "ce Java ne sait pas ouvrir de fenêtre : " + Texte.echappe(e.getMessage())
-                    + " ; attendu : -Djavax.accessibility.assistive_technologies= devant -jar";
-        }
+        return "impossible d'ouvrir une fenêtre : " + pourquoi
+                + " ; attendu : un écran, et un JDK complet, par exemple le paquet default-jdk";
     }
 }

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -24,8 +25,8 @@ import lancer.fenetre.figures.Figure;
 import lancer.image.ImageMemoire;
 
 /**
- * L'image sur un gris neutre. Si la place manque, elle est réduite dans ses proportions. Les positions sont en pixels
- * de l'écran, et non en points : un écran dense a plusieurs pixels par point.
+ * L'image sur un gris neutre, un de ses pixels par pixel de l'écran. Si la place manque, elle est réduite dans ses
+ * proportions. Un écran dense a plusieurs pixels par point : les positions dans ce panneau sont en points.
  */
 @SuppressWarnings("serial")
 final class PanneauImage extends JPanel {
@@ -36,7 +37,7 @@ final class PanneauImage extends JPanel {
     private static final int TREMBLEMENT = 4;
 
     final Bandeau bandeau = new Bandeau();
-    /** L'image montrée, {@code null} avant la première ; l'image « avant », tant que sa touche est tenue. */
+    /** L'image, {@code null} avant la première ; celle d'avant, tant que sa touche est tenue. */
     ImageMemoire montree;
     ImageMemoire tenue;
     /** Dessine ce qui peut être pris, par-dessus l'image. */
@@ -44,14 +45,15 @@ final class PanneauImage extends JPanel {
     private Figure dessus;
     private final Runnable siBouge;
     private final Runnable siClique;
-    private Point souris;
+    private Point2D souris;
+    /** Où la souris s'est appuyée, et ce qu'elle déplace de l'image grossie, ou {@code null}. */
     private Point appui = new Point();
+    private Point2D saisi;
     /** Pixel à garder en vue à la loupe, ou {@code null}. */
     private Point suivi;
-
-    /** Grossissement de la loupe, 0 sans loupe ; la place voulue du coin de l'image grossie. */
+    /** Grossissement de la loupe, 0 sans loupe ; avec elle, le point de l'image qui est au milieu du panneau. */
     private int loupe;
-    private Point coin = new Point();
+    private Point2D milieu = new Point2D.Double();
 
     /** @param siBouge appelé quand la souris ou la loupe bouge @param siClique appelé après un clic sur l'image */
     PanneauImage(Dimension image, Runnable siBouge, Runnable siClique) {
@@ -62,27 +64,28 @@ final class PanneauImage extends JPanel {
         setFocusable(true);
         getAccessibleContext().setAccessibleName("image");
         add(bandeau);
-        AffineTransform ecran = getEchelle();
-        setPreferredSize(new Dimension((int) Math.ceil(image.width / ecran.getScaleX()),
-                (int) Math.ceil(image.height / ecran.getScaleY())));
+        setPreferredSize(new Dimension((int) Math.ceil(image.width * getPixel()),
+                (int) Math.ceil(image.height * getPixel())));
         Suiveur suiveur = new Suiveur();
         addMouseListener(suiveur);
         addMouseMotionListener(suiveur);
         addMouseWheelListener(suiveur);
     }
 
-    /** Suit la souris. La molette règle la loupe, et un bouton tenu la déplace. */
+    /** Suit la souris. La molette règle la loupe, et un bouton tenu déplace l'image grossie. */
     private final class Suiveur extends MouseAdapter {
 
         private void placer(MouseEvent e) {
-            souris = new Point();
-            getEchelle().transform(e.getPoint(), souris);
+            // le milieu d'un pixel de l'écran, et non son bord
+            souris = new Point2D.Double(e.getX() + getPixel() / 2, e.getY() + getPixel() / 2);
         }
 
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
+            placer(e);
             appui = e.getPoint();
+            saisi = loupe > 0 ? pointDe(souris) : null;
         }
 
         /** Un clic. AWT n'en signale pas si la souris bouge d'un seul pixel pendant l'appui. */
@@ -91,8 +94,7 @@ final class PanneauImage extends JPanel {
             placer(e);
             // le premier clic a pu réduire l'image : le second désignerait un autre pixel
             if (SwingUtilities.isLeftMouseButton(e) && e.getPoint().distance(appui) <= TREMBLEMENT
-                    && !e.isShiftDown() && e.getClickCount() <= 1
-                    && montree != null && getPlace(montree).contains(souris)) {
+                    && !e.isShiftDown() && e.getClickCount() <= 1 && estSousLaSouris()) {
                 siClique.run();
             }
         }
@@ -111,11 +113,9 @@ final class PanneauImage extends JPanel {
 
         @Override
         public void mouseDragged(MouseEvent e) {
-            if (loupe > 0 && souris != null && !e.isShiftDown()) {
-                Point avant = souris;
-                placer(e);
-                Rectangle place = getPlace(montree);
-                poser(place.x + souris.x - avant.x, place.y + souris.y - avant.y);
+            placer(e);
+            if (saisi != null && !e.isShiftDown()) {
+                amener(saisi, souris);
             }
         }
 
@@ -123,7 +123,7 @@ final class PanneauImage extends JPanel {
         public void mouseWheelMoved(MouseWheelEvent e) {
             placer(e);
             if (e.getWheelRotation() != 0) {
-                grossir(e.getWheelRotation() < 0);
+                grossir(e.getWheelRotation() < 0, souris);
             }
         }
     }
@@ -132,84 +132,118 @@ final class PanneauImage extends JPanel {
         return tenue != null ? tenue : montree;
     }
 
-    private AffineTransform getEchelle() {
-        return (getGraphicsConfiguration() != null ? getGraphicsConfiguration()
-                : GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice().getDefaultConfiguration())
-                .getDefaultTransform();
+    /** Le côté d'un pixel de l'écran, en points. */
+    private double getPixel() {
+        GraphicsConfiguration ecran = getGraphicsConfiguration();
+        return 1 / (ecran != null ? ecran : GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice()
+                .getDefaultConfiguration()).getDefaultTransform().getScaleX();
     }
 
-    private Dimension getLibre() {
-        AffineTransform ecran = getEchelle();
-        return new Dimension((int) (getWidth() * ecran.getScaleX()), (int) (getHeight() * ecran.getScaleY()));
+    private Point2D getCentre() {
+        return new Point2D.Double(getWidth() / 2.0, getHeight() / 2.0);
     }
 
-    /** La plus grande taille de ces proportions qui tient dans le panneau. */
+    /** Le plus grand rapport auquel une image de cette taille tient dans le panneau. */
+    private double getRapport(int largeur, int hauteur) {
+        return Math.min(getWidth() / getPixel() / largeur, getHeight() / getPixel() / hauteur);
+    }
+
+    /** La plus grande taille de ces proportions qui tient dans le panneau, en pixels. */
     Dimension getTailleMax(int largeur, int hauteur) {
-        Dimension libre = getLibre();
-        double rapport = Math.min((double) libre.width / largeur, (double) libre.height / hauteur);
+        double rapport = getRapport(largeur, hauteur);
         return new Dimension(Math.max(1, (int) Math.round(rapport * largeur)),
                 Math.max(1, (int) Math.round(rapport * hauteur)));
     }
 
-    /** Position de l'image à l'écran : au milieu ou, à la loupe, autour du milieu. */
-    private Rectangle getPlace(ImageMemoire image) {
-        Dimension libre = getLibre();
-        if (loupe > 0) {
-            int l = loupe * image.largeur;
-            int h = loupe * image.hauteur;
-            return new Rectangle(Math.max(libre.width / 2 - l, Math.min(libre.width / 2, coin.x)),
-                    Math.max(libre.height / 2 - h, Math.min(libre.height / 2, coin.y)), l, h);
+    /** Le rapport de la taille affichée de l'image à sa taille. */
+    double getReduction() {
+        return loupe > 0 ? loupe : Math.min(1, getRapport(getVisible().largeur, getVisible().hauteur));
+    }
+
+    /** La place des points de l'image : au milieu ou, à la loupe, autour du milieu. */
+    private AffineTransform getVue() {
+        ImageMemoire image = getVisible();
+        double pixel = getPixel();
+        // d'une image très réduite, il reste une ligne
+        double l = pixel * Math.max(getReduction(), 1.0 / image.largeur);
+        double h = pixel * Math.max(getReduction(), 1.0 / image.hauteur);
+        double x = loupe > 0 ? Math.min(image.largeur, milieu.getX()) : image.largeur / 2.0;
+        double y = loupe > 0 ? Math.min(image.hauteur, milieu.getY()) : image.hauteur / 2.0;
+        // le coin de l'image est celui d'un pixel de l'écran
+        return new AffineTransform(l, 0, 0, h, pixel * Math.rint((getWidth() / 2.0 - l * x) / pixel),
+                pixel * Math.rint((getHeight() / 2.0 - h * y) / pixel));
+    }
+
+    /** La place de ce point de l'image. */
+    Point2D placeDe(double xe, double ye) {
+        return getVue().transform(new Point2D.Double(xe, ye), null);
+    }
+
+    /** Le point de l'image qui est là. */
+    Point2D pointDe(Point2D ici) {
+        AffineTransform vue = getVue();
+        return new Point2D.Double((ici.getX() - vue.getTranslateX()) / vue.getScaleX(),
+                (ici.getY() - vue.getTranslateY()) / vue.getScaleY());
+    }
+
+    /** Le pixel de l'image qui est là, ou le plus proche. */
+    private Point pixelDe(Point2D ici) {
+        Point2D point = pointDe(ici);
+        return new Point((int) Math.max(0, Math.min(getVisible().largeur - 1, point.getX())),
+                (int) Math.max(0, Math.min(getVisible().hauteur - 1, point.getY())));
+    }
+
+    private boolean estSousLaSouris() {
+        return getVisible() != null && souris != null
+                && new Rectangle(getVisible().largeur, getVisible().hauteur).contains(pointDe(souris));
+    }
+
+    /** Le pixel de l'image sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
+    Point getPixelVise() {
+        if (getVisible() == null) {
+            return null;
         }
-        Dimension max = getTailleMax(image.largeur, image.hauteur);
-        int l = Math.min(image.largeur, max.width);
-        int h = Math.min(image.hauteur, max.height);
-        return new Rectangle((libre.width - l) / 2, (libre.height - h) / 2, l, h);
+        return pixelDe(estSousLaSouris() ? souris : getCentre());
     }
 
-    /** Le rapport de la taille affichée de l'image à sa taille, le plus petit des deux côtés. */
-    double getReduction(ImageMemoire image) {
-        Rectangle place = getPlace(image);
-        return Math.min((double) place.width / image.largeur, (double) place.height / image.hauteur);
+    /** Le pixel de l'image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
+    Point getPixelSouris() {
+        Point pixel = estSousLaSouris() ? pixelDe(souris) : null;
+        return pixel == null || getVisible().codes[pixel.y * getVisible().largeur + pixel.x] == 0 ? null : pixel;
     }
 
-    /** Agrandit ou réduit deux fois, comme la molette, en gardant visible le pixel suivi. */
+    /** Agrandit ou réduit deux fois, comme la molette, autour du pixel suivi ou, à défaut, du milieu. */
     void approcher(boolean plus) {
-        grossir(plus);
-        suivre(suivi);
+        grossir(plus, suivi == null ? getCentre() : placeDe(suivi.x + 0.5, suivi.y + 0.5));
     }
 
-    private void grossir(boolean plus) {
+    /** Agrandit ou réduit deux fois ; ce qui est là y reste. */
+    private void grossir(boolean plus, Point2D ici) {
         if (montree == null) {
             return;
         }
+        Point2D vise = pointDe(ici);
         // une image réduite passe d'abord à sa taille, un pixel pour un pixel
-        Dimension max = getTailleMax(montree.largeur, montree.hauteur);
-        int premiere = montree.largeur > max.width || montree.hauteur > max.height ? 1 : 2;
+        int premiere = getRapport(montree.largeur, montree.hauteur) < 1 ? 1 : 2;
         int moins = loupe <= premiere ? 0 : loupe / 2;
-        int autre = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : moins;
-        Dimension libre = getLibre();
-        Point ici = souris == null ? new Point(libre.width / 2, libre.height / 2) : souris;
-        Rectangle place = getPlace(montree);
-        loupe = autre;
-        // le pixel sous la souris y reste
-        poser(ici.x - (int) Math.round((ici.x - place.x) * (double) loupe * montree.largeur / place.width),
-                ici.y - (int) Math.round((ici.y - place.y) * (double) loupe * montree.hauteur / place.height));
+        loupe = plus ? Math.max(premiere, Math.min(LOUPE_MAX, 2 * loupe)) : moins;
+        amener(vise, ici);
     }
 
     /** Garde ce pixel de l'image visible à la loupe ; {@code null} pour aucun. */
     void suivre(Point pixel) {
         suivi = pixel;
-        if (loupe > 0 && suivi != null) {
-            Rectangle place = getPlace(montree);
-            Rectangle carre = new Rectangle(place.x + loupe * suivi.x, place.y + loupe * suivi.y, loupe, loupe);
-            if (!new Rectangle(getLibre()).contains(carre)) {
-                poser(getLibre().width / 2 - loupe * suivi.x, getLibre().height / 2 - loupe * suivi.y);
-            }
+        if (loupe > 0 && suivi != null && !new Rectangle(getSize()).contains(getVue()
+                .createTransformedShape(new Rectangle(suivi.x, suivi.y, 1, 1)).getBounds2D())) {
+            amener(suivi, getCentre());
         }
     }
 
-    private void poser(int x, int y) {
-        coin = new Point(x, y);
+    /** Place là, à la loupe, ce point de l'image. */
+    private void amener(Point2D point, Point2D ici) {
+        double fois = Math.max(1, loupe) * getPixel();
+        milieu = new Point2D.Double(Math.max(0, point.getX() + (getCentre().getX() - ici.getX()) / fois),
+                Math.max(0, point.getY() + (getCentre().getY() - ici.getY()) / fois));
         repaint();
         siBouge.run();
     }
@@ -222,8 +256,8 @@ final class PanneauImage extends JPanel {
 
     /** Une image de Java qui partage ce tableau de codes. @param vides vrai si un code 0 y est transparent */
     static BufferedImage deJava(ImageMemoire image, boolean vides) {
-        DirectColorModel couleurs = new DirectColorModel(vides ? 32 : 24, 0xFF0000, 0xFF00, 0xFF,
-                vides ? 0xFF000000 : 0);
+        DirectColorModel couleurs = vides ? new DirectColorModel(32, 0xFF0000, 0xFF00, 0xFF, 0xFF000000)
+                : new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
         return new BufferedImage(couleurs, Raster.createPackedRaster(new DataBufferInt(image.codes, image.codes.length),
                 image.largeur, image.hauteur, image.largeur, couleurs.getMasks(), null), false, null);
     }
@@ -231,35 +265,27 @@ final class PanneauImage extends JPanel {
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
-        Graphics2D g2 = (Graphics2D) g.create();
-        // annule l'agrandissement d'un écran dense : l'image est déjà en pixels
-        AffineTransform t = g2.getTransform();
-        g2.setTransform(AffineTransform.getTranslateInstance(Math.round(t.getTranslateX()),
-                Math.round(t.getTranslateY())));
         if (getVisible() != null) {
-            peindre(g2, getVisible());
+            Graphics2D g2 = (Graphics2D) g.create();
+            peindre(g2);
+            if (dessus != null && tenue == null) {
+                dessus.peindre(g2, getVue());
+            }
+            prises.accept(g2);
+            g2.dispose();
         }
-        g2.setFont(getFont().deriveFont((float) (getFont().getSize2D() * t.getScaleX())));
-        if (dessus != null && montree != null && tenue == null) {
-            dessus.peindre(g2, getPlace(montree), getLibre());
-        }
-        prises.accept(g2);
-        g2.dispose();
     }
 
     /** Peint les pixels visibles seulement : AWT ne peut peindre une image entière très agrandie. */
-    private void peindre(Graphics2D g, ImageMemoire image) {
-        Rectangle place = getPlace(image);
-        Point de = getPixel(image, new Point());
-        Point a = getPixel(image, new Point(getLibre().width, getLibre().height));
-        double l = (double) place.width / image.largeur;
-        double h = (double) place.height / image.hauteur;
-        if (l < 1) {
+    private void peindre(Graphics2D g) {
+        Point de = pixelDe(new Point());
+        Point a = pixelDe(new Point(getWidth(), getHeight()));
+        AffineTransform vue = getVue();
+        vue.translate(de.x, de.y);
+        if (getReduction() < 1) {
             g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         }
-        g.drawImage(deJava(image, true), (int) Math.round(place.x + l * de.x), (int) Math.round(place.y + h * de.y),
-                (int) Math.round(place.x + l * (a.x + 1)), (int) Math.round(place.y + h * (a.y + 1)),
-                de.x, de.y, a.x + 1, a.y + 1, null);
+        g.drawImage(deJava(getVisible(), true).getSubimage(de.x, de.y, a.x - de.x + 1, a.y - de.y + 1), vue, null);
     }
 
     /** Le bandeau couvre le bas de l'image sans la déplacer ; s'il est trop haut, sa fin est coupée. */
@@ -268,46 +294,5 @@ final class PanneauImage extends JPanel {
         bandeau.setSize(getWidth(), Short.MAX_VALUE);
         int hauteur = bandeau.getPreferredSize().height;
         bandeau.setBounds(0, Math.max(0, getHeight() - hauteur), getWidth(), hauteur);
-    }
-
-    /** Le pixel de l'image montrée sous la souris ou, à défaut, au milieu ; {@code null} sans image. */
-    Point getPixelVise() {
-        if (montree == null) {
-            return null;
-        }
-        boolean dedans = souris != null && getPlace(montree).contains(souris);
-        return getPixel(montree, dedans ? souris : new Point(getLibre().width / 2, getLibre().height / 2));
-    }
-
-    /** Le pixel de cette image sous la souris ; {@code null} s'il n'y en a pas, ou s'il n'est pas encore dessiné. */
-    Point getPixelSouris(ImageMemoire image) {
-        if (souris == null || image == null || !getPlace(image).contains(souris)) {
-            return null;
-        }
-        Point pixel = getPixel(image, souris);
-        return image.codes[pixel.y * image.largeur + pixel.x] == 0 ? null : pixel;
-    }
-
-    /** Position à l'écran de ce point de l'image montrée, en pixels de l'écran. */
-    Point2D placeDe(double xe, double ye) {
-        Rectangle place = getPlace(montree);
-        return new Point2D.Double(place.x + xe * place.width / montree.largeur,
-                place.y + ye * place.height / montree.hauteur);
-    }
-
-    /** Le point de l'image montrée sous cet événement, en pixels de l'image. */
-    Point2D pointDe(MouseEvent e) {
-        Point2D ou = getEchelle().transform(e.getPoint(), new Point2D.Double());
-        Rectangle place = getPlace(montree);
-        return new Point2D.Double((ou.getX() - place.x) * montree.largeur / place.width,
-                (ou.getY() - place.y) * montree.hauteur / place.height);
-    }
-
-    private Point getPixel(ImageMemoire image, Point ou) {
-        Rectangle place = getPlace(image);
-        long x = (long) (ou.x - place.x) * image.largeur / place.width;
-        long y = (long) (ou.y - place.y) * image.hauteur / place.height;
-        return new Point((int) Math.max(0, Math.min(image.largeur - 1, x)),
-                (int) Math.max(0, Math.min(image.hauteur - 1, y)));
     }
 }

@@ -23,6 +23,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSlider;
+import javax.swing.text.InternationalFormatter;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.contrat.Parametre;
@@ -48,7 +49,7 @@ final class PanneauReglages extends JScrollPane {
     /** À créer quand une scène est lue. */
     PanneauReglages(Controleur controleur) {
         this.controleur = controleur;
-        grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, MARGE));
+        grille.setBorder(BorderFactory.createEmptyBorder(MARGE, MARGE, MARGE, 0));
         Option.enFenetre().forEach(this::ajouter);
         for (Variante presente : reglages().getVariantes()) {
             JCheckBox boite = new JCheckBox(presente.getSection());
@@ -89,14 +90,14 @@ final class PanneauReglages extends JScrollPane {
      */
     private void ajouter(String prefixe, Parametre reglage, Supplier<String> present, Consumer<String> siChange,
             BooleanSupplier possible) {
-        JLabel valeur = reglage.estUnNombre() ? new JLabel() : null;
-        final JComponent composant;
-        final Runnable ajustement;
+        JLabel valeur = new JLabel();
+        JComponent composant;
+        Consumer<String> montre;
         if (reglage.estUnNombre()) {
             JSlider glissiere = glissiere(reglage, siChange);
             composant = glissiere;
-            ajustement = () -> {
-                valeur.setText(present.get() == null ? "—" : present.get());
+            montre = dite -> {
+                valeur.setText(dite == null ? "—" : dite);
                 if (!glissiere.getValueIsAdjusting()) {
                     glissiere.setValue(reglage.getRang(valeur.getText()));
                 }
@@ -104,31 +105,38 @@ final class PanneauReglages extends JScrollPane {
         } else if (reglage.valeurs.isEmpty()) {
             JFormattedTextField champ = champ(reglage, siChange);
             composant = champ;
-            ajustement = () -> {
+            montre = dite -> {
                 // un texte que l'on écrit reste, tant que la valeur est la même
-                if (!Objects.equals(present.get(), champ.getValue())) {
-                    champ.setValue(present.get());
+                if (!Objects.equals(dite, champ.getValue())) {
+                    champ.setValue(dite);
                 }
             };
         } else {
             JComboBox<String> mots = new JComboBox<>(reglage.valeurs.toArray(new String[0]));
             mots.addActionListener(e -> siChange.accept(mots.getItemAt(mots.getSelectedIndex())));
             composant = mots;
-            ajustement = () -> mots.setSelectedItem(present.get());
+            montre = mots::setSelectedItem;
         }
         composant.setToolTipText(reglage.attendu);
         composant.setName(prefixe + reglage.getTitre());
         composant.getAccessibleContext().setAccessibleName(composant.getName());
-        poser(reglage.getTitre(), composant, valeur);
+        JLabel titre = new JLabel(reglage.getTitre());
+        titre.setLabelFor(composant);
+        poser(titre, 0, 1);
+        // à côté de ce qui se lit en toutes lettres, pas de place perdue : un écran est parfois étroit
+        poser(composant, 1, reglage.estUnNombre() ? 1 : GridBagConstraints.REMAINDER);
+        if (reglage.estUnNombre()) {
+            poser(valeur, 0, GridBagConstraints.REMAINDER);
+        }
         ajustements.add(() -> {
-            ajustement.run();
+            montre.accept(present.get());
             composant.setEnabled(possible.getAsBoolean());
         });
     }
 
     /** Un texte à taper. Une valeur impossible est dite, et laissée à corriger. */
     private JFormattedTextField champ(Parametre reglage, Consumer<String> siChange) {
-        JFormattedTextField champ = new JFormattedTextField(new JFormattedTextField.AbstractFormatter() {
+        JFormattedTextField champ = new JFormattedTextField(new InternationalFormatter() {
             @Override
             public Object stringToValue(String texte) throws ParseException {
                 if (!reglage.accepte(texte.trim())) {
@@ -137,11 +145,6 @@ final class PanneauReglages extends JScrollPane {
                     throw new ParseException(texte, 0);
                 }
                 return texte.trim();
-            }
-
-            @Override
-            public String valueToString(Object valeur) {
-                return valeur == null ? "" : valeur.toString();
             }
         });
         champ.setColumns(COLONNES);
@@ -157,17 +160,6 @@ final class PanneauReglages extends JScrollPane {
         glissiere.setSnapToTicks(true);
         glissiere.addChangeListener(e -> siChange.accept(reglage.valeurs.get(glissiere.getValue())));
         return glissiere;
-    }
-
-    /** Ajoute une ligne. @param valeur composant de droite, ou {@code null} */
-    private void poser(String nom, JComponent composant, JLabel valeur) {
-        JLabel etiquette = new JLabel(nom);
-        etiquette.setLabelFor(composant);
-        poser(etiquette, 0, 1);
-        poser(composant, 1, valeur == null ? GridBagConstraints.REMAINDER : 1);
-        if (valeur != null) {
-            poser(valeur, 0, GridBagConstraints.REMAINDER);
-        }
     }
 
     private void poser(JComponent composant, int part, int colonnes) {

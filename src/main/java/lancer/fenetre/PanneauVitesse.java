@@ -1,12 +1,15 @@
 package lancer.fenetre;
 
 import java.awt.BorderLayout;
-import java.awt.event.HierarchyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
@@ -20,6 +23,7 @@ import lancer.auto.Echantillon;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
 import lancer.commande.Messages;
+import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Dessin;
@@ -40,11 +44,11 @@ final class PanneauVitesse extends JPanel {
     private final JTextArea texte = Bandeau.etiquette("vitesse.etat");
     /** Ce que demande l'échelle mesurée : tout, sauf le réglage ; {@code null} avant la première. */
     private Demande base;
-    private List<Essai> essais = new ArrayList<>();
+    private Map<Reglages, Essai> essais = new LinkedHashMap<>();
     private Mesureur mesureur;
-    /** Le dessin dont la mesure est arrêtée, et l'échec de la dernière ; {@code null} sinon. */
+    /** Le dernier dessin dont la mesure est arrêtée, ou {@code null}, et pourquoi elle l'est. */
     private Dessin arrete;
-    private String echec;
+    private String arret;
     /** Le réglage que désignent la souris ou les flèches, ou {@code null}. */
     private Reglages vise;
 
@@ -71,19 +75,10 @@ final class PanneauVitesse extends JPanel {
         };
         graphique.addMouseListener(souris);
         graphique.addMouseMotionListener(souris);
-        auClavier("LEFT", () -> viser(graphique.voisin(vise, -1)));
-        auClavier("RIGHT", () -> viser(graphique.voisin(vise, 1)));
-        auClavier("ENTER", this::prendre);
+        new Commande(null, "LEFT", () -> true, () -> viser(graphique.voisin(vise, -1))).lier(graphique, WHEN_FOCUSED);
+        new Commande(null, "RIGHT", () -> true, () -> viser(graphique.voisin(vise, 1))).lier(graphique, WHEN_FOCUSED);
+        new Commande(null, "ENTER", () -> true, this::prendre).lier(graphique, WHEN_FOCUSED);
         controleur.prevenir(this::suivre);
-        addHierarchyListener(e -> {
-            if ((e.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                suivre(controleur.getEtat());
-            }
-        });
-    }
-
-    private void auClavier(String touche, Runnable effet) {
-        new Commande(null, touche, () -> true, effet).lier(graphique, WHEN_FOCUSED);
     }
 
     private void viser(Essai celui) {
@@ -99,27 +94,27 @@ final class PanneauVitesse extends JPanel {
     }
 
     /** Dessine les réglages à tour de rôle, donc dans les mêmes conditions, et publie leurs essais. */
-    private final class Mesureur extends SwingWorker<Void, List<Essai>> {
+    private final class Mesureur extends SwingWorker<Void, Essai> {
 
         private final Dessin montre = controleur.getEtat().montre.dessin;
-        private final Demande demande = montre.demande.avecVue(null);
-        private final List<Essai> siens = new ArrayList<>(essais);
+        private final Map<Reglages, Essai> siens = new LinkedHashMap<>(essais);
 
         @Override
         protected Void doInBackground() {
-            Dessin prepare = new Dessin(demande);
+            Dessin prepare = new Dessin(montre.demande.avecVue(null));
             // les bords se cherchent dans l'image, et non dans une vue
             IntFunction<Couleur> dessinee = montre.demande.vue == null ? montre.image::getCouleur
                     : rang -> Constantes.CIEL;
-            Echantillon echantillon = new Echantillon(prepare.lancer, controleur.getFils(), dessinee, VOULUE,
-                    Long.MAX_VALUE, Integer.MAX_VALUE, new SplittableRandom(1));
+            int fils = montre.demande.reglages.get(Option.FILS);
+            Echantillon echantillon = new Echantillon(prepare.lancer, fils, dessinee, VOULUE, Long.MAX_VALUE,
+                    Integer.MAX_VALUE, new SplittableRandom(1));
             Essai moins = suivant();
             while (!moins.suffit()) {
                 long dureeNs = prepare.tracer(moins.reglages, prepare.image);
                 Mesure mesure = echantillon.mesurer(prepare.image::getCouleur);
-                siens.set(siens.indexOf(moins), new Essai(moins.reglages, moins.durees.avec(dureeNs),
-                        mesure.erreur, mesure.incertitude));
-                publish(new ArrayList<>(siens));
+                Essai fait = new Essai(moins.reglages, moins.durees.avec(dureeNs), mesure.erreur, mesure.incertitude);
+                siens.put(fait.reglages, fait);
+                publish(fait);
                 moins = suivant();
             }
             return null;
@@ -127,14 +122,14 @@ final class PanneauVitesse extends JPanel {
 
         /** Celui qui a été dessiné le moins souvent, de ceux qui ne l'ont pas été assez. */
         private Essai suivant() {
-            return siens.stream().min(Comparator.comparing(Essai::suffit)
+            return siens.values().stream().min(Comparator.comparing(Essai::suffit)
                     .thenComparing(essai -> essai.durees.getNombre())).get();
         }
 
         @Override
-        protected void process(List<List<Essai>> publies) {
+        protected void process(List<Essai> faits) {
             if (this == mesureur) {
-                essais = publies.get(publies.size() - 1);
+                faits.forEach(fait -> essais.put(fait.reglages, fait));
                 montrer();
             }
         }
@@ -143,12 +138,12 @@ final class PanneauVitesse extends JPanel {
         protected void done() {
             try {
                 get();
+                montrer();
             } catch (ExecutionException e) {
-                echec = Messages.message(e.getCause());
+                arreter(montre, "Mesure impossible : " + Messages.message(e.getCause()));
             } catch (InterruptedException | CancellationException e) {
                 // un dessin a commencé, ou l'onglet est caché : la mesure reprendra
             }
-            montrer();
         }
     }
 
@@ -157,28 +152,33 @@ final class PanneauVitesse extends JPanel {
         if (mesureur == null || mesureur.isDone()) {
             return false;
         }
-        arrete = mesureur.montre;
-        suivre(controleur.getEtat());
+        long vus = essais.values().stream().filter(Essai::estFait).count();
+        arreter(mesureur.montre, "arrêtée : " + vus + (vus > 1 ? " réglages mesurés" : " réglage mesuré")
+                + " ; F3 reprend");
         return true;
+    }
+
+    private void arreter(Dessin dessin, String pourquoi) {
+        arrete = dessin;
+        arret = pourquoi;
+        suivre(controleur.getEtat());
     }
 
     /** Reprend la mesure qui est arrêtée. Le clavier est au graphique. */
     void reprendre() {
-        arrete = null;
         graphique.requestFocusInWindow();
+        arrete = null;
         suivre(controleur.getEtat());
     }
 
     /** Commence, continue ou interrompt les mesures. */
     private void suivre(Etat etat) {
-        boolean libre = isShowing() && etat.montre.entier && !etat.enCours && etat.montre.dessin != arrete
-                && etat.montre.direFautes() == null;
+        boolean libre = isShowing() && direLEmpechement(etat) == null;
         if (mesureur != null && !libre) {
             mesureur.cancel(true);
             mesureur = null;
         }
         if (libre && mesureur == null) {
-            echec = null;
             choisir(etat.montre.dessin.demande.avecVue(null));
             mesureur = new Mesureur();
             mesureur.execute();
@@ -188,34 +188,36 @@ final class PanneauVitesse extends JPanel {
 
     /** Choisit les réglages à mesurer : l'échelle, et celui de l'image. Les essais d'une même échelle restent. */
     private void choisir(Demande demande) {
-        List<Reglages> echelle = new ArrayList<>(Echelle.de(demande.reglages, false, false));
-        Demande celle = demande.avecReglages(echelle.get(0));
-        if (!celle.equals(base)) {
-            base = celle;
-            essais = new ArrayList<>();
-        }
+        Set<Reglages> echelle = new LinkedHashSet<>(Echelle.de(demande.reglages, false, false));
+        Demande celle = demande.avecReglages(echelle.iterator().next());
+        Map<Reglages, Essai> connus = celle.equals(base) ? essais : Collections.emptyMap();
+        base = celle;
         echelle.add(demande.reglages);
-        essais.removeIf(essai -> !echelle.contains(essai.reglages));
-        echelle.stream().distinct().filter(voulu -> essais.stream().noneMatch(essai -> essai.reglages.equals(voulu)))
-                .forEach(voulu -> essais.add(new Essai(voulu, new Durees(), 0, 0)));
+        essais = new LinkedHashMap<>();
+        echelle.forEach(voulu -> essais.put(voulu,
+                connus.getOrDefault(voulu, new Essai(voulu, new Durees(), 0, 0))));
     }
 
     /** Montre les essais, et dit où en est leur mesure, puis celui qui est désigné. */
     private void montrer() {
         Etat etat = controleur.getEtat();
-        graphique.montrer(essais, etat.demande.reglages, vise);
-        String dit = essais.stream().filter(essai -> essai.reglages.equals(vise) && essai.durees.getNombre() > 0)
-                .findFirst().map(essai -> "\n" + Echelle.dire(vise) + " : " + essai.dire()).orElse("");
-        texte.setText(direLaMesure(etat) + dit);
-        graphique.getAccessibleContext().setAccessibleDescription(texte.getText());
+        graphique.montrer(essais.values(), etat.demande.reglages, vise);
+        String dit = direLEmpechement(etat);
+        if (dit == null) {
+            dit = direLaMesure();
+        }
+        Essai designe = essais.get(vise);
+        if (designe != null && designe.estFait()) {
+            dit += "\n" + Echelle.dire(vise) + " : " + designe.dire();
+        }
+        texte.setText(dit);
+        graphique.getAccessibleContext().setAccessibleDescription(dit);
     }
 
-    private String direLaMesure(Etat etat) {
+    /** Ce qui empêche de mesurer l'image, en mots ; {@code null} si rien. */
+    private String direLEmpechement(Etat etat) {
         if (etat.enCours) {
             return "Les mesures reprendront après ce dessin.";
-        }
-        if (echec != null) {
-            return "Mesure impossible : " + echec;
         }
         if (!etat.montre.entier) {
             return "Pas d'image achevée à mesurer ; F5 la dessine.";
@@ -223,16 +225,17 @@ final class PanneauVitesse extends JPanel {
         if (etat.montre.direFautes() != null) {
             return "Image non mesurée : " + etat.montre.direFautes() + ".";
         }
-        if (etat.montre.dessin == arrete) {
-            long vus = essais.stream().filter(essai -> essai.durees.getNombre() > 0).count();
-            return "arrêtée : " + vus + (vus > 1 ? " réglages mesurés" : " réglage mesuré") + " ; F3 reprend";
-        }
-        if (essais.isEmpty() || !essais.stream().allMatch(Essai::suffit)) {
-            int faits = essais.stream().mapToInt(essai -> essai.durees.getNombre()).sum();
-            int voulus = essais.stream().mapToInt(essai -> Math.max(essai.durees.getNombre(), essai.getVoulus())).sum();
+        return etat.montre.dessin == arrete ? arret : null;
+    }
+
+    private String direLaMesure() {
+        if (!essais.values().stream().allMatch(Essai::suffit)) {
+            int faits = essais.values().stream().mapToInt(essai -> essai.durees.getNombre()).sum();
+            int voulus = essais.values().stream()
+                    .mapToInt(essai -> Math.max(essai.durees.getNombre(), essai.getVoulus())).sum();
             return "mesure en cours : " + faits + (faits > 1 ? " dessins sur " : " dessin sur ") + voulus;
         }
-        return essais.stream().anyMatch(Essai::varie)
+        return essais.values().stream().anyMatch(Essai::varie)
                 ? "La machine est occupée : des temps y varient de plus de 30 %."
                 : "Les flèches ou la souris désignent un point ; Entrée ou un clic dessine son image.";
     }

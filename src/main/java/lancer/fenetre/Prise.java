@@ -1,6 +1,5 @@
 package lancer.fenetre;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.RenderingHints;
@@ -9,14 +8,15 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.util.Objects;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import javax.swing.SwingUtilities;
 import lancer.Camera;
 import lancer.Constantes;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.PointContact;
-import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.commande.Messages;
@@ -33,17 +33,17 @@ final class Prise extends MouseAdapter {
     private static final int RAYON_ETOILE = 9;
     private static final Shape ETOILE = new Polygon(new int[] {0, 2, 9, 2, 0, -2, -9, -2},
             new int[] {-9, -2, 0, 2, 9, 2, 0, -2}, 8);
-    private static final Color LAMPE = new Color(0xFFE040);
 
     private final Controleur controleur;
     private final PanneauImage panneau;
-    /** Au début du geste : ce qui est tiré, ou {@code null}, le point de l'image, et la scène. */
+    /** Au début du geste, ce qui est tiré, ou {@code null}, et le point de l'image. */
     private Object prise;
     private Point2D depart;
-    private SceneLue debut;
-    /** La scène pendant le geste, et la nouvelle place de ce qui est tiré. */
-    private SceneLue tiree;
+    /** La scène, à jour du geste, et la nouvelle place de ce qui est tiré. */
+    private SceneLue scene;
     private String place;
+    /** La scène avant chaque déplacement, en tête celle d'avant le dernier ou le geste. */
+    private final Deque<SceneLue> avant = new ArrayDeque<>();
     private boolean etoiles;
 
     Prise(Controleur controleur) {
@@ -55,11 +55,29 @@ final class Prise extends MouseAdapter {
         controleur.prevenir(this::suivre);
     }
 
-    /** Lâche ce qui est tiré si un autre geste ou une lecture a changé la scène. */
+    /** D'une scène qui vient d'être lue, rien n'est tiré, ni à défaire. */
     private void suivre(Etat etat) {
-        if (prise != null && etat.demande.lue != tiree) {
+        if (etat.demande != null && etat.demande.lue != scene) {
+            scene = etat.demande.lue;
             prise = null;
+            avant.clear();
         }
+    }
+
+    private void deplacer(SceneLue deplacee) {
+        scene = deplacee;
+        controleur.deplacer(deplacee);
+    }
+
+    boolean peutDefaire() {
+        return !avant.isEmpty();
+    }
+
+    /** Rend sa place d'avant à ce qui est tiré ou, à défaut, a été déplacé en dernier. */
+    void defaire() {
+        prise = null;
+        panneau.bandeau.dire("");
+        deplacer(avant.pop());
     }
 
     /** Ce qui est tiré, et sa nouvelle place ; {@code null} si rien n'est tiré. */
@@ -67,18 +85,8 @@ final class Prise extends MouseAdapter {
         return prise == null ? null : place;
     }
 
-    /** Renonce au geste : ce qui est tiré revient où il était. */
-    void lacher() {
-        prise = null;
-        controleur.deplacer(debut);
-    }
-
     private Dessin montre() {
         return controleur.getEtat().montre.dessin;
-    }
-
-    private Camera getCamera() {
-        return montre().lancer.getCamera();
     }
 
     @Override
@@ -86,12 +94,13 @@ final class Prise extends MouseAdapter {
         if (montre() != null && prise == null && e.isShiftDown() && SwingUtilities.isLeftMouseButton(e)) {
             // un message cacherait le bas de l'image
             panneau.bandeau.dire("");
-            depart = panneau.pointDe(e);
-            debut = controleur.getEtat().demande.lue;
-            tiree = debut;
+            depart = panneau.pointDe(e.getPoint());
             try {
                 prise = viser();
                 place = "";
+                if (prise != null) {
+                    avant.push(scene);
+                }
             } catch (RuntimeException panne) {
                 panneau.bandeau.dire(Messages.message(panne));
             }
@@ -101,73 +110,64 @@ final class Prise extends MouseAdapter {
     /** La lampe ou la sphère sous la souris ; {@code null}, et un avis, si rien n'y peut être pris. */
     private Object viser() {
         Point2D souris = panneau.placeDe(depart.getX(), depart.getY());
-        for (Lampe lampe : debut.lampes) {
-            Point2D etoile = aLEcran(lampe.getPosition());
+        for (Lampe lampe : scene.lampes) {
+            Point2D etoile = aLEcran(lampe);
             if (etoile != null && etoile.distance(souris) < RAYON_ETOILE) {
                 return lampe;
             }
         }
-        Scene montree = montre().lancer.getScene();
-        PointContact contact = montree.pourUnFil()
-                .getClosestIntersection(getCamera().getRayon(depart.getX(), depart.getY()));
+        Lancer lancer = montre().lancer;
+        PointContact contact = lancer.getScene().pourUnFil()
+                .getClosestIntersection(lancer.getCamera().getRayon(depart.getX(), depart.getY()));
         // l'image montrée peut être celle d'avant le dernier déplacement, où cet objet avait une autre place
         int rang = contact == null ? -1 : montre().demande.lue.objets.indexOf(contact.objet);
-        Object vise = rang < 0 ? null : debut.objets.get(rang);
-        if (vise != null && vise.getClass() == Sphere.class && !estTropGrande((Sphere) vise)) {
-            return vise;
+        if (rang >= 0 && scene.objets.get(rang).getClass() == Sphere.class) {
+            Sphere sphere = (Sphere) scene.objets.get(rang);
+            double pixels = Figure.projeter(lancer.getCamera(), sphere.getCentre()).z;
+            // plus large que l'image, ou autour de l'œil, c'est un sol ou une voûte
+            if (pixels > 0 && 2 * pixels * sphere.getRayon() <= lancer.getCamera().getLargeur()) {
+                return sphere;
+            }
         }
         panneau.bandeau.dire("rien ne se tire ici ; se tirent une sphère du fichier, moins large que l'image, et "
                 + "l'étoile d'une lampe");
         return null;
     }
 
-    /** Dit si une sphère est derrière l'œil, ou plus large que l'image : un sol, une voûte. */
-    private boolean estTropGrande(Sphere sphere) {
-        double pixels = getCamera().projeter(sphere.getCentre()).z;
-        return !(pixels > 0) || 2 * pixels * sphere.getRayon() > getCamera().getLargeur();
-    }
-
     @Override
     public void mouseDragged(MouseEvent e) {
         if (prise != null) {
-            Point2D ici = panneau.pointDe(e);
-            Camera camera = getCamera();
+            Point2D ici = panneau.pointDe(e.getPoint());
+            Camera camera = montre().lancer.getCamera();
             Point origine = SceneLue.place(prise);
-            double pixels = camera.projeter(origine).z;
-            // un pixel de l'écran, agrandi comme l'est le plan de ce qui est pris
-            double fois = camera.getLargeur() / Constantes.ECHELLE / pixels;
-            Point coin = camera.getEcran(0, 0);
-            Vecteur droite = new Vecteur(coin, camera.getEcran(1, 0)).mul(fois * (ici.getX() - depart.getX()));
-            Vecteur bas = new Vecteur(coin, camera.getEcran(0, 1)).mul(fois * (ici.getY() - depart.getY()));
-            tirer(bouger(origine, droite.add(bas), pixels));
+            double pixels = Figure.projeter(camera, origine).z;
+            // ce que la souris parcourt à l'écran, agrandi comme l'est le plan de ce qui est pris
+            Vecteur de = new Vecteur(camera.getEcran(depart.getX(), depart.getY()),
+                    camera.getEcran(ici.getX(), ici.getY())).mul(camera.getLargeur() / Constantes.ECHELLE / pixels);
+            // à un dixième de pixel : la valeur à écrire est courte
+            double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
+            Point ou = new Point(bouger(origine.x, de.x, fois), bouger(origine.y, de.y, fois),
+                    bouger(origine.z, de.z, fois));
+            place = avant.peek().getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
+                    + SceneLue.ecrire(ou);
+            deplacer(avant.peek().avec(prise, ou));
         }
     }
 
-    /** Ce point, déplacé ; une coordonnée qui bouge est à un dixième de pixel. @param pixels ceux d'une unité */
-    private static Point bouger(Point p, Vecteur v, double pixels) {
-        double fois = Math.pow(10, Math.ceil(Math.log10(5 * pixels)));
-        return new Point(bouger(p.x, v.x, fois), bouger(p.y, v.y, fois), bouger(p.z, v.z, fois));
-    }
-
     private static double bouger(double x, double de, double fois) {
-        // la valeur à écrire est courte, et celle que rien ne bouge reste celle du fichier
+        // la coordonnée que rien ne bouge reste celle du fichier
         return Math.abs(de * fois) < 0.5 ? x : Math.rint((x + de) * fois) / fois;
-    }
-
-    private void tirer(Point ou) {
-        tiree = debut.avec(prise, ou);
-        place = debut.getOrigine(prise) + (prise instanceof Lampe ? " : position=" : " : centre=")
-                + SceneLue.ecrire(ou);
-        controleur.deplacer(tiree);
     }
 
     @Override
     public void mouseReleased(MouseEvent e) {
         if (prise != null && SwingUtilities.isLeftMouseButton(e)) {
             prise = null;
-            if (tiree != debut) {
+            if (scene == avant.peek()) {
+                avant.pop();
+            } else {
                 panneau.bandeau.dire(place + " ; Ctrl+E l'écrit dans " + controleur.getEtat().getNom());
-                controleur.retenir(debut);
+                controleur.avertir();
             }
         }
     }
@@ -180,19 +180,21 @@ final class Prise extends MouseAdapter {
         }
     }
 
-    /** La place de ce point à l'écran ; {@code null} s'il est derrière l'œil. */
-    private Point2D aLEcran(Point p) {
-        Point vu = getCamera().projeter(p);
+    /** La place de cette lampe dans le panneau ; {@code null} si elle est derrière l'œil. */
+    private Point2D aLEcran(Lampe lampe) {
+        Point vu = Figure.projeter(montre().lancer.getCamera(), lampe.getPosition());
         return vu.z > 0 && vu.z < Double.POSITIVE_INFINITY ? panneau.placeDe(vu.x, vu.y) : null;
     }
 
     /** Avec Maj, peint l'étoile de chaque lampe qui est devant l'œil. */
     private void peindre(Graphics2D g) {
-        if (montre() != null && etoiles) {
+        if (etoiles) {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            controleur.getEtat().demande.lue.lampes.stream().map(lampe -> aLEcran(lampe.getPosition()))
-                    .filter(Objects::nonNull).forEach(ou -> Figure.peindreLisere(g, AffineTransform
-                    .getTranslateInstance(ou.getX(), ou.getY()).createTransformedShape(ETOILE), LAMPE));
+            for (Lampe lampe : scene.lampes) {
+                Point2D ou = aLEcran(lampe);
+                Figure.tracer(g, ou == null ? null : AffineTransform.getTranslateInstance(ou.getX(), ou.getY())
+                        .createTransformedShape(ETOILE), Figure.LAMPE);
+            }
         }
     }
 }

@@ -3,6 +3,7 @@ package lancer.fenetre;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
@@ -13,22 +14,9 @@ import lancer.scene.Surveillance;
 
 /**
  * Un dessin de la fenêtre (cours, « Bilan intermédiaire ») : lire la scène si elle ne l'est pas, puis dessiner le
- * brouillon et l'image. Ce fil publie ce que celui des événements doit faire à chaque étape.
+ * brouillon et l'image.
  */
-final class Travail extends SwingWorker<Void, Runnable> {
-
-    /** Ce que ce travail fait faire dans le fil des événements. */
-    interface Suite {
-
-        /** La scène est lue : elle n'a plus de faute, même si son image n'est pas encore montrée. */
-        void lue(Travail celui);
-
-        /** Le dessin commence, ou son brouillon est fait : il est montré, et ce qui a changé depuis suit. */
-        void montrer(Travail celui);
-
-        /** Ce travail est achevé, arrêté, ou a échoué. */
-        void finir(Travail celui);
-    }
+final class Travail extends SwingWorker<Void, Void> {
 
     /** Temps de dessin avant de dire ce qui en reste. */
     private static final long RESTE_NS = 2_000_000_000;
@@ -50,9 +38,13 @@ final class Travail extends SwingWorker<Void, Runnable> {
     volatile String version;
     private final long debut = System.nanoTime();
     private volatile long debutDuDessin;
+    /** 0 avant la fin. */
     private long fin;
-    /** Donnée dans le fil des événements : le premier travail commence avant que la fenêtre soit faite. */
-    Suite suite;
+    /**
+     * Reçoit ce travail, dans le fil des événements, quand la scène est lue, quand le dessin commence, quand le
+     * brouillon est fait, et à la fin. Le premier travail commence avant que la fenêtre soit faite.
+     */
+    Consumer<Travail> suite;
 
     /** Le dessin d'une scène lue. */
     Travail(Programme programme, Demande demande) {
@@ -75,29 +67,31 @@ final class Travail extends SwingWorker<Void, Runnable> {
             SceneLue scene = programme.lire(aLire, part -> partLue = part);
             demande = demande == null ? new Demande(scene, options) : demande.avecLecture(scene);
             lue = true;
-            publish(() -> suite.lue(this));
+            publish();
         }
-        programme.dessiner(demande, this::suivre);
+        programme.dessiner(demande, celui -> {
+            brouillonFait = dessin != null;
+            celui.lancer.getAtelier().getFautes().tolerer();
+            dessin = celui;
+            debutDuDessin = System.nanoTime();
+            publish();
+        });
         return null;
     }
 
-    private void suivre(Dessin celui) {
-        brouillonFait = dessin != null;
-        celui.lancer.getAtelier().getFautes().tolerer();
-        dessin = celui;
-        debutDuDessin = System.nanoTime();
-        publish(() -> suite.montrer(this));
-    }
-
     @Override
-    protected void process(List<Runnable> publies) {
-        publies.forEach(Runnable::run);
+    protected void process(List<Void> etapes) {
+        suite.accept(this);
     }
 
     @Override
     protected void done() {
         fin = System.nanoTime();
-        suite.finir(this);
+        suite.accept(this);
+    }
+
+    boolean estFini() {
+        return fin != 0;
     }
 
     boolean aSonBrouillon() {
@@ -111,10 +105,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
                 get();
             }
             return null;
-        } catch (ExecutionException e) {
+        } catch (ExecutionException | InterruptedException e) {
             return e.getCause();
-        } catch (InterruptedException e) {
-            return e;
         }
     }
 
@@ -133,8 +125,8 @@ final class Travail extends SwingWorker<Void, Runnable> {
     /** Ce que ce travail fait ou a fait, en une ligne. */
     String getTexte() {
         // le résumé d'une image donne le temps du dessin seul ; celui-ci compte aussi la lecture
-        String temps = String.format(Locale.FRANCE, " — %.2f s",
-                ((fin != 0 ? fin : System.nanoTime()) - debut) / 1e9);
+        long jusque = estFini() ? fin : System.nanoTime();
+        String temps = String.format(Locale.FRANCE, " — %.2f s", (jusque - debut) / 1e9);
         if (isCancelled()) {
             return direEtape() + ", arrêt" + temps;
         }

@@ -1,12 +1,10 @@
 package lancer.rapide;
 
-import java.util.Arrays;
 import lancer.contrat.Recherche;
 
 /**
- * Hiérarchie de boîtes (BVH) autour des enveloppes ; la racine est le nœud 0. Les centres sont rangés le long de l'axe
- * où ils s'étendent le plus. La coupe est la moins chère selon l'heuristique de l'aire (SAH, MacDonald et Booth, 1990).
- * Une boîte est notée par son centre et ses demi-côtés.
+ * Hiérarchie de boîtes (BVH) autour des enveloppes ; la racine est le nœud 0. Une boîte, notée par son centre et ses
+ * demi-côtés, est coupée au milieu de l'axe où les centres s'étendent le plus.
  */
 final class Arbre {
 
@@ -19,12 +17,8 @@ final class Arbre {
     /** Nombres par nœud dans {@link #boites} : le centre, puis les demi-côtés. */
     static final int PAS = 6;
 
-    /** Taille maximale d'une feuille, et coût d'un nœud en objets demandés. */
-    private static final int FEUILLE_MAX = 8;
-    private static final double COUT_NOEUD = 2;
-
-    /** Nombre de rangs différents le long d'un axe. */
-    private static final double FINESSE = 1 << 30;
+    /** Taille maximale d'une feuille. */
+    private static final int FEUILLE_MAX = 5;
 
     private final double[] g;
     final double[] boites;
@@ -58,17 +52,14 @@ final class Arbre {
             centres.ajouter(Enveloppes.PAS * feuilles[i], 0);
         }
         boite.noter(PAS * noeud);
-        int coupe = (debut + fin) >>> 1;
-        boolean feuille = fin - debut <= FEUILLE_MAX;
-        if (profondeur <= PROFONDEUR_MAX - Integer.SIZE) {
-            trier(debut, fin, centres);
-            coupe = couper(debut, fin, feuille ? boite.aire() * (fin - debut - COUT_NOEUD) : Double.POSITIVE_INFINITY);
-            feuille = coupe < 0;
-        }
-        if (feuille) {
+        if (fin - debut <= FEUILLE_MAX) {
             suite[noeud] = debut;
             compte[noeud] = (byte) (fin - debut);
         } else {
+            int coupe = separer(debut, fin, centres);
+            if (profondeur > PROFONDEUR_MAX - Integer.SIZE || coupe == debut) {
+                coupe = (debut + fin) >>> 1;
+            }
             int enfants = nombre;
             nombre += 2;
             suite[noeud] = enfants;
@@ -77,44 +68,16 @@ final class Arbre {
         }
     }
 
-    /** Range ces objets dans l'ordre de leurs centres, le long du plus grand côté de la boîte des centres. */
-    private void trier(int debut, int fin, Boite centres) {
+    /** Sépare ces objets au milieu du plus grand côté de la boîte des centres. @return la première place d'après */
+    private int separer(int debut, int fin, Boite centres) {
         int axe = centres.plusLong();
-        double bas = centres.bas[axe];
-        double parRang = FINESSE / (centres.haut[axe] - bas);
-        long[] ordre = new long[fin - debut];
+        double milieu = (centres.bas[axe] + centres.haut[axe]) / 2;
+        int coupe = debut;
         for (int i = debut; i < fin; i++) {
-            long rang = (long) ((g[Enveloppes.PAS * feuilles[i] + axe] - bas) * parRang);
-            ordre[i - debut] = rang << Integer.SIZE | feuilles[i];
-        }
-        Arrays.sort(ordre);
-        for (int i = debut; i < fin; i++) {
-            feuilles[i] = (int) ordre[i - debut];
-        }
-    }
-
-    /**
-     * La première place du second côté de la coupe la moins chère. Le coût est la somme, sur les deux côtés, de l'aire
-     * fois le nombre d'objets.
-     *
-     * @return −1 si aucune ne coûte moins que {@code auPlus}
-     */
-    private int couper(int debut, int fin, double auPlus) {
-        double[] coutApres = new double[fin - debut];
-        Boite apres = new Boite();
-        for (int i = fin - 1; i > debut; i--) {
-            apres.ajouter(Enveloppes.PAS * feuilles[i], 1);
-            coutApres[i - debut] = apres.aire() * (fin - i);
-        }
-        Boite avant = new Boite();
-        double meilleur = auPlus;
-        int coupe = -1;
-        for (int i = debut + 1; i < fin; i++) {
-            avant.ajouter(Enveloppes.PAS * feuilles[i - 1], 1);
-            double cout = avant.aire() * (i - debut) + coutApres[i - debut];
-            if (cout < meilleur) {
-                meilleur = cout;
-                coupe = i;
+            int k = feuilles[i];
+            if (g[Enveloppes.PAS * k + axe] < milieu) {
+                feuilles[i] = feuilles[coupe];
+                feuilles[coupe++] = k;
             }
         }
         return coupe;
@@ -143,14 +106,6 @@ final class Arbre {
                 return 0;
             }
             return y >= z ? 1 : 2;
-        }
-
-        /** La moitié de l'aire. */
-        double aire() {
-            double x = haut[0] - bas[0];
-            double y = haut[1] - bas[1];
-            double z = haut[2] - bas[2];
-            return x * y + y * z + z * x;
         }
 
         /** Note à cette place de {@link #boites} le centre et les demi-côtés, élargis de la marge. */

@@ -9,10 +9,9 @@ import lancer.contrat.Recherche;
  */
 final class Cellules {
 
-    /** Nombre maximal de cubes par côté, de cubes par cube demandé, et de places par cube demandé. */
+    /** Nombre maximal de cubes par côté, et de cubes par cube demandé. */
     private static final int COTES_MAX = 1024;
     private static final double CUBES_MAX = 16;
-    private static final int PLACES_MAX = 8;
 
     /** Élargissement de chaque boule : les erreurs d'un rayon dans la grille sont plus petites. */
     final double marge;
@@ -76,15 +75,17 @@ final class Cellules {
      * @param ordre leurs rangs, un au moins, dans l'ordre où chaque cube les donne
      * @param directions vrai si elles sont vues d'un point : seuls servent les cubes qui touchent la sphère unité
      * @param cubes nombre de cubes voulu, à peu près
-     * @return {@code null} s'il faut trop de places
+     * @param placesMax nombre maximal de rangs, de tous les cubes ensemble
+     * @return {@code null} s'il en faut plus
      */
-    static Cellules de(double[] boules, int[] ordre, double marge, boolean directions, int cubes) {
+    static Cellules de(double[] boules, int[] ordre, double marge, boolean directions, int cubes,
+            int placesMax) {
         Cellules cellules = new Cellules(boules, ordre, marge, directions, cubes);
         long places = 0;
         for (int k : ordre) {
             Recherche.obeir();
             places += cellules.noter(boules, k, false);
-            if (places > (long) PLACES_MAX * cubes) {
+            if (places > placesMax) {
                 return null;
             }
         }

@@ -6,37 +6,49 @@ import lancer.Rayon;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
-/** La recherche d'une scène de beaucoup d'objets, pour un fil. Chaque rayon a sa {@link Question}. */
+/** La recherche d'une scène de beaucoup d'objets, pour un fil. */
 final class Foule implements Recherche {
 
     private final Supplier<Structures> preparation;
-    private final Memoire memoire;
+    private final Structures structures;
+    private final Compteurs compteurs;
+
+    /** La question que pose la boucle : la dernière posée, ou la dernière qui a proposé un objet. */
+    Question enCours;
+
+    /** Rang du dernier contact ; en général, un rayon d'ombre ou réfléchi vient ensuite de lui. */
+    private int contact = -1;
 
     Foule(Supplier<Structures> preparation, Compteurs compteurs) {
         this.preparation = preparation;
-        memoire = new Memoire(preparation.get(), compteurs);
+        this.compteurs = compteurs;
+        structures = preparation.get();
+        enCours = new Question(this, structures, compteurs);
     }
 
     @Override
     public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
         Recherche.obeir();
-        memoire.compteurs.compter(rayon, depart, portee);
-        return new Question(memoire, rayon, depart, portee);
+        compteurs.compter(rayon, depart, portee);
+        // une boucle interrompue pourrait continuer : sa question n'est pas reprise
+        enCours = enCours.estFinie() ? enCours : new Question(this, structures, compteurs);
+        boolean connu = contact >= 0 && structures.enveloppes.objets[contact] == depart;
+        return enCours.poser(rayon, depart, connu ? contact : -1, portee);
     }
 
     @Override
     public void limiter(double distance) {
-        memoire.limite = distance;
+        enCours.limiter(distance);
     }
 
     @Override
     public Objet3D aEgalite(Objet3D plusProche) {
-        Objet3D[] objets = memoire.structures.enveloppes.objets;
-        if (memoire.proche < 0 || objets[memoire.proche] != plusProche) {
+        int rang = enCours.aEgalite(plusProche);
+        if (rang < 0) {
             return plusProche;
         }
-        memoire.contact = memoire.premier;
-        return objets[memoire.premier];
+        contact = rang;
+        return structures.enveloppes.objets[rang];
     }
 
     @Override

@@ -29,9 +29,9 @@ final class PointDeVue {
 
     /**
      * @param depart un point d'où part un rayon qui passe par p : une lampe elle-même, ou un point de l'écran
-     * @param cubes voir {@link Cellules}
+     * @param cubes voir {@link Cellules#de}
      */
-    PointDeVue(Point p, Point depart, Enveloppes enveloppes, int cubes) {
+    PointDeVue(Point p, Point depart, Enveloppes enveloppes, int cubes, int placesMax) {
         x = p.x;
         y = p.y;
         z = p.z;
@@ -47,7 +47,7 @@ final class PointDeVue {
         }
         Arrays.sort(cles);
         int[] ordre = Arrays.stream(cles).mapToInt(cle -> (int) (cle & rangs)).toArray();
-        cellules = Cellules.de(cones, ordre, MARGE, true, cubes);
+        cellules = Cellules.de(cones, ordre, MARGE, true, cubes, placesMax);
     }
 
     /**

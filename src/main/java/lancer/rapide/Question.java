@@ -4,7 +4,9 @@ import java.util.Iterator;
 import java.util.NoSuchElementException;
 import lancer.Constantes;
 import lancer.Objet3D;
+import lancer.Point;
 import lancer.Rayon;
+import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
 
@@ -16,7 +18,7 @@ import lancer.contrat.Recherche;
  */
 final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
-    /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'une cellule trop pleine. */
+    /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'un cube trop plein. */
     private static final int EXAMENS_MAX = 100;
     private static final int PLEINE = 30;
 
@@ -38,20 +40,19 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private static final int ARBRE = 2;
     private static final int FIN = 3;
 
-    private final Memoire memoire;
-    private final long numero;
+    private final Foule foule;
     private final Structures structures;
     private final Compteurs compteurs;
     private final double[] g;
-    private final Rayon rayon;
-    private final Objet3D depart;
-    private final boolean ombre;
-    private final double px;
-    private final double py;
-    private final double pz;
-    private final double vx;
-    private final double vy;
-    private final double vz;
+    private Rayon rayon;
+    private Objet3D depart;
+    private boolean ombre;
+    private double px;
+    private double py;
+    private double pz;
+    private double vx;
+    private double vy;
+    private double vz;
     private double limite;
 
     private int etape;
@@ -70,11 +71,11 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int propose;
     private boolean pret;
     /** Le rang de {@link #depart}, proposé d'abord ; −1 s'il n'est pas connu. */
-    private final int rangDepart;
+    private int rangDepart;
     /** Le premier proposé des plus proches, le premier d'entre eux dans la scène, et leur distance. */
-    private int proche = -1;
-    private int premier = -1;
-    private double distance = Constantes.INFINI;
+    private int proche;
+    private int premier;
+    private double distance;
 
     /** Le cube en cours ; par axe, la distance du bord suivant, celle entre deux bords, le pas, les cubes de reste. */
     private int cube;
@@ -96,32 +97,56 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double[] entrees;
     private int haut;
 
-    Question(Memoire memoire, Rayon rayon, Objet3D depart, double portee) {
-        this.memoire = memoire;
-        numero = ++memoire.questions;
-        memoire.attendre(numero, -1, -1);
-        structures = memoire.structures;
-        compteurs = memoire.compteurs;
+    Question(Foule foule, Structures structures, Compteurs compteurs) {
+        this.foule = foule;
+        this.structures = structures;
+        this.compteurs = compteurs;
         g = structures.enveloppes.geometrie;
-        this.rayon = rayon;
-        this.depart = depart;
+    }
+
+    /** Recommence, pour ce rayon. @param rang celui de l'objet de départ, −1 s'il n'est pas connu */
+    Question poser(Rayon nouveau, Objet3D objet, int rang, double portee) {
+        rayon = nouveau;
+        depart = objet;
+        rangDepart = rang;
+        propose = rang;
+        pret = rang >= 0;
+        proche = -1;
+        distance = Constantes.INFINI;
         ombre = portee < Constantes.INFINI;
         limite = portee;
-        vx = rayon.getV().x;
-        vy = rayon.getV().y;
-        vz = rayon.getV().z;
-        py = rayon.getP().y;
-        pz = rayon.getP().z;
-        double x = rayon.getP().x;
+        Point p = nouveau.getP();
+        Vecteur v = nouveau.getV();
+        vx = v.x;
+        vy = v.y;
+        vz = v.z;
         boolean mesure = Math.abs(vx * vx + vy * vy + vz * vz - 1) < UNITAIRE
-                && Math.abs(x) + Math.abs(py) + Math.abs(pz) < Enveloppes.LONGUEUR_MAX;
-        px = mesure ? x : Double.NaN;
-        int dernier = memoire.contact;
-        rangDepart = dernier >= 0 && structures.enveloppes.objets[dernier] == depart ? dernier : -1;
-        propose = rangDepart;
-        pret = rangDepart >= 0;
-        liste = structures.enveloppes.dAbord;
-        fin = liste.length;
+                && Math.abs(p.x) + Math.abs(p.y) + Math.abs(p.z) < Enveloppes.LONGUEUR_MAX;
+        px = mesure ? p.x : Double.NaN;
+        py = p.y;
+        pz = p.z;
+        etape = DEBUT;
+        examens = 0;
+        triee = false;
+        lache = 0;
+        haut = -1;
+        lire(structures.enveloppes.dAbord, 0, structures.enveloppes.dAbord.length);
+        return this;
+    }
+
+    /** Dit si tous les candidats ont été proposés. */
+    boolean estFinie() {
+        return pret && propose < 0;
+    }
+
+    /** Voir {@link Recherche#limiter}. */
+    void limiter(double distanceMax) {
+        limite = Math.min(limite, distanceMax);
+    }
+
+    /** Si l'objet de ce rang est le plus proche, le rang du premier, dans la scène, des objets à la même distance. */
+    int aEgalite(Objet3D plusProche) {
+        return proche >= 0 && structures.enveloppes.objets[proche] == plusProche ? premier : -1;
     }
 
     @Override
@@ -132,14 +157,13 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     @Override
     public boolean hasNext() {
         if (!pret) {
-            // une autre question, posée depuis, a reçu la limite à sa place
-            limite = memoire.enCours == numero ? Math.min(limite, memoire.limite) : limite;
             if (propose >= 0) {
                 noterLaReponse();
             }
             propose = chercher();
-            memoire.attendre(numero, proche, premier);
             pret = true;
+            // une autre question a pu être posée depuis la précédente
+            foule.enCours = this;
         }
         return propose >= 0;
     }
@@ -193,8 +217,11 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 double r = g[s + 3];
                 double b = fx * vx + fy * vy + fz * vz;
                 if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
-                    // les suivants d'une liste triée sont encore plus loin
-                    place = triee ? fin : place;
+                    if (triee) {
+                        // les suivants sont encore plus loin
+                        place = fin;
+                        etape = FIN;
+                    }
                 } else if (k != rangDepart && k != proche && k != propose
                         && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
                     compteurs.noeudsVisites += examens - avant - 1;
@@ -213,7 +240,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         if (etape == DEBUT) {
             PointDeVue vue = null;
             if (ombre) {
-                vue = memoire.trouverLaLampe(rayon.getP());
+                vue = structures.vues.get(rayon.getP());
             } else if (depart == null && structures.oeil != null && structures.oeil.envoie(px, py, pz, vx, vy, vz)) {
                 vue = structures.oeil;
             }
@@ -224,16 +251,21 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 Cellules c = vue.cellules;
                 int direction = c.cubeDe(vx, vy, vz);
                 etape = FIN;
-                if (direction >= 0 && c.debut[direction + 1] - c.debut[direction] > PLEINE) {
-                    etape = ARBRE;
-                } else if (direction >= 0) {
+                if (direction >= 0) {
                     triee = true;
                     lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
                     lire(c.objets, c.debut[direction], c.debut[direction + 1]);
+                    if (fin - place > EXAMENS_MAX) {
+                        fin = place + EXAMENS_MAX;
+                        etape = ARBRE;
+                    }
                 }
             } else {
                 boolean pres = Math.abs(px) + Math.abs(py) + Math.abs(pz) <= structures.portee;
-                etape = structures.espace == null || !pres ? ARBRE : entrer() ? ESPACE : FIN;
+                etape = structures.espace != null && pres ? ESPACE : ARBRE;
+                if (etape == ESPACE) {
+                    entrer();
+                }
             }
             if (place < fin) {
                 return true;
@@ -243,7 +275,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             if (avancer()) {
                 return true;
             }
-            etape = examens > EXAMENS_MAX ? ARBRE : FIN;
+            etape = etape == ARBRE || examens > EXAMENS_MAX ? ARBRE : FIN;
         }
         return etape == ARBRE && descendre();
     }
@@ -258,8 +290,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         return 1 / (Math.abs(v) < COMPOSANTE_MIN ? COMPOSANTE_MIN : v);
     }
 
-    /** Place le rayon dans le premier cube qu'il traverse, et ouvre sa liste. @return faux s'il n'en traverse pas */
-    private boolean entrer() {
+    /** Place le rayon dans le premier cube qu'il traverse, et en ouvre la liste. */
+    private void entrer() {
         Cellules c = structures.espace;
         double wx = inverse(vx);
         double wy = inverse(vy);
@@ -276,7 +308,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         double entree = Math.max(0, Math.max(Math.min(ax, bx), Math.max(Math.min(ay, by), Math.min(az, bz))));
         double sortie = Math.min(Math.max(ax, bx), Math.min(Math.max(ay, by), Math.max(az, bz)));
         if (entree > Math.min(sortie, limite) + c.marge) {
-            return false;
+            etape = FIN;
+            return;
         }
         int i = Math.max(0, Math.min((int) ((px + entree * vx - c.x0) * c.parCote), c.nx - 1));
         int j = Math.max(0, Math.min((int) ((py + entree * vy - c.y0) * c.parCote), c.ny - 1));
@@ -295,15 +328,14 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         dz = Math.abs(dz);
         cube = (i * c.ny + j) * c.nz + l;
         ouvrirLeCube(c);
-        return true;
     }
 
-    /** Ouvre la liste de ce cube. Trop pleine, elle finit les cellules. */
+    /** Ouvre la liste de ce cube ou, si elle est trop pleine, passe à l'arbre. */
     private void ouvrirLeCube(Cellules c) {
         lire(c.objets, c.debut[cube], c.debut[cube + 1]);
         if (fin - place > PLEINE) {
             place = fin;
-            examens += EXAMENS_MAX;
+            etape = ARBRE;
         }
     }
 
@@ -311,7 +343,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private boolean avancer() {
         Cellules c = structures.espace;
         double jusque = limite + c.marge;
-        while (examens <= EXAMENS_MAX) {
+        while (etape == ESPACE && examens <= EXAMENS_MAX) {
             examens++;
             if (tx <= ty && tx <= tz) {
                 if (tx > jusque || resteX-- == 0) {
@@ -342,11 +374,16 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** Cherche la feuille suivante de l'arbre, de la boîte la plus proche à la plus lointaine. @return faux à la fin */
     private boolean descendre() {
-        Arbre arbre = structures.arbre;
+        Arbre arbre = structures.getArbre();
         if (pile == null) {
             pile = new int[Arbre.PROFONDEUR_MAX];
             entrees = new double[Arbre.PROFONDEUR_MAX];
+        }
+        if (haut < 0) {
+            triee = false;
             haut = arbre.feuilles.length == 0 ? 0 : 1;
+            pile[0] = 0;
+            entrees[0] = 0;
         }
         double[] q = arbre.boites;
         double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);

@@ -1,11 +1,12 @@
 package lancer.rapide;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.stream.Collectors;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Objet3D;
@@ -37,15 +38,11 @@ public final class Regard {
      * @throws CancellationException si ce fil est interrompu
      */
     public static boolean trouveUneReponseCachee(Scene preparee, Camera camera) {
-        // les objets de chaque classe, pour autant de rayons
-        Map<Class<?>, List<Objet3D>> classes = new LinkedHashMap<>();
-        for (Objet3D objet : preparee.getObjets()) {
-            if (preparee.getObjets().size() > Preparation.PEU && objet.getEnveloppe() != null) {
-                classes.computeIfAbsent(objet.getClass(), classe -> new ArrayList<>()).add(objet);
-            }
-        }
         try {
-            return new Regard().trouve(preparee, new ArrayList<>(classes.values()), camera.getOeil());
+            // chaque classe d'objets reçoit autant de rayons
+            Map<String, List<Objet3D>> classes = preparee.getObjets().stream().filter(o -> o.getEnveloppe() != null)
+                    .collect(Collectors.groupingBy(o -> o.getClass().getName(), TreeMap::new, Collectors.toList()));
+            return new Regard().compare(preparee.pourUnFil(), new ArrayList<>(classes.values()), camera.getOeil());
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
@@ -54,8 +51,7 @@ public final class Regard {
         }
     }
 
-    private boolean trouve(Scene preparee, List<List<Objet3D>> classes, Point oeil) {
-        Scene cherchee = preparee.avec(preparee.getModele());
+    private boolean compare(Scene preparee, List<List<Objet3D>> classes, Point oeil) {
         Scene toutes = preparee.avec(new TousLesObjets(preparee.getObjets()));
         boolean cache = false;
         int rayons = classes.isEmpty() ? 0 : RAYONS;
@@ -66,7 +62,7 @@ public final class Regard {
             Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), vers);
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
-            cache = !vue.equals(cherchee.getCouleurVue(rayon, depart, 0))
+            cache = !vue.equals(preparee.getCouleurVue(rayon, depart, 0))
                     && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
         }
         return cache;

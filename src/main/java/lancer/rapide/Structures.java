@@ -1,6 +1,9 @@
 package lancer.rapide;
 
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import lancer.Camera;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -12,26 +15,25 @@ final class Structures {
     /** Nombre d'objets par pixel au-delà duquel il n'y a que l'arbre. */
     private static final int OBJETS_PAR_PIXEL = 8;
 
-    /** Nombre de cubes voulu par objet, nombre au moins, et nombre pour toutes les lampes ensemble. */
+    /** Nombre de cubes voulu par objet, nombre au moins, nombre pour toutes les lampes ensemble, et rangs par cube. */
     private static final int CUBES_PAR_OBJET = 2;
     private static final int CUBES_AU_MOINS = 1 << 10;
     private static final int CUBES_TOUJOURS = 1 << 18;
+    private static final int PLACES_PAR_CUBE = 8;
 
     final Enveloppes enveloppes;
-    final Arbre arbre;
+    /** Construit au premier rayon qui en a besoin. */
+    private volatile Arbre arbre;
     /** {@code null} là où l'arbre les remplace, comme pour l'œil et chaque lampe. */
     final Cellules espace;
     /** La plus grande coordonnée d'un rayon dans l'espace. */
     final double portee;
     final PointDeVue oeil;
-    final Point[] lampes;
-    final PointDeVue[] vues;
+    /** Ceux des lampes, par position. */
+    final Map<Point, PointDeVue> vues = new IdentityHashMap<>();
 
-    Structures(List<Objet3D> objets, List<Lampe> siennes, Camera camera) {
+    Structures(List<Objet3D> objets, List<Lampe> lampes, Camera camera) {
         enveloppes = new Enveloppes(objets);
-        arbre = new Arbre(enveloppes);
-        lampes = siennes.stream().map(Lampe::getPosition).toArray(Point[]::new);
-        vues = new PointDeVue[lampes.length];
         int n = enveloppes.petits.length;
         double loin = 0;
         for (int k : enveloppes.petits) {
@@ -42,19 +44,29 @@ final class Structures {
         portee = 1024 * loin;
         boolean avecCellules = n > 0 && n <= OBJETS_PAR_PIXEL * (long) camera.getLargeur() * camera.getHauteur();
         int voulus = Math.max(CUBES_AU_MOINS, CUBES_PAR_OBJET * n);
-        espace = avecCellules
-                ? Cellules.de(enveloppes.geometrie, enveloppes.petits, Enveloppes.MARGE * loin, false, voulus) : null;
-        int permis = Math.max(CUBES_TOUJOURS, voulus) / (1 + lampes.length);
+        espace = avecCellules ? Cellules.de(enveloppes.geometrie, enveloppes.petits, Enveloppes.MARGE * loin, false,
+                voulus, PLACES_PAR_CUBE * voulus) : null;
+        int permis = Math.max(CUBES_TOUJOURS, voulus) / (1 + lampes.size());
         int cubes = Math.min(permis, voulus);
         boolean avecVues = avecCellules && cubes > n / 16;
-        oeil = avecVues ? vue(camera.getOeil(), camera.getEcran(0, 0), cubes) : null;
-        for (int l = 0; l < lampes.length && avecVues; l++) {
-            vues[l] = vue(lampes[l], lampes[l], cubes);
+        oeil = avecVues ? vue(camera.getOeil(), camera.getEcran(0, 0), cubes, PLACES_PAR_CUBE * permis) : null;
+        for (Lampe lampe : avecVues ? lampes : Collections.<Lampe>emptyList()) {
+            Point p = lampe.getPosition();
+            vues.put(p, vue(p, p, cubes, PLACES_PAR_CUBE * permis));
         }
     }
 
-    private PointDeVue vue(Point p, Point depart, int cubes) {
-        PointDeVue vue = new PointDeVue(p, depart, enveloppes, cubes);
+    Arbre getArbre() {
+        if (arbre == null) {
+            synchronized (this) {
+                arbre = arbre == null ? new Arbre(enveloppes) : arbre;
+            }
+        }
+        return arbre;
+    }
+
+    private PointDeVue vue(Point p, Point depart, int cubes, int placesMax) {
+        PointDeVue vue = new PointDeVue(p, depart, enveloppes, cubes, placesMax);
         return vue.cellules == null ? null : vue;
     }
 }

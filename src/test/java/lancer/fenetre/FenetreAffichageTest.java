@@ -4,6 +4,7 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.awt.Point;
+import java.awt.event.InputEvent;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 
@@ -47,6 +48,12 @@ class FenetreAffichageTest extends EssaiFenetre {
         banc.robot.mouseWheel(-1);
         attendre("le grossissement se dit", () -> banc.resume.getText().startsWith("320 × 240 pixels à la loupe × 4, "));
         attendre("le même pixel reste sous la souris", () -> banc.pixel.getText().startsWith("pixel 50, 60 : "));
+        banc.robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseMove(coin.x + 100, coin.y + 70);
+        banc.robot.mouseMove(coin.x + 80, coin.y + 80);
+        banc.robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        banc.robot.mouseMove(coin.x + 81, coin.y + 80);
+        attendre("et suit la souris qui le tire", () -> banc.pixel.getText().startsWith("pixel 50, 60 : "));
         int[] grossie = new int[4 * 20 * 4 * 20];
         for (int k = 0; k < grossie.length; k++) {
             grossie[k] = image.codes[(60 + k / 80 / 4) * L + 50 + k % 80 / 4];

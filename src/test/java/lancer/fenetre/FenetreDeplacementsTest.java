@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JOptionPane;
 import lancer.Sphere;
+import lancer.fenetre.figures.Figure;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est tiré n'est jamais perdu sans être dit ou demandé, quoi qui se lise ou s'écrive pendant ce temps. */
@@ -41,7 +42,7 @@ class FenetreDeplacementsTest extends EssaiFenetre {
     private Point place() throws Exception {
         lancer.Point centre = centre();
         return surFilEvenements(() -> {
-            lancer.Point vue = banc.controleur.getEtat().montre.dessin.lancer.getCamera().projeter(centre);
+            lancer.Point vue = Figure.projeter(banc.controleur.getEtat().montre.dessin.lancer.getCamera(), centre);
             Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
             return new Point((int) ou.getX(), (int) ou.getY());
         });

@@ -56,7 +56,7 @@ class FenetreFiguresTest extends EssaiInspecteur {
         for (int k = 0; k < 4; k++) {
             presser(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
         }
-        attendre("la loupe est au plus fort", () -> image.getReduction(banc.controleur.getEtat().getImageEntiere()) == 16);
+        attendre("la loupe est au plus fort", () -> image.getReduction() == 16);
         attendreEnVue(L / 2, H / 2 - 20);
         for (int k = 1; k <= 3; k++) {
             presser(KeyEvent.VK_SHIFT, KeyEvent.VK_LEFT);
@@ -109,8 +109,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
-        // autour de la souris, qui est au bord du pixel
-        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150 + 4, coin.y + 110 + 4));
+        // le milieu du pixel reste où il est
+        attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
         attendre("Ctrl+Q termine le programme", () -> {
             robot.keyPress(KeyEvent.VK_CONTROL);
             robot.keyPress(KeyEvent.VK_Q);

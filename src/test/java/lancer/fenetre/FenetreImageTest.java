@@ -67,7 +67,7 @@ class FenetreImageTest extends EssaiFenetre {
         for (int grossi = 1; grossi <= 16; grossi *= 2) {
             int voulu = grossi;
             banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_UP);
-            attendre("× " + voulu, () -> banc.panneau.getReduction(image) == voulu);
+            attendre("× " + voulu, () -> banc.panneau.getReduction() == voulu);
             BufferedImage vue = peinte();
             Point milieu = banc.panneau.getPixelVise();
             assertEquals(image.codes[milieu.y * image.largeur + milieu.x],
@@ -78,7 +78,7 @@ class FenetreImageTest extends EssaiFenetre {
         for (int cran = 5; cran > 0; cran--) {
             banc.frapper(KeyEvent.VK_CONTROL, KeyEvent.VK_DOWN);
         }
-        attendre("de nouveau réduite", () -> banc.panneau.getReduction(image) < 1);
+        attendre("de nouveau réduite", () -> banc.panneau.getReduction() < 1);
     }
 
     @ParameterizedTest

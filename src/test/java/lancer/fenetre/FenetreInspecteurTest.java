@@ -23,6 +23,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
 import javax.swing.SwingUtilities;
@@ -260,12 +261,12 @@ class FenetreInspecteurTest extends EssaiInspecteur {
         int[] codes = ouvrir().codes;
         cliquer(150, 110);
         attendreVerdict("Au bit près");
-        Inspecteur ouvert = inspecteur();
-        faire(() -> ouvert.setVisible(false));
+        JTabbedPane onglets = composant("panneau", JTabbedPane.class);
+        faire(() -> onglets.setSelectedIndex(Onglets.REGLAGES));
         banc.attendreImage("sans figure", codes);
         banc.frapper(KeyEvent.VK_RIGHT);
         banc.robot.waitForIdle();
-        faire(() -> ouvert.setVisible(true));
+        faire(() -> onglets.setSelectedIndex(Onglets.PIXEL));
         attendreTitre(150, 110);
         attendre("la figure revient", () -> Ecran.trouver(codes, L) == null);
     }

@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import lancer.Sphere;
 import lancer.commande.Option;
+import lancer.fenetre.figures.Figure;
 import lancer.scene.SceneLue;
 import org.junit.jupiter.api.Test;
 
@@ -30,7 +31,7 @@ class FenetreLeconTest extends EssaiFenetre {
     }
 
     private Point place(lancer.Point p) {
-        lancer.Point vue = banc.controleur.getEtat().montre.dessin.lancer.getCamera().projeter(p);
+        lancer.Point vue = Figure.projeter(banc.controleur.getEtat().montre.dessin.lancer.getCamera(), p);
         Point2D ou = banc.panneau.placeDe(vue.x, vue.y);
         return new Point((int) ou.getX(), (int) ou.getY());
     }

@@ -139,6 +139,6 @@ class FenetreTest extends EssaiFenetre {
         Files.delete(classes);
         assertEquals(1, lance.exitValue());
         String ligne = new String(Files.readAllBytes(dit), StandardCharsets.UTF_8);
-        assertTrue(ligne.matches("lancer : ce Java ne sait pas ouvrir de fenêtre : .*default-jdk.*--image.*\\R"), ligne);
+        assertTrue(ligne.matches("lancer : impossible d'ouvrir une fenêtre : .*default-jdk.*--image.*\\R"), ligne);
     }
 }

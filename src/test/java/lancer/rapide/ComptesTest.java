@@ -8,9 +8,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.concurrent.CancellationException;
 import lancer.Camera;
 import lancer.Couleur;
+import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
@@ -89,6 +91,23 @@ class ComptesTest {
             }
         }
         assertEquals(Collections.emptyList(), fautes);
+    }
+
+    /** Chaque rayon y traverse des dizaines de boules : les listes triées et l'arbre n'en examinent que les premières. */
+    @Test
+    void desBoulesQuiSeRecouvrentCoutentMoinsQueDansUnArbreSimple() {
+        Random hasard = new Random(3);
+        List<Sphere> boules = new ArrayList<>();
+        for (int k = 0; k < 300; k++) {
+            Sphere boule = new Sphere(new Point(8 * hasard.nextDouble() - 4, 6 * hasard.nextDouble() - 3, 4 + 12 * hasard.nextDouble()),
+                    0.3 + hasard.nextDouble());
+            boule.setKs(new Couleur(0.6));
+            boules.add(boule);
+        }
+        Scene scene = new Scene(boules, Collections.singletonList(new Lampe(new Point(-5, 8, -6), new Couleur(1))));
+        Compteurs arbre = new IdentiteTest.Dessin(scene.avec(new ArbreSimple(scene.getObjets(), new Compteurs())), CAMERA, 4, 2).compteurs;
+        Compteurs rapide = compter(scene, 4);
+        assertTrue(cout(rapide) < cout(arbre) / 2, cout(rapide) + " examens, arbre simple " + cout(arbre));
     }
 
     @Test

@@ -100,7 +100,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         faire(() -> banc.controleur.regler(presents.avec(Option.REFLETS, 1000).avec(Option.SEUIL, 1.0 / 256).avecSection(antialias,
                 section)));
         attendre("l'image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.00390625, [Antialias] n=8 "));
-        attendre("à sa taille", () -> banc.panneau.getReduction(banc.panneau.montree) == 1);
+        attendre("à sa taille", () -> banc.panneau.getReduction() == 1);
     }
 
     @Test

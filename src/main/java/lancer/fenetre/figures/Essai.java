@@ -32,6 +32,10 @@ public final class Essai {
         this.incertitude = incertitude;
     }
 
+    public boolean estFait() {
+        return durees.getNombre() > 0;
+    }
+
     /** Le nombre de dessins qui suffiront, d'après ceux qui sont faits. */
     public int getVoulus() {
         double suffisants = durees.getNombre() == 0 ? MOINS : ASSEZ_NS * durees.getNombre() / durees.getSomme();

@@ -2,16 +2,18 @@ package lancer.fenetre.figures;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.util.function.BiFunction;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Point;
 import lancer.Vecteur;
 import lancer.inspection.Inspection;
@@ -21,8 +23,9 @@ import lancer.inspection.Segment.Eclairage;
 /** La chaîne d'un pixel, peinte selon une projection : les rayons, les contacts numérotés, ce qui les éclaire. */
 public final class Figure {
 
+    /** La couleur d'une lampe, et de ses rayons. */
+    public static final Color LAMPE = new Color(0xFFE040);
     private static final Color REFLET = new Color(0x66E0FF);
-    private static final Color LAMPE = new Color(0xFFE040);
     private static final Color OMBRE = new Color(0xFF8A3C);
     private static final Color LISERE = new Color(0, 0, 0, 120);
 
@@ -43,21 +46,30 @@ public final class Figure {
         this.pixel = pixel;
     }
 
-    /** Peint la chaîne sur l'image. @param place position de l'image @param vue taille de la partie visible */
-    public void peindre(Graphics2D g, Rectangle place, Dimension vue) {
+    /** Le point de l'image où l'œil voit p : x et y, en pixels ; z est le nombre de pixels d'une unité en p. */
+    public static Point projeter(Camera camera, Point p) {
+        Vecteur vu = camera.depuisLOeil(p);
+        Vecteur coin = camera.depuisLOeil(camera.getEcran(0, 0));
+        double pixels = coin.z / vu.z * camera.getLargeur() / Constantes.ECHELLE;
+        double unite = camera.getLargeur() / Constantes.ECHELLE;
+        return new Point(vu.x * pixels - coin.x * unite, coin.y * unite - vu.y * pixels, pixels);
+    }
+
+    /** Peint la chaîne sur l'image. @param vue la place des points de l'image */
+    public void peindre(Graphics2D g, AffineTransform vue) {
         Camera camera = pixel.camera;
-        double echelle = (double) place.width / camera.getLargeur();
-        peindre(g, place.intersection(new Rectangle(vue)), Color.WHITE, (a, b) -> {
+        Rectangle image = new Rectangle(camera.getLargeur(), camera.getHauteur());
+        peindre(g, vue.createTransformedShape(image), Color.WHITE, (a, b) -> {
             double deA = camera.depuisLOeil(a).z;
             double deB = camera.depuisLOeil(b).z;
             if (deA < PRES) {
                 // le premier rayon vient de l'œil : il n'est qu'un point de l'image
                 return null;
             }
-            Point de = camera.projeter(a);
-            Point vers = camera.projeter(deB < PRES ? a.add((PRES - deA) / (deB - deA), new Vecteur(a, b)) : b);
-            return new Line2D.Double(place.x + echelle * de.x, place.y + echelle * de.y,
-                    place.x + echelle * vers.x, place.y + echelle * vers.y);
+            Point de = projeter(camera, a);
+            Point vers = projeter(camera, deB < PRES ? a.add((PRES - deA) / (deB - deA), new Vecteur(a, b)) : b);
+            return new Line2D.Double(vue.transform(new Point2D.Double(de.x, de.y), null),
+                    vue.transform(new Point2D.Double(vers.x, vers.y), null));
         });
     }
 
@@ -68,7 +80,7 @@ public final class Figure {
      * @param encre couleur des numéros
      * @param projection donne un segment, ou {@code null} s'il ne se voit pas
      */
-    void peindre(Graphics2D g, Rectangle cadre, Color encre, BiFunction<Point, Point, Line2D> projection) {
+    void peindre(Graphics2D g, Shape cadre, Color encre, BiFunction<Point, Point, Line2D> projection) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Shape avant = g.getClip();
         g.clip(cadre);
@@ -77,47 +89,43 @@ public final class Figure {
             Point bout = segment.contact != null ? segment.contact : depart.add(LOIN, segment.rayon.getV());
             tracer(g, projection.apply(depart, bout), REFLET);
             for (Eclairage lampe : segment.eclairages) {
-                boolean eclaire = lampe.eclaire();
-                Point vers = eclaire ? lampe.lampe.getPosition() : lampe.obstacle;
-                tracer(g, vers == null ? null : projection.apply(bout, vers), eclaire ? LAMPE : OMBRE);
+                if (lampe.eclaire()) {
+                    tracer(g, projection.apply(bout, lampe.lampe.getPosition()), LAMPE);
+                } else if (lampe.obstacle != null) {
+                    tracer(g, projection.apply(bout, lampe.obstacle), OMBRE);
+                }
             }
             depart = bout;
         }
         for (Segment segment : pixel.getSegments()) {
-            if (segment.contact != null) {
-                numeroter(g, projection.apply(segment.contact, segment.contact), "" + segment.numero, encre);
+            Line2D contact = segment.contact == null ? null : projection.apply(segment.contact, segment.contact);
+            if (contact != null) {
+                numeroter(g, contact.getX1(), contact.getY1(), "" + segment.numero, encre);
             }
         }
         g.setClip(avant);
     }
 
-    private static void tracer(Graphics2D g, Line2D segment, Color couleur) {
-        if (segment != null) {
-            peindreLisere(g, segment, couleur);
-        }
+    private static void numeroter(Graphics2D g, double x, double y, String numero, Color encre) {
+        double rayon = TAILLE * g.getFont().getSize2D();
+        tracer(g, new Ellipse2D.Double(x - rayon, y - rayon, 2 * rayon, 2 * rayon), encre);
+        float droite = (float) (x + rayon + 2);
+        float haut = (float) (y - rayon - 2);
+        g.setColor(Color.BLACK);
+        g.drawString(numero, droite + 1, haut + 1);
+        g.setColor(encre);
+        g.drawString(numero, droite, haut);
     }
 
-    private static void numeroter(Graphics2D g, Line2D contact, String numero, Color encre) {
-        if (contact != null) {
-            double rayon = TAILLE * g.getFont().getSize2D();
-            peindreLisere(g, new Ellipse2D.Double(contact.getX1() - rayon, contact.getY1() - rayon, 2 * rayon,
-                    2 * rayon), encre);
-            float x = (float) (contact.getX1() + rayon + 2);
-            float y = (float) (contact.getY1() - rayon - 2);
-            g.setColor(Color.BLACK);
-            g.drawString(numero, x + 1, y + 1);
-            g.setColor(encre);
-            g.drawString(numero, x, y);
+    /** Peint ce trait, bordé, sur un fond de n'importe quelle couleur ; {@code null} pour rien. */
+    public static void tracer(Graphics2D g, Shape trait, Color couleur) {
+        if (trait != null) {
+            g.setStroke(LARGE);
+            g.setColor(LISERE);
+            g.draw(trait);
+            g.setStroke(PLEIN);
+            g.setColor(couleur);
+            g.draw(trait);
         }
-    }
-
-    /** Peint ce trait sur un fond de n'importe quelle couleur. */
-    public static void peindreLisere(Graphics2D g, Shape trait, Color couleur) {
-        g.setStroke(LARGE);
-        g.setColor(LISERE);
-        g.draw(trait);
-        g.setStroke(PLEIN);
-        g.setColor(couleur);
-        g.draw(trait);
     }
 }

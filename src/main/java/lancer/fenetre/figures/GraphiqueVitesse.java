@@ -8,9 +8,8 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -20,6 +19,7 @@ import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import lancer.commande.Reglages;
+import lancer.texte.Nombre;
 
 /** Les réglages dessinés : temps en abscisse, erreur mesurée en ordonnée, en échelles logarithmiques. */
 @SuppressWarnings("serial")
@@ -51,10 +51,10 @@ public final class GraphiqueVitesse extends JPanel {
     }
 
     /** @param celui le réglage de l'image montrée @param entoure celui qui est entouré, ou {@code null} */
-    public void montrer(List<Essai> tous, Reglages celui, Reglages entoure) {
+    public void montrer(Collection<Essai> tous, Reglages celui, Reglages entoure) {
         present = celui;
         vise = entoure;
-        essais = tous.stream().filter(essai -> essai.durees.getNombre() > 0)
+        essais = tous.stream().filter(Essai::estFait)
                 .sorted(Comparator.comparingDouble(essai -> essai.durees.getMediane())).collect(Collectors.toList());
         xMin = essais.stream().mapToDouble(p -> p.durees.getMin()).min().orElse(1) / AU_DELA;
         xMax = essais.stream().mapToDouble(p -> p.durees.getMax()).max().orElse(1) * AU_DELA;
@@ -67,8 +67,8 @@ public final class GraphiqueVitesse extends JPanel {
 
     /** Le réglage sous ce point, ou {@code null}. */
     public Essai sous(Point ou) {
-        return essais.stream().filter(p -> ou.distance(x(p), y(p.erreur)) < 2 * RAYON)
-                .min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p.erreur)))).orElse(null);
+        return essais.stream().min(Comparator.comparingDouble(p -> ou.distance(x(p), y(p))))
+                .filter(p -> ou.distance(x(p), y(p)) < 2 * RAYON).orElse(null);
     }
 
     /** Le réglage dessiné qui suit celui-ci, ou le précède ; le premier si celui-ci n'est pas dessiné. */
@@ -96,6 +96,10 @@ public final class GraphiqueVitesse extends JPanel {
         return x(p.durees.getMediane());
     }
 
+    private double y(Essai p) {
+        return y(p.erreur);
+    }
+
     private double x(double ns) {
         return MARGE + (getWidth() - MARGE - BORD) * Math.log(ns / xMin) / Math.log(xMax / xMin);
     }
@@ -116,8 +120,8 @@ public final class GraphiqueVitesse extends JPanel {
             peindreAxes(g, getWidth() - BORD, getHeight() - MARGE);
             essais.forEach(p -> peindre(g, p));
             // un nom ne cache ni un point, ni un autre nom
-            List<Rectangle2D> pris = essais.stream().map(p -> new Rectangle2D.Double(x(p) - RAYON, y(p.erreur) - RAYON,
-                    2 * RAYON, 2 * RAYON)).collect(Collectors.toCollection(ArrayList::new));
+            List<Rectangle2D> pris = essais.stream().map(p -> rond(p, RAYON).getBounds2D())
+                    .collect(Collectors.toCollection(ArrayList::new));
             essais.forEach(p -> nommer(g, p, pris));
         }
     }
@@ -144,17 +148,19 @@ public final class GraphiqueVitesse extends JPanel {
         ecrire(g, "erreur, en niveaux", 6, 14, 0);
     }
 
+    private Ellipse2D rond(Essai p, int rayon) {
+        return new Ellipse2D.Double(x(p) - rayon, y(p) - rayon, 2 * rayon, 2 * rayon);
+    }
+
     /** Peint ce réglage et ses deux intervalles. */
     private void peindre(Graphics2D g, Essai p) {
-        double x = x(p);
-        double y = y(p.erreur);
         g.setColor(POINT);
-        g.draw(new Line2D.Double(x, y(p.erreur - p.incertitude), x, y(p.erreur + p.incertitude)));
-        g.draw(new Line2D.Double(x(p.durees.getMin()), y, x(p.durees.getMax()), y));
-        g.fill(new Ellipse2D.Double(x - RAYON, y - RAYON, 2 * RAYON, 2 * RAYON));
+        g.draw(new Line2D.Double(x(p), y(p.erreur - p.incertitude), x(p), y(p.erreur + p.incertitude)));
+        g.draw(new Line2D.Double(x(p.durees.getMin()), y(p), x(p.durees.getMax()), y(p)));
+        g.fill(rond(p, RAYON));
         if (p.reglages.equals(vise)) {
             g.setColor(UIManager.getColor("Component.focusColor"));
-            g.draw(new Ellipse2D.Double(x - 2 * RAYON, y - 2 * RAYON, 4 * RAYON, 4 * RAYON));
+            g.draw(rond(p, 2 * RAYON));
         }
     }
 
@@ -163,17 +169,18 @@ public final class GraphiqueVitesse extends JPanel {
         String nom = p.reglages.equals(present) ? "ici : " + p.getNom() : p.getNom();
         double large = g.getFontMetrics().stringWidth(nom);
         double haut = g.getFontMetrics().getHeight();
-        Rectangle2D cadre = new Rectangle2D.Double(0, HAUT - haut / 2, getWidth(), getHeight() - MARGE - HAUT + haut);
+        Rectangle2D cadre = new Rectangle2D.Double(MARGE, HAUT - haut / 2, getWidth() - MARGE,
+                getHeight() - MARGE - HAUT + haut);
         for (int k = 0; k < 2 * getHeight() / haut; k++) {
             // au-dessus, au-dessous, puis de plus en plus loin
-            double milieu = y(p.erreur) + (k / 2 % 2 == 0 ? -1 : 1) * (0.6 + k / 4) * haut;
+            double milieu = y(p) + (k / 2 % 2 == 0 ? -1 : 1) * (0.6 + k / 4) * haut;
             double gauche = k % 2 == 0 ? x(p) + 2 * RAYON : x(p) - 2 * RAYON - large;
             Rectangle2D place = new Rectangle2D.Double(gauche, milieu - haut / 2, large, haut);
             if (cadre.contains(place) && pris.stream().noneMatch(place::intersects)) {
                 pris.add(place);
                 if (k >= 4) {
                     g.setColor(POINT);
-                    g.draw(new Line2D.Double(x(p), y(p.erreur), k % 2 == 0 ? gauche : gauche + large, milieu));
+                    g.draw(new Line2D.Double(x(p), y(p), k % 2 == 0 ? gauche : gauche + large, milieu));
                 }
                 ecrire(g, nom, gauche, milieu + haut / 2 - g.getFontMetrics().getDescent(), 0);
                 return;
@@ -183,7 +190,7 @@ public final class GraphiqueVitesse extends JPanel {
 
     private static String nombre(double t) {
         // le produit d'un entier et d'un pas n'est pas toujours rond
-        return new BigDecimal(t).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('.', ',');
+        return Nombre.ecrire(Math.rint(t * 1e9) / 1e9).replace('.', ',');
     }
 
     /** @param cale 0 pour écrire à partir de x, 1 pour finir en x */

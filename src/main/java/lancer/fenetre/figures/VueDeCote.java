@@ -5,9 +5,11 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
@@ -30,9 +32,8 @@ public final class VueDeCote extends JPanel {
     private static final Color SPHERE = new Color(0x909090);
 
     private Inspection pixel;
-    private double echelle;
-    private double y0;
-    private double z0;
+    /** Ce qui place dans la figure un point, vu de l'œil, d'abscisse z et d'ordonnée y. */
+    private AffineTransform vue;
 
     public VueDeCote() {
         setName("cote");
@@ -69,22 +70,20 @@ public final class VueDeCote extends JPanel {
         // la marge laisse voir le bord des objets touchés
         double ecran = pixel.camera.depuisLOeil(pixel.camera.getEcran(0, 0)).z;
         double marge = 1 + (z.getMax() - ecran) / 10;
-        z0 = z.getMin();
-        y0 = (y.getMin() + y.getMax()) / 2;
-        echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z0),
+        double echelle = Math.min((getWidth() - 2 * MARGE) / (z.getMax() + marge - z.getMin()),
                 (getHeight() - 2 * MARGE) / (y.getMax() - y.getMin() + 2 * marge));
+        vue = AffineTransform.getTranslateInstance(MARGE, getHeight() / 2.0);
+        vue.scale(echelle, -echelle);
+        vue.translate(-z.getMin(), -(y.getMin() + y.getMax()) / 2);
+    }
+
+    Point2D place(Point p) {
+        Vecteur vu = pixel.camera.depuisLOeil(p);
+        return vue.transform(new Point2D.Double(vu.z, vu.y), null);
     }
 
     private Line2D ligne(Point a, Point b) {
-        return new Line2D.Double(h(a), v(a), h(b), v(b));
-    }
-
-    double h(Point p) {
-        return MARGE + (pixel.camera.depuisLOeil(p).z - z0) * echelle;
-    }
-
-    double v(Point p) {
-        return getHeight() / 2.0 - (pixel.camera.depuisLOeil(p).y - y0) * echelle;
+        return new Line2D.Double(place(a), place(b));
     }
 
     private void peindre(Graphics2D g) {
@@ -96,19 +95,19 @@ public final class VueDeCote extends JPanel {
         g.setColor(encre);
         g.draw(ligne(pixel.camera.getEcran(0, pixel.camera.getHauteur()), pixel.camera.getEcran(0, 0)));
         new Figure(pixel).peindre(g, new Rectangle(getSize()), encre, this::ligne);
-        Point oeil = pixel.camera.getOeil();
+        Point2D oeil = place(pixel.camera.getOeil());
         g.setColor(encre);
-        g.fill(new Ellipse2D.Double(h(oeil) - 3, v(oeil) - 3, 6, 6));
-        g.drawString("œil", (float) h(oeil), (float) v(oeil) - 6);
+        g.fill(new Ellipse2D.Double(oeil.getX() - 3, oeil.getY() - 3, 6, 6));
+        g.drawString("œil", (float) oeil.getX(), (float) oeil.getY() - 6);
     }
 
     /** Peint le bord visible d'une sphère : d'un grand cercle, Java ne peint juste qu'un petit arc. */
     private void entourer(Graphics2D g, PointContact contact) {
         if (contact != null && contact.objet instanceof Sphere) {
             Sphere s = (Sphere) contact.objet;
-            double x = h(s.getCentre());
-            double y = v(s.getCentre());
-            double r = s.getRayon() * echelle;
+            double x = place(s.getCentre()).getX();
+            double y = place(s.getCentre()).getY();
+            double r = s.getRayon() * vue.getScaleX();
             double milieu = Math.toDegrees(Math.atan2(y - getHeight() / 2.0, getWidth() / 2.0 - x));
             double demi = Math.min(180, Math.toDegrees(2 * Math.hypot(getWidth(), getHeight()) / r));
             g.setColor(SPHERE);

@@ -4,10 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Collections;
 import javax.swing.UIManager;
@@ -58,7 +57,7 @@ class FiguresTest {
         BufferedImage image = new BufferedImage(L, H, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CARACTERE));
-        new Figure(pixel(camera, i, j)).peindre(g, new Rectangle(0, 0, L, H), new Dimension(L, H));
+        new Figure(pixel(camera, i, j)).peindre(g, new AffineTransform());
         int blancs = 0;
         for (int k = 0; k < 16; k++) {
             int plusClair = 0;
@@ -71,7 +70,7 @@ class FiguresTest {
         }
         assertTrue(blancs >= 12, blancs + " points blancs autour de " + i + ", " + j);
         // jaune jusqu'à la lampe
-        Point lampe = camera.projeter(new Point(0.5, 0.5, 1));
+        Point lampe = Figure.projeter(camera, new Point(0.5, 0.5, 1));
         for (double part = 0.6; part < 0.95; part += 0.05) {
             assertTrue(voisins(image, i + 0.5 + part * (lampe.x - i - 0.5), j + 0.5 + part * (lampe.y - j - 0.5), false),
                     "pas de trait à la part " + part);
@@ -89,15 +88,16 @@ class FiguresTest {
         BufferedImage image = new BufferedImage(500, 240, BufferedImage.TYPE_INT_RGB);
         vue.paint(image.createGraphics());
         Point oeil = camera.getOeil();
-        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(), image.getRGB((int) vue.h(oeil) - 2, (int) vue.v(oeil)), "l'œil");
+        assertEquals(UIManager.getColor("Tree.textForeground").getRGB(),
+                image.getRGB((int) vue.place(oeil).getX() - 2, (int) vue.place(oeil).getY()), "l'œil");
         for (double haut : new double[] {0.1, 0.5, 0.9}) {
             Point bord = camera.getEcran(0, haut * H);
-            assertTrue(new Color(image.getRGB((int) vue.h(bord), (int) vue.v(bord))).getRed() < BLANC, "l'écran");
+            assertTrue(new Color(image.getRGB((int) vue.place(bord).getX(), (int) vue.place(bord).getY())).getRed() < BLANC, "l'écran");
         }
         Point ecran = camera.getEcran(165.5, 100.5);
         Point contact = pixel.getSegments().get(0).contact;
         for (Point passe : new Point[] {milieu(oeil, ecran), ecran, milieu(ecran, contact)}) {
-            assertTrue(voisins(image, vue.h(passe), vue.v(passe), true), "le rayon en " + passe);
+            assertTrue(voisins(image, vue.place(passe).getX(), vue.place(passe).getY(), true), "le rayon en " + passe);
         }
     }
 
@@ -132,9 +132,10 @@ class FiguresTest {
         vue.paint(peinte.createGraphics());
         int jugees = 0;
         for (int x = 0; x < 500; x++) {
-            double dz = (x + 0.5 - vue.h(new Point(0, 0, z))) / (vue.h(new Point(0, 0, 1)) - vue.h(new Point()));
+            double dz = (x + 0.5 - vue.place(new Point(0, 0, z)).getX())
+                    / (vue.place(new Point(0, 0, 1)).getX() - vue.place(new Point()).getX());
             if (Math.abs(dz) < 0.9 * rayon) {
-                double hauteur = vue.v(new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z));
+                double hauteur = vue.place(new Point(0, sommet - dz * dz / (rayon + Math.sqrt(rayon * rayon - dz * dz)), z)).getY();
                 if (hauteur > 1 && hauteur < 178) {
                     jugees++;
                     assertTrue(estGris(peinte, x, (int) (hauteur - 0.5)) || estGris(peinte, x, (int) (hauteur + 0.5)),
