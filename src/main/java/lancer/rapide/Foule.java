@@ -1,5 +1,6 @@
 package lancer.rapide;
 
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lancer.Objet3D;
 import lancer.Rayon;
@@ -12,9 +13,10 @@ final class Foule implements Recherche {
     private final Supplier<Structures> preparation;
     private final Structures structures;
     private final Compteurs compteurs;
+    private final Consumer<Question> suivi;
 
     /** La question que pose la boucle : la dernière posée, ou la dernière qui a proposé un objet. */
-    Question enCours;
+    private Question enCours;
 
     /** Rang du dernier contact ; en général, un rayon d'ombre ou réfléchi vient ensuite de lui. */
     private int contact = -1;
@@ -23,7 +25,8 @@ final class Foule implements Recherche {
         this.preparation = preparation;
         this.compteurs = compteurs;
         structures = preparation.get();
-        enCours = new Question(this, structures, compteurs);
+        suivi = question -> enCours = question;
+        enCours = new Question(suivi, structures, compteurs);
     }
 
     @Override
@@ -31,7 +34,7 @@ final class Foule implements Recherche {
         Recherche.obeir();
         compteurs.compter(rayon, depart, portee);
         // une boucle interrompue pourrait continuer : sa question n'est pas reprise
-        enCours = enCours.estFinie() ? enCours : new Question(this, structures, compteurs);
+        enCours = enCours.estFinie() ? enCours : new Question(suivi, structures, compteurs);
         boolean connu = contact >= 0 && structures.enveloppes.objets[contact] == depart;
         return enCours.poser(rayon, depart, connu ? contact : -1, portee);
     }

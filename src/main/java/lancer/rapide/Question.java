@@ -2,6 +2,7 @@ package lancer.rapide;
 
 import java.util.Iterator;
 import java.util.NoSuchElementException;
+import java.util.function.Consumer;
 import lancer.Constantes;
 import lancer.Objet3D;
 import lancer.Point;
@@ -40,7 +41,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private static final int ARBRE = 2;
     private static final int FIN = 3;
 
-    private final Foule foule;
+    private final Consumer<Question> suivi;
     private final Structures structures;
     private final Compteurs compteurs;
     private final double[] g;
@@ -97,8 +98,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double[] entrees;
     private int haut;
 
-    Question(Foule foule, Structures structures, Compteurs compteurs) {
-        this.foule = foule;
+    /** @param suivi reçoit cette question chaque fois qu'elle propose */
+    Question(Consumer<Question> suivi, Structures structures, Compteurs compteurs) {
+        this.suivi = suivi;
         this.structures = structures;
         this.compteurs = compteurs;
         g = structures.enveloppes.geometrie;
@@ -163,7 +165,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             propose = chercher();
             pret = true;
             // une autre question a pu être posée depuis la précédente
-            foule.enCours = this;
+            suivi.accept(this);
         }
         return propose >= 0;
     }
