@@ -28,7 +28,10 @@ final class Catalogue {
     static final String PROGRAMME = "programme";
 
     /** Réglages de « partage » : n, puis le seuil. */
-    private static final double[][] PARTAGES = {{2, 0.4}, {4, 0.2}, {8, 0.08}, {16, 0.065}, {16, 0.05}, {16, 0.03}, {16, 0.0125}};
+    private static final double[][] PARTAGES = {{2, 0.15}, {3, 0.12}, {4, 0.07}, {6, 0.06}, {12, 0.045}, {16, 0.03}, {16, 0.02}, {16, 0.01}};
+
+    /** Celui qui tient un niveau sur toutes les scènes. */
+    static final Reglage UN_NIVEAU = Reglage.partage(12, 0.045);
 
     /** Plus grand n des grilles de n × n rayons par pixel. */
     private static final int GRILLE_MAX = 5;
@@ -58,7 +61,7 @@ final class Catalogue {
         for (String scene : livrees()) {
             Groupe reflets = new Groupe(REFLETS, scene, scene);
             for (int p : PROFONDEURS) {
-                reflets.avec(Reglage.partage(16, 0.065).par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
+                reflets.avec(UN_NIVEAU.par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
                         p, taille);
             }
             groupes.add(reflets);

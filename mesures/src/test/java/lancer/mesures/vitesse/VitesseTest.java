@@ -139,14 +139,14 @@ class VitesseTest {
     @Test
     void chaqueSouhaitAUneReponseParSorteDeScene() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        noter("scene1", Reglage.partage(16, 0.05), 2.5, 0.2);
-        noter("scene1", Reglage.partage(8, 0.08), 1.9, 0.6);
-        noter("scene1", Reglage.partage(4, 0.2), 1.5, 0.9);
+        noter("scene1", Reglage.partage(16, 0.02), 2.5, 0.2);
+        noter("scene1", Catalogue.UN_NIVEAU, 1.9, 0.6);
+        noter("scene1", Reglage.partage(4, 0.07), 1.5, 0.9);
         noter("scene1", Reglage.grille(2), 1.2, 0.5);
         noter("poussiere", Reglage.UN_RAYON, 1, 12);
-        noter("poussiere", Reglage.partage(16, 0.05), 2.5, 0.27);
-        noter("poussiere", Reglage.partage(8, 0.08), 2, 0.94);
-        noter("poussiere", Reglage.partage(4, 0.2), 1.5, 1.2);
+        noter("poussiere", Reglage.partage(16, 0.02), 2.5, 0.27);
+        noter("poussiere", Catalogue.UN_NIVEAU, 2, 0.94);
+        noter("poussiere", Reglage.partage(4, 0.07), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
         assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % "
                 + "des "
@@ -154,9 +154,9 @@ class VitesseTest {
                         table);
         // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
         assertTrue(table.contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
-        assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=8 seuil=0.08</b><br>au pire 0,94 niveau"), table);
-        assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.05</b>"), table);
-        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.05\n\n"), table);
+        assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=12 seuil=0.045</b><br>au pire 0,94 niveau"), table);
+        assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.02</b>"), table);
+        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.02\n\n"), table);
         assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"),
                 table);
         assertEquals(1, table.split("n=16\n", -1).length - 1, "ce qui est à écrire l'est une fois");
@@ -166,7 +166,7 @@ class VitesseTest {
     @Test
     void deuxSouhaitsQuiOntLaMemeReponseSontUneLigne() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        noter("scene1", Reglage.partage(16, 0.05), 1.5, 0.1);
+        noter("scene1", Reglage.partage(16, 0.02), 1.5, 0.1);
         assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; "
                 + "moins "
                 + "que l'arrondi de l'écran</td><td><b>partage"));
