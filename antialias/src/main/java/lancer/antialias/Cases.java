@@ -25,8 +25,10 @@ final class Cases {
     /** Les bords des cases de tout le pavé, en sous-pixels. */
     private int[] bordsX;
     private int[] bordsY;
-    /** La somme des sous-pixels déjà peints du pixel en cours. */
-    private Couleur somme;
+    /** La somme des sous-pixels déjà peints du pixel en cours, par composante : une case fait plusieurs termes. */
+    private double r;
+    private double v;
+    private double b;
 
     Cases(int n, double seuil, Pave pave, Vue vue) {
         this.n = n;
@@ -58,9 +60,11 @@ final class Cases {
         int raffines = 0;
         for (int j = voulus.j0 - pave.j0; j < voulus.j1 - pave.j0; j++) {
             for (int i = voulus.i0 - pave.i0; i < voulus.i1 - pave.i0; i++) {
-                somme = new Couleur();
+                r = 0;
+                v = 0;
+                b = 0;
                 raffines += peindre(departsX[i], departsY[j], departsX[i + 1], departsY[j + 1], divisions) ? 1 : 0;
-                toile.drawPixel(somme.div(n * n), pave.i0 + i, pave.j0 + j);
+                toile.drawPixel(new Couleur(r, v, b).div(n * n), pave.i0 + i, pave.j0 + j);
             }
             sousPixels.oublier(j);
         }
@@ -173,7 +177,10 @@ final class Cases {
     /** Ajoute un coin, sauf si son poids est nul : sa couleur n'est alors pas calculée. */
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
-            somme = somme.add(voir(x, y).mul(poids));
+            Couleur vue = voir(x, y);
+            r += poids * vue.r;
+            v += poids * vue.v;
+            b += poids * vue.b;
         }
     }
 }

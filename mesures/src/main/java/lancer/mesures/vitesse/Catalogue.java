@@ -2,6 +2,7 @@ package lancer.mesures.vitesse;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
@@ -30,6 +31,10 @@ final class Catalogue {
     /** Réglages de « partage » : n, puis le seuil. */
     private static final double[][] PARTAGES = {{2, 0.15}, {3, 0.12}, {4, 0.07}, {6, 0.06}, {12, 0.045}, {16, 0.03}, {16, 0.02}, {16, 0.01}};
 
+    /** Les réglages chronométrés sur une scène difficile. */
+    private static final List<String> PETITS = Arrays.asList("un rayon", "grille 2 × 2", "grille 3 × 3", "coins n=3 seuil=0.05",
+            "partage n=2 seuil=0.15", "partage n=4 seuil=0.07", "partage n=12 seuil=0.045", "partage n=16 seuil=0.03");
+
     /** Celui qui tient un niveau sur toutes les scènes. */
     static final Reglage UN_NIVEAU = Reglage.partage(12, 0.045);
 
@@ -40,7 +45,7 @@ final class Catalogue {
 
     /** Nombre de sphères jusqu'auquel les boucles du cours, puis POV-Ray, sont mesurés : au-delà, il y faudrait des minutes. */
     private static final int BOUCLES_MAX = 1000;
-    private static final int POVRAY_MAX = 100_000;
+    private static final int POVRAY_MAX = 10_000;
     private static final int SPHERES_MAX = 1_000_000;
 
     final Taille taille;
@@ -54,18 +59,13 @@ final class Catalogue {
         List<Groupe> groupes = new ArrayList<>();
         for (String scene : livrees()) {
             groupes.add(choix(scene));
-        }
-        for (String scene : Scenes.DIFFICILES) {
-            groupes.add(choix(scene));
-        }
-        for (String scene : livrees()) {
             Groupe reflets = new Groupe(REFLETS, scene, scene);
             for (int p : PROFONDEURS) {
-                reflets.avec(UN_NIVEAU.par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"),
-                        p, taille);
+                reflets.avec(UN_NIVEAU.par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"), p, taille);
             }
             groupes.add(reflets);
         }
+        Scenes.DIFFICILES.forEach(scene -> groupes.add(choix(scene)));
         return groupes;
     }
 
@@ -73,7 +73,11 @@ final class Catalogue {
     List<Groupe> temps() throws IOException {
         List<Groupe> groupes = new ArrayList<>(Collections.singletonList(fils()));
         groupes.add(choix(COURS));
-        Scenes.DIFFICILES.forEach(scene -> groupes.add(choix(scene)));
+        for (String scene : Scenes.DIFFICILES) {
+            Groupe difficile = choix(scene);
+            difficile.essais.removeIf(e -> !PETITS.contains(e.reglage.nom()));
+            groupes.add(difficile);
+        }
         groupes.add(couts());
         for (int n = 1; n <= SPHERES_MAX; n *= 10) {
             groupes.add(spheres(n));
@@ -112,11 +116,11 @@ final class Catalogue {
                 .avec(Reglage.COINS_PAR_DEFAUT, 0, taille).avec(Reglage.BOUCLES, 0, taille);
     }
 
-    /** De quoi occuper chaque fil longtemps : une grille de 4 × 4 rayons par pixel. */
+    /** De quoi occuper chaque fil longtemps : une grille de 3 × 3 rayons par pixel. */
     private Groupe fils() {
         Groupe groupe = new Groupe(FILS, COURS, COURS);
         for (int n = 1; n <= 2 * taille.fils; n++) {
-            groupe.avec(Reglage.grille(4).par("fils", String.valueOf(n), "--fils", String.valueOf(n)), n, taille);
+            groupe.avec(Reglage.grille(3).par("fils", String.valueOf(n), "--fils", String.valueOf(n)), n, taille);
         }
         return groupe;
     }
