@@ -17,11 +17,13 @@ public final class Auto {
 
     /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
+    /** Ce par quoi un échelon divise à peu près l'erreur du précédent. */
+    private static final double GAIN = 1.4;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
 
     /** Nombre de pavés d'un essai. */
-    private static final int PAVES = 12;
+    private static final int PAVES = 8;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
@@ -81,13 +83,16 @@ public final class Auto {
         Echantillon controle = new Echantillon(prepare, fils, dessinee, voulue,
                 lancer.getAtelier().getCompteurs().primaires, Integer.MAX_VALUE, hasard);
         mesure = controle.mesurer(dessinee);
+        rayons += controle.rayons;
         if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
-            rang++;
+            // essayer des échelons sur ces pixels, de toute l'image, coûterait autant que de les dessiner
+            for (double reste = PRUDENCE * mesure.erreur; reste > voulue && rang < echelle.size() - 1; reste /= GAIN) {
+                rang++;
+            }
             rayons += lancer.getAtelier().getCompteurs().rayons();
-            choisir(controle);
+            lancer = prepare.avec(getChoisi().getModele());
             return false;
         }
-        rayons += controle.rayons;
         return true;
     }
 

@@ -48,20 +48,17 @@ final class Catalogue {
     private static final int POVRAY_MAX = 10_000;
     private static final int SPHERES_MAX = 1_000_000;
 
-    final Taille taille;
-
-    Catalogue(Taille taille) {
-        this.taille = taille;
+    private Catalogue() {
     }
 
     /** Ce dont l'erreur et les rayons sont mesurés. */
-    List<Groupe> comptes() throws IOException {
+    static List<Groupe> comptes() throws IOException {
         List<Groupe> groupes = new ArrayList<>();
         for (String scene : livrees()) {
             groupes.add(choix(scene));
             Groupe reflets = new Groupe(REFLETS, scene, scene);
             for (int p : PROFONDEURS) {
-                reflets.avec(UN_NIVEAU.par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"), p, taille);
+                reflets.avec(UN_NIVEAU.par("reflets", String.valueOf(p), "--reflets", String.valueOf(p), "--seuil", "0"), p);
             }
             groupes.add(reflets);
         }
@@ -70,7 +67,7 @@ final class Catalogue {
     }
 
     /** Ce qui est chronométré. */
-    List<Groupe> temps() throws IOException {
+    static List<Groupe> temps() throws IOException {
         List<Groupe> groupes = new ArrayList<>(Collections.singletonList(fils()));
         groupes.add(choix(COURS));
         for (String scene : Scenes.DIFFICILES) {
@@ -86,7 +83,7 @@ final class Catalogue {
     }
 
     /** Dit d'une mesure si elle est encore demandée. */
-    Predicate<Mesure> demandees() throws IOException {
+    static Predicate<Mesure> demandees() throws IOException {
         List<Groupe> tous = new ArrayList<>(comptes());
         tous.addAll(temps());
         return m -> tous.stream().anyMatch(g -> g.volet.equals(m.volet) && g.scene.equals(m.scene)
@@ -97,49 +94,49 @@ final class Catalogue {
         return Scenes.livrees().stream().map(f -> f.getFileName().toString().replace(".ini", "")).collect(Collectors.toList());
     }
 
-    private Groupe choix(String scene) {
-        Groupe choix = new Groupe(CHOIX, scene, scene).avec(Reglage.UN_RAYON, 0, taille);
+    private static Groupe choix(String scene) {
+        Groupe choix = new Groupe(CHOIX, scene, scene).avec(Reglage.UN_RAYON, 0);
         for (int n = 2; n <= GRILLE_MAX; n++) {
-            choix.avec(Reglage.grille(n), 0, taille);
+            choix.avec(Reglage.grille(n), 0);
         }
-        choix.avec(Reglage.coins(3, 0.05), 0, taille).avec(Reglage.coins(4, 0.05), 0, taille);
+        choix.avec(Reglage.coins(3, 0.05), 0).avec(Reglage.coins(4, 0.05), 0);
         for (double[] p : PARTAGES) {
-            choix.avec(Reglage.partage((int) p[0], p[1]), 0, taille);
+            choix.avec(Reglage.partage((int) p[0], p[1]), 0);
         }
         return choix;
     }
 
-    private Groupe couts() {
-        return new Groupe(COUTS, COURS, COURS).avec(Reglage.UN_RAYON, 0, taille).avec(Reglage.MAKE, 0, taille)
-                .avec(Reglage.UN_RAYON.par("reflets", "0", "--reflets", "0"), 0, taille)
-                .avec(new Reglage("brume", "", "brume", ""), 0, taille).avec(new Reglage("Blinn", "", "blinn", ""), 0, taille)
-                .avec(Reglage.COINS_PAR_DEFAUT, 0, taille).avec(Reglage.BOUCLES, 0, taille);
+    private static Groupe couts() {
+        return new Groupe(COUTS, COURS, COURS).avec(Reglage.UN_RAYON, 0).avec(Reglage.MAKE, 0)
+                .avec(Reglage.UN_RAYON.par("reflets", "0", "--reflets", "0"), 0)
+                .avec(new Reglage("brume", "", "brume", ""), 0).avec(new Reglage("Blinn", "", "blinn", ""), 0)
+                .avec(Reglage.COINS_PAR_DEFAUT, 0).avec(Reglage.BOUCLES, 0);
     }
 
     /** De quoi occuper chaque fil longtemps : une grille de 3 × 3 rayons par pixel. */
-    private Groupe fils() {
+    private static Groupe fils() {
         Groupe groupe = new Groupe(FILS, COURS, COURS);
-        for (int n = 1; n <= 2 * taille.fils; n++) {
-            groupe.avec(Reglage.grille(3).par("fils", String.valueOf(n), "--fils", String.valueOf(n)), n, taille);
+        for (int n = 1; n <= 2 * Taille.PUBLIEE.fils; n++) {
+            groupe.avec(Reglage.grille(3).par("fils", String.valueOf(n), "--fils", String.valueOf(n)), n);
         }
         return groupe;
     }
 
-    private Groupe spheres(int n) {
+    private static Groupe spheres(int n) {
         Groupe groupe = new Groupe(SPHERES, Scenes.FOULE + "-" + n, Scenes.FOULE + "-1")
-                .avec(new Reglage(PROGRAMME, "", "lancer", ""), n, taille);
+                .avec(new Reglage(PROGRAMME, "", "lancer", ""), n);
         if (n <= BOUCLES_MAX) {
-            groupe.avec(Reglage.BOUCLES, n, taille);
+            groupe.avec(Reglage.BOUCLES, n);
         }
         if (n <= POVRAY_MAX) {
-            groupe.avec(new Reglage(Reglage.POVRAY, "", "", ""), n, taille);
+            groupe.avec(new Reglage(Reglage.POVRAY, "", "", ""), n);
         }
-        return groupe.avec(new Reglage(Reglage.EMBREE, "", "", ""), n, taille);
+        return groupe.avec(new Reglage(Reglage.EMBREE, "", "", ""), n);
     }
 
     /** Le réglage d'une mesure de {@link #CHOIX}. */
     static Reglage reglage(Mesure mesure) {
-        return new Catalogue(Taille.PUBLIEE).choix(mesure.scene).essais.stream().map(e -> e.reglage).filter(mesure::estDe).findFirst()
+        return choix(mesure.scene).essais.stream().map(e -> e.reglage).filter(mesure::estDe).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("le catalogue n'a plus " + mesure.nom()));
     }
 }

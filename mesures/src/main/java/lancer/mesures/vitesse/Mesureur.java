@@ -55,7 +55,7 @@ final class Mesureur {
     private final PovRay povray;
     private final int manches;
 
-    /** Taille des images de l'unité. */
+    /** Taille des images. */
     private final Taille taille;
 
     /** Arguments de {@code java} qui lancent le programme d'un réglage. */
@@ -76,7 +76,7 @@ final class Mesureur {
     /**
      * @param dossier celui des fichiers provisoires
      * @param povray {@code null} s'il n'est pas installé
-     * @param taille celle des images de l'unité
+     * @param taille celle des images
      * @param court vrai pour une seule manche, dont aucun intervalle ne se déduit
      */
     Mesureur(Path dossier, PovRay povray, PrintStream sortie, Taille taille, boolean court,
@@ -133,7 +133,7 @@ final class Mesureur {
         return image;
     }
 
-    Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
+    Lancement lancer(Reglage reglage, Path fichier, Object... sorties) throws IOException {
         Path scene = fichier;
         if (!reglage.section.isEmpty()) {
             scene = dossier.resolve("changee.ini");
@@ -143,7 +143,7 @@ final class Mesureur {
         List<Object> commande = new ArrayList<>(Collections.singletonList(Lancement.JAVA));
         commande.addAll(reglage.machine());
         commande.addAll(programme.apply(reglage));
-        commande.addAll(Arrays.asList("--taille", sienne, scene));
+        commande.addAll(Arrays.asList("--taille", taille, scene));
         commande.addAll(Arrays.asList(sorties));
         commande.addAll(reglage.options);
         return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi();
@@ -160,9 +160,9 @@ final class Mesureur {
         Path unite = Scenes.fichier(groupe.sceneUnite, dossier);
         groupe.essais.removeIf(e -> e.reglage.methode.equals(Reglage.POVRAY) && povray == null
                 || e.reglage.methode.equals(Reglage.EMBREE) && !Files.isExecutable(EMBREE));
-        List<Commande> commandes = new ArrayList<>(Collections.singletonList(() -> image(Reglage.UN_RAYON, unite, taille)));
+        List<Commande> commandes = new ArrayList<>(Collections.singletonList(() -> image(Reglage.UN_RAYON, unite)));
         for (Groupe.Essai essai : groupe.essais) {
-            commandes.add(commande(essai, fichier));
+            commandes.add(commande(essai.reglage, fichier));
         }
         double charge = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
         sortie.println(groupe.volet + ", " + groupe.scene + " : " + commandes.size() + " commandes, " + manches + " manches");
@@ -205,24 +205,23 @@ final class Mesureur {
         return pris.stream().mapToDouble(p -> p[commande][rang]).min().getAsDouble();
     }
 
-    private Commande commande(Groupe.Essai essai, Path fichier) throws IOException {
-        Taille sienne = essai.taille;
-        if (essai.reglage.methode.equals(Reglage.POVRAY)) {
-            SceneJugee jugee = new SceneJugee(povray, "povray", Scenes.lire(fichier), Constantes.MAX_REFLETS, sienne.largeur,
-                    sienne.hauteur);
+    private Commande commande(Reglage reglage, Path fichier) throws IOException {
+        if (reglage.methode.equals(Reglage.POVRAY)) {
+            SceneJugee jugee = new SceneJugee(povray, "povray", Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
+                    taille.hauteur);
             return () -> {
                 jugee.dessiner();
                 return povray.pris();
             };
         }
-        if (essai.reglage.methode.equals(Reglage.EMBREE)) {
-            return () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, sienne.largeur, sienne.hauteur, sienne.fils,
+        if (reglage.methode.equals(Reglage.EMBREE)) {
+            return () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                     dossier.resolve("embree.ppm")).reussi().pris;
         }
-        return () -> image(essai.reglage, fichier, sienne);
+        return () -> image(reglage, fichier);
     }
 
-    private double[] image(Reglage reglage, Path fichier, Taille sienne) throws IOException {
-        return lancer(reglage, fichier, sienne, "--image", dossier.resolve("image.png")).pris;
+    private double[] image(Reglage reglage, Path fichier) throws IOException {
+        return lancer(reglage, fichier, "--image", dossier.resolve("image.png")).pris;
     }
 }

@@ -111,7 +111,7 @@ final class Tableaux {
     }
 
     private static String pente(Resultats methode) {
-        return Nombres.arrondi(Planches.droite(methode.toutes, m -> Math.log(m.rayons), m -> Math.log(m.erreur.valeur))[1]);
+        return Nombres.arrondi(Planches.pente(methode.toutes, m -> Math.log(m.rayons), m -> Math.log(m.erreur.valeur)));
     }
 
     // ---- les autres
@@ -138,6 +138,9 @@ final class Tableaux {
 
     /** Facteur, ou phrase qui dit qu'aucune différence n'est sûre. */
     static String rapport(double rapport) {
-        return Double.isNaN(rapport) ? "" : Math.abs(rapport - 1) < AUTANT ? "autant, à un dixième près" : "× " + Nombres.nombre(rapport);
+        if (Double.isNaN(rapport)) {
+            return "";
+        }
+        return Math.abs(rapport - 1) < AUTANT ? "autant, à un dixième près" : "× " + Nombres.nombre(rapport);
     }
 }

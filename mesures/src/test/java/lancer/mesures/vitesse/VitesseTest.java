@@ -68,8 +68,8 @@ class VitesseTest {
     void lesRayonsComptesSontCeuxDeLaCommandeEntiere() throws IOException {
         Taille taille = new Taille(320, 240);
         Mesureur mesureur = new Mesureur(dossier, null, new PrintStream(sortie), taille, true, VitesseTest::programme);
-        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0, taille)
-                .avec(Reglage.coins(3, 0.05), 0, taille);
+        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0)
+                .avec(Reglage.coins(3, 0.05), 0);
         mesureur.compter(deux, resultats);
         Mesure un = resultats.de(Reglage.UN_RAYON).get();
         Mesure coins = resultats.de(Reglage.coins(3, 0.05)).get();
@@ -78,7 +78,7 @@ class VitesseTest {
         for (Mesure m : resultats.toutes) {
             Reglage reglage = m == un ? Reglage.UN_RAYON : Reglage.coins(3, 0.05);
             Matcher rayons = Pattern.compile("(?m)^rayons\\.[a-z]+: (\\d+)$").matcher(mesureur.lancer(reglage,
-                    Scenes.fichier(Catalogue.COURS, dossier), taille, "--lineaire", dossier.resolve("i.pfm"), "--statistiques").dit);
+                    Scenes.fichier(Catalogue.COURS, dossier), "--lineaire", dossier.resolve("i.pfm"), "--statistiques").dit);
             double somme = 0;
             while (rayons.find()) {
                 somme += Double.parseDouble(rayons.group(1));
@@ -94,8 +94,8 @@ class VitesseTest {
         Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.module;
         Set<String> deja = new HashSet<>();
         Groupe tous = new Groupe(Catalogue.CHOIX, "bowling", Catalogue.COURS);
-        new Catalogue(PETITE).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
-                .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0, PETITE));
+        Catalogue.temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
+                .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0));
         mesureur().chronometrer(tous, resultats);
         assertEquals(tous.essais.size(), resultats.toutes.size());
         for (Mesure m : resultats.toutes) {
@@ -106,7 +106,7 @@ class VitesseTest {
 
     @Test
     void uneMesureSeRelitTelleQuElleEstEcrite() throws IOException {
-        mesureur().chronometrer(new Groupe(Catalogue.FILS, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 3, PETITE), resultats);
+        mesureur().chronometrer(new Groupe(Catalogue.FILS, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 3), resultats);
         resultats.ecrire(dossier);
         assertEquals(resultats.toutes.get(0).ligne(), Resultats.lire(dossier).toutes.get(0).ligne());
         assertEquals(0, Resultats.lire(dossier.resolve("ailleurs")).toutes.size());
@@ -184,14 +184,12 @@ class VitesseTest {
     }
 
     @Test
-    void uneDroiteEtSaPenteSontCellesDesTemps() {
+    void laPenteDUneDroiteEstLaSienne() {
         for (int x : new int[] {2, 4, 8}) {
             Mesure m = new Mesure(Catalogue.FILS, Catalogue.COURS, "fils", "" + x, x);
             m.processeurs = 0.5 + 0.1 * x;
             resultats.toutes.add(m);
         }
-        double[] droite = Planches.droite(resultats.toutes, m -> m.x, m -> m.processeurs);
-        assertEquals(0.5, droite[0], 1e-12);
-        assertEquals(0.1, droite[1], 1e-12);
+        assertEquals(0.1, Planches.pente(resultats.toutes, m -> m.x, m -> m.processeurs), 1e-12);
     }
 }
