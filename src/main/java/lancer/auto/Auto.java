@@ -44,11 +44,7 @@ public final class Auto {
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
         int pixels = prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur();
-        choisir(new Echantillon(prepare, fils, rang -> Constantes.CIEL, voulue, pixels, PAVES, hasard));
-    }
-
-    /** Monte jusqu'au premier échelon qui convient à cet échantillon, ou que le suivant n'améliore pas assez. */
-    private void choisir(Echantillon echantillon) {
+        Echantillon echantillon = new Echantillon(prepare, fils, k -> Constantes.CIEL, voulue, pixels, PAVES, hasard);
         Mesure ici = echantillon.essayer(getChoisi());
         while (PRUDENCE * ici.erreur > voulue && rang < echelle.size() - 1) {
             Mesure suivante = echantillon.essayer(echelle.get(rang + 1));
@@ -86,9 +82,8 @@ public final class Auto {
         rayons += controle.rayons;
         if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
             // essayer des échelons sur ces pixels, de toute l'image, coûterait autant que de les dessiner
-            for (double reste = PRUDENCE * mesure.erreur; reste > voulue && rang < echelle.size() - 1; reste /= GAIN) {
-                rang++;
-            }
+            double manque = Math.log(PRUDENCE * mesure.erreur / voulue) / Math.log(GAIN);
+            rang = Math.min(echelle.size() - 1, rang + (int) Math.ceil(manque));
             rayons += lancer.getAtelier().getCompteurs().rayons();
             lancer = prepare.avec(getChoisi().getModele());
             return false;

@@ -29,7 +29,8 @@ final class Catalogue {
     static final String PROGRAMME = "programme";
 
     /** Réglages de « partage » : n, puis le seuil. */
-    private static final double[][] PARTAGES = {{2, 0.15}, {3, 0.12}, {4, 0.07}, {6, 0.06}, {12, 0.045}, {16, 0.03}, {16, 0.02}, {16, 0.01}};
+    private static final double[][] PARTAGES = {{2, 0.15}, {3, 0.12}, {4, 0.07}, {6, 0.06}, {12, 0.045}, {16, 0.03}, {16, 0.02},
+        {16, 0.01}};
 
     /** Les réglages chronométrés sur une scène difficile. */
     private static final List<String> PETITS = Arrays.asList("un rayon", "grille 2 × 2", "grille 3 × 3", "coins n=3 seuil=0.05",

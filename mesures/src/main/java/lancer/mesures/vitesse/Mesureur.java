@@ -177,6 +177,10 @@ final class Mesureur {
         }
         double etendue = pris.stream().mapToDouble(p -> p[0][0]).max().getAsDouble() / moindre(pris, 0, 0) - 1;
         boolean occupee = groupe.volet.equals(Catalogue.FILS) && manches > 1 && (charge > CHARGE || etendue > ETENDUE);
+        if (!occupee) {
+            // un réglage que ce groupe n'a plus a été chronométré dans d'autres conditions
+            resultats.volet(groupe.volet).scene(groupe.scene).toutes.forEach(Mesure::oublierLesTemps);
+        }
         for (int k = 1; k < commandes.size(); k++) {
             Mesure m = resultats.noter(groupe, groupe.essais.get(k - 1));
             if (occupee) {

@@ -35,6 +35,7 @@ final class Planches {
     /** L'erreur de chaque réglage que l'on choisit, sur une scène, selon les secondes de tous les cœurs. */
     private Volet choix(String scene, boolean grande) {
         Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport() > 0);
+        siens.toutes.sort(Comparator.comparingDouble(m -> m.rayons));
         Volet volet = new Volet(scene, "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
                 .repere(ARRONDI, grande ? "l'arrondi de l'écran" : "");
         for (String methode : METHODES) {
