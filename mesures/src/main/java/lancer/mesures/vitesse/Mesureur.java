@@ -44,7 +44,7 @@ final class Mesureur {
     private static final double LONG = 20e9;
 
     /** Nombre maximal de rayons d'une référence. */
-    private static final double VERITE = 1e8;
+    private static final double VERITE = 6e7;
 
     /** Charge de la machine, et étendue relative des temps de l'unité, au-dessus desquelles elle est occupée. */
     private static final double CHARGE = 0.5;
