@@ -17,11 +17,13 @@ public final class Auto {
 
     /** Facteur de prudence sur l'erreur d'un essai. */
     private static final double PRUDENCE = 1.2;
+    /** Ce par quoi un échelon divise à peu près l'erreur du précédent. */
+    private static final double GAIN = 1.4;
     /** Quantile à 95 % de la loi normale : un verdict est faux au plus une fois sur vingt. */
     private static final double SUR = 1.64;
 
     /** Nombre de pavés d'un essai. */
-    private static final int PAVES = 12;
+    private static final int PAVES = 8;
 
     private final Lancer prepare;
     private final List<Reglages> echelle;
@@ -42,11 +44,7 @@ public final class Auto {
         // deux demandes ne regardent pas les mêmes pixels
         hasard = new SplittableRandom(Double.doubleToLongBits(voulue));
         int pixels = prepare.getCamera().getLargeur() * prepare.getCamera().getHauteur();
-        choisir(new Echantillon(prepare, fils, rang -> Constantes.CIEL, voulue, pixels, PAVES, hasard));
-    }
-
-    /** Monte jusqu'au premier échelon qui convient à cet échantillon, ou que le suivant n'améliore pas assez. */
-    private void choisir(Echantillon echantillon) {
+        Echantillon echantillon = new Echantillon(prepare, fils, k -> Constantes.CIEL, voulue, pixels, PAVES, hasard);
         Mesure ici = echantillon.essayer(getChoisi());
         while (PRUDENCE * ici.erreur > voulue && rang < echelle.size() - 1) {
             Mesure suivante = echantillon.essayer(echelle.get(rang + 1));
@@ -81,13 +79,15 @@ public final class Auto {
         Echantillon controle = new Echantillon(prepare, fils, dessinee, voulue,
                 lancer.getAtelier().getCompteurs().primaires, Integer.MAX_VALUE, hasard);
         mesure = controle.mesurer(dessinee);
+        rayons += controle.rayons;
         if (premiere && mesure.plus(-SUR) > voulue && rang < echelle.size() - 1) {
-            rang++;
+            // essayer des échelons sur ces pixels, de toute l'image, coûterait autant que de les dessiner
+            double manque = Math.log(PRUDENCE * mesure.erreur / voulue) / Math.log(GAIN);
+            rang = Math.min(echelle.size() - 1, rang + (int) Math.ceil(manque));
             rayons += lancer.getAtelier().getCompteurs().rayons();
-            choisir(controle);
+            lancer = prepare.avec(getChoisi().getModele());
             return false;
         }
-        rayons += controle.rayons;
         return true;
     }
 

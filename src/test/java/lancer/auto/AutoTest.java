@@ -192,9 +192,9 @@ class AutoTest {
         dessiner(repris);
         assertEquals(juste, repris.getChoisi());
         assertTrue(repris.getMesure().rienVu, "le réglage juste l'est partout");
-        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et leurs pavés, deux fois
-        assertEquals(3 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
-        Auto depasse = new Auto(prepare, Arrays.asList(faux, faux, juste), 1, 2);
+        // l'image remplacée, un essai et deux contrôles de deux cents pixels, de cinquante rayons chacun, et les pavés de l'essai
+        assertEquals(2 * 8000 + 3 * 200 * 50, repris.getRayonsDesEssais(), 6000);
+        Auto depasse = new Auto(prepare, Arrays.asList(faux, faux), 1, 2);
         dessiner(depasse);
         assertEquals(faux, depasse.getChoisi());
         assertEquals("erreur voulue dépassée", depasse.getVerdict());

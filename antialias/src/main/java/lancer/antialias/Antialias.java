@@ -20,9 +20,9 @@ public final class Antialias implements Variante {
 
     /** Sections proposées, du moins cher au plus juste : n, méthode, seuil, seuil des reflets. */
     private static final String[] PROPOSEES = {
-        "1 coins 0 0.015625", "2 partage 0.4 0.0078125", "4 partage 0.2 0.0078125", "6 partage 0.12 0.00390625",
-        "8 partage 0.08 0.00390625", "16 partage 0.065 0.00390625", "16 partage 0.05 0.001953125",
-        "16 partage 0.03 0.001953125", "16 partage 0.0125 0.0009765625", "16 coins 0 0"};
+        "1 coins 0 0.015625", "2 partage 0.15 0.0078125", "3 partage 0.12 0.0078125", "4 partage 0.07 0.0078125",
+        "6 partage 0.06 0.00390625", "12 partage 0.045 0.00390625", "16 partage 0.03 0.001953125",
+        "16 partage 0.02 0.001953125", "16 partage 0.01 0.0009765625", "16 partage 0.006 0"};
 
     /** La méthode du cours. @param n de 1 à 64 @param seuil contraste, de 0 (tous les sous-pixels) à 1 */
     public static Echantillonnage coins(int n, double seuil) {

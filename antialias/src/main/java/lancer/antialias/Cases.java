@@ -13,26 +13,22 @@ import lancer.contrat.Vue;
  */
 final class Cases {
 
-    /** Contraste supposé entre quatre couleurs égales : si le seuil est inférieur, toute case est divisée. */
-    static final double PRUDENCE = 0.01;
-    /** Le même, en seuils, pour une case d'un pixel de côté : une nuance la fait diviser, mais pas ses voisines. */
-    static final double NUANCE = 0.915;
     /** Surprise moyenne tolérée dans des cases d'un pixel de côté, en seuils. */
-    private static final double SURPRISE = 0.1;
-    /** Ce par quoi chaque division d'un pavé entier multiplie le seuil : là, les erreurs des cases s'ajoutent. */
-    private static final double RIGUEUR = 0.7;
+    private static final double SURPRISE = 0.125;
     /** Divisions permises de toutes les cases d'un pavé, dont les sous-pixels occupent la mémoire ensemble. */
     private static final int DIVISIONS = 4;
 
     private final int n;
-    private double seuil;
+    private final double seuil;
     private final Pave pave;
     private final SousPixels sousPixels;
     /** Les bords des cases de tout le pavé, en sous-pixels. */
     private int[] bordsX;
     private int[] bordsY;
-    /** La somme des sous-pixels déjà peints du pixel en cours. */
-    private Couleur somme;
+    /** La somme des sous-pixels déjà peints du pixel en cours, par composante : une case fait plusieurs termes. */
+    private double r;
+    private double v;
+    private double b;
 
     Cases(int n, double seuil, Pave pave, Vue vue) {
         this.n = n;
@@ -53,41 +49,26 @@ final class Cases {
     int tracer(Pave voulus, Toile toile) {
         int[] departsX = bordsX;
         int[] departsY = bordsY;
-        boolean[][] suspects = suspects();
         int divisions = 0;
+        // quatre fois plus de points divisent par deux l'erreur d'un pixel
         for (double limite = SURPRISE * seuil; divisions < DIVISIONS && 1 << divisions < n
                 && surprise() > limite * limite; limite *= 2) {
             bordsX = couper(bordsX);
             bordsY = couper(bordsY);
-            seuil *= RIGUEUR;
             divisions++;
         }
         int raffines = 0;
         for (int j = voulus.j0 - pave.j0; j < voulus.j1 - pave.j0; j++) {
             for (int i = voulus.i0 - pave.i0; i < voulus.i1 - pave.i0; i++) {
-                somme = new Couleur();
-                raffines += peindre(departsX[i], departsY[j], departsX[i + 1], departsY[j + 1],
-                        suspects[j + 1][i + 1] ? Math.max(1, divisions) : divisions) ? 1 : 0;
-                toile.drawPixel(somme.div(n * n), pave.i0 + i, pave.j0 + j);
+                r = 0;
+                v = 0;
+                b = 0;
+                raffines += peindre(departsX[i], departsY[j], departsX[i + 1], departsY[j + 1], divisions) ? 1 : 0;
+                toile.drawPixel(new Couleur(r, v, b).div(n * n), pave.i0 + i, pave.j0 + j);
             }
             sousPixels.oublier(j);
         }
         return raffines;
-    }
-
-    /** Vrai si la case d'un pixel a une nuance, ou si un voisin dépasse le seuil ; les indices sont décalés de un. */
-    private boolean[][] suspects() {
-        boolean[][] suspects = new boolean[bordsY.length + 1][bordsX.length + 1];
-        for (int j = 0; j + 1 < bordsY.length; j++) {
-            for (int i = 0; i + 1 < bordsX.length; i++) {
-                boolean suspect = depasse(PRUDENCE, bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
-                suspects[j + 1][i + 1] |= depasse(NUANCE * seuil, bordsX[i], bordsY[j], bordsX[i + 1], bordsY[j + 1]);
-                for (int k = 0; k < 9 && suspect; k++) {
-                    suspects[j + k / 3][i + k % 3] = true;
-                }
-            }
-        }
-        return suspects;
     }
 
     /** Ces bords et les milieux, là où il reste des sous-pixels entre deux. */
@@ -150,9 +131,9 @@ final class Cases {
     }
 
     /** Dit si contraste × côté dépasse le seuil : une petite case change peu la couleur du pixel. */
-    private boolean depasse(double prudence, int x0, int y0, int x1, int y1) {
+    private boolean depasse(int x0, int y0, int x1, int y1) {
         double contraste = Coins.contraste(voir(x0, y0), voir(x1, y0), voir(x0, y1), voir(x1, y1));
-        return (contraste + prudence) * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
+        return contraste * Math.sqrt((double) (x1 - x0) * (y1 - y0)) / n > seuil;
     }
 
     /**
@@ -164,7 +145,7 @@ final class Cases {
         if (x0 == x1 || y0 == y1) {
             return false;
         }
-        if (Math.max(x1 - x0, y1 - y0) == 1 || divisions <= 0 && !depasse(PRUDENCE, x0, y0, x1, y1)) {
+        if (Math.max(x1 - x0, y1 - y0) == 1 || divisions <= 0 && !depasse(x0, y0, x1, y1)) {
             interpoler(x0, y0, x1, y1);
             return false;
         }
@@ -196,7 +177,10 @@ final class Cases {
     /** Ajoute un coin, sauf si son poids est nul : sa couleur n'est alors pas calculée. */
     private void ajouter(int x, int y, double poids) {
         if (poids > 0) {
-            somme = somme.add(voir(x, y).mul(poids));
+            Couleur vue = voir(x, y);
+            r += poids * vue.r;
+            v += poids * vue.v;
+            b += poids * vue.b;
         }
     }
 }

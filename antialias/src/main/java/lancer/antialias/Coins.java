@@ -64,10 +64,13 @@ final class Coins implements Echantillonnage {
         double maxAB = a < b ? b : a;
         double minCD = c < d ? c : d;
         double maxCD = c < d ? d : c;
-        return limite(maxAB < maxCD ? maxCD : maxAB) - limite(minAB < minCD ? minAB : minCD);
+        double min = minAB < minCD ? minAB : minCD;
+        double max = maxAB < maxCD ? maxCD : maxAB;
+        return limite(max) - limite(min);
     }
 
     static double limite(double x) {
-        return x < 0 ? 0 : x > 1 ? 1 : x;
+        double pasTrop = x > 1 ? 1 : x;
+        return x < 0 ? 0 : pasTrop;
     }
 }

@@ -8,17 +8,20 @@ import lancer.contrat.Vue;
 /** Les sous-pixels d'un pavé, partagés par les pixels voisins et calculés une seule fois. Un seul fil les utilise. */
 final class SousPixels {
 
+    /** Nombre de sous-pixels d'un morceau de ligne : la plupart ne sont jamais vus, et ne prennent aucune place. */
+    private static final int MORCEAU = 8;
+
     private final int n;
     private final Pave pave;
     private final Vue vue;
-    /** Les lignes de sous-pixels ; {@code null} pour une ligne dont aucun n'a été calculé. */
-    private final Couleur[][] lignes;
+    /** Les lignes de sous-pixels, par morceaux ; {@code null} là où aucun n'a été calculé. */
+    private final Couleur[][][] lignes;
 
     SousPixels(int n, Pave pave, Vue vue) {
         this.n = n;
         this.pave = pave;
         this.vue = vue;
-        lignes = new Couleur[(pave.j1 - pave.j0) * n][];
+        lignes = new Couleur[(pave.j1 - pave.j0) * n][][];
     }
 
     /**
@@ -28,15 +31,21 @@ final class SousPixels {
      * @param y ligne, en sous-pixels, depuis le haut du pavé
      */
     Couleur voir(int x, int y) {
-        Couleur[] ligne = lignes[y];
+        Couleur[][] ligne = lignes[y];
         if (ligne == null) {
-            ligne = new Couleur[(pave.i1 - pave.i0) * n];
+            ligne = new Couleur[((pave.i1 - pave.i0) * n - 1) / MORCEAU + 1][];
             lignes[y] = ligne;
         }
-        if (ligne[x] == null) {
-            ligne[x] = vue.couleur(pave.i0 + x / n + (x % n + 0.5) / n, pave.j0 + y / n + (y % n + 0.5) / n);
+        Couleur[] morceau = ligne[x / MORCEAU];
+        if (morceau == null) {
+            morceau = new Couleur[MORCEAU];
+            ligne[x / MORCEAU] = morceau;
         }
-        return ligne[x];
+        if (morceau[x % MORCEAU] == null) {
+            morceau[x % MORCEAU] = vue.couleur(pave.i0 + x / n + (x % n + 0.5) / n,
+                    pave.j0 + y / n + (y % n + 0.5) / n);
+        }
+        return morceau[x % MORCEAU];
     }
 
     /** Libère la mémoire d'une ligne de pixels, devenue inutile. */

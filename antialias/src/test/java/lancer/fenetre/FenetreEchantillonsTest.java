@@ -59,7 +59,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
         banc.frapper(KeyEvent.VK_F3);
         GraphiqueVitesse graphique = composant("vitesse.graphique", GraphiqueVitesse.class);
         JTextArea etat = composant("vitesse.etat", JTextArea.class);
-        String debut = "[Antialias] n=2 methode=partage seuil=0.4, --reflets 1000 --seuil 0.0078125 : ";
+        String debut = "[Antialias] n=2 methode=partage seuil=0.15, --reflets 1000 --seuil 0.0078125 : ";
         // les points bougent tant que les mesures durent : rien ne se passe entre la visée et le clic
         attendre("la deuxième", () -> {
             Point ou = viser(graphique, etat, debut);
@@ -70,7 +70,7 @@ class FenetreEchantillonsTest extends EssaiInspecteur {
             return ou != null;
         });
         attendre("son image", () -> banc.resume.getText().contains(", 1000 réflexions, seuil 0.0078125, [Antialias] n=2 "));
-        ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.4\n");
+        ecrire(ROUGE + "[Antialias]\nn=2\nmethode=partage\nseuil=0.15\n");
         assertArrayEquals(BancFenetre.pixelsSansFenetre(dossier, scene, 100, 75, "--reflets=1000", "--seuil=0.0078125"),
                 banc.imageAchevee().codes);
     }

@@ -44,12 +44,9 @@ public final class Gabarit {
     /**
      * @param scene n'est pas modifiée
      * @param pas côté des carrés dont un pixel est tiré ; 1 pour tous les pixels
+     * @param cote nombre de sous-pixels par côté
+     * @param parmi les pixels, par colonne et ligne, dont les autres ne sont pas tirés
      */
-    public Gabarit(Scene scene, int largeur, int hauteur, int pas) {
-        this(scene, largeur, hauteur, pas, COTE, (i, j) -> true);
-    }
-
-    /** @param cote nombre de sous-pixels par côté @param parmi les pixels, par colonne et ligne, dont les autres ne sont pas tirés */
     public Gabarit(Scene scene, int largeur, int hauteur, int pas, int cote, BiPredicate<Integer, Integer> parmi) {
         boolean[] semes = semer(largeur, hauteur, pas);
         IntStream.range(0, semes.length).forEach(k -> semes[k] &= parmi.test(k % largeur, k / largeur));

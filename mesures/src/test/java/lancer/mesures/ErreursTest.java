@@ -180,7 +180,7 @@ class ErreursTest {
     void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
         Scene scene = lire(nom);
         Echantillonnage grille = n == 1 ? Echantillonnage.CENTRES : Antialias.coins(n, Math.max(0, contraste));
-        Gabarit gabarit = new Gabarit(scene, L, H, 1);
+        Gabarit gabarit = new Gabarit(scene, L, H, 1, Gabarit.COTE, (i, j) -> true);
         ImageLineaire image = ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);
         double[] plate = carres(n, contraste, Math.min(reflets, SANS_LIMITE), 1 / parties);

@@ -33,15 +33,15 @@ class GabaritTest {
     void lesPixelsSemesDonnentLErreurDeTouteLImage() {
         Scene scene = SceneAuHasard.de(2);
         ImageLineaire image = image(scene, LARGEUR, HAUTEUR, 5);
-        Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3);
+        Gabarit seme = new Gabarit(scene, LARGEUR, HAUTEUR, 3, Gabarit.COTE, (i, j) -> true);
         assertEquals(54 * 40, seme.carres(image).length, "un par carré");
-        assertEquals(1, erreur(seme, image) / erreur(new Gabarit(scene, LARGEUR, HAUTEUR, 1), image), 0.15);
+        assertEquals(1, erreur(seme, image) / erreur(new Gabarit(scene, LARGEUR, HAUTEUR, 1, Gabarit.COTE, (i, j) -> true), image), 0.15);
     }
 
     @Test
     void laVeriteNAPasDeLimiteDeReflexions() {
         Scene miroirs = Scenes.lire(LecteurScene.trouver(Paths.get("scenes", "miroirs.ini").toString()));
-        Gabarit gabarit = new Gabarit(miroirs, L, H, 2);
+        Gabarit gabarit = new Gabarit(miroirs, L, H, 2, Gabarit.COTE, (i, j) -> true);
         double cinq = erreur(gabarit, image(miroirs, L, H, 5));
         double cent = erreur(gabarit, image(miroirs, L, H, 100));
         assertTrue(cent < 0.7 * cinq, cent + " contre " + cinq);

@@ -78,10 +78,12 @@ public final class Juge {
         } catch (IllegalArgumentException | Echec | SceneFautive e) {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
-        } catch (IOException | RuntimeException e) {
-            String panne = e instanceof FileSystemException ? e.getMessage() + " : " + ErreurSysteme.raison((FileSystemException) e)
-                    : e instanceof IOException ? e.getMessage() : Messages.message(e);
-            erreurs.println("Juge : " + Texte.echappe(panne));
+        } catch (IOException e) {
+            String raison = e instanceof FileSystemException ? " : " + ErreurSysteme.raison((FileSystemException) e) : "";
+            erreurs.println("Juge : " + Texte.echappe(e.getMessage() + raison));
+            return 1;
+        } catch (RuntimeException e) {
+            erreurs.println("Juge : " + Texte.echappe(Messages.message(e)));
             return 1;
         }
     }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -20,7 +19,6 @@ public final class PovRay {
     /** Nom de la commande. */
     public static final String COMMANDE = "povray";
 
-    private static final Pattern RAYONS = Pattern.compile("(?:Rays|Shadow Ray Tests): +(\\d+)");
     private static final Pattern VERSION = Pattern.compile("POV-Ray (\\d[\\w.]*)");
 
     private final String commande;
@@ -56,18 +54,16 @@ public final class PovRay {
 
     /**
      * @param nom celui d'une scène {@link #ecrire écrite}
-     * @param options d'anticrénelage, pour la commande ; aucune pour un rayon par pixel
      * @return l'image linéaire : trois composantes de 16 bits, la ligne du haut d'abord
      * @throws IOException si la commande échoue ; le message dit pourquoi
      */
-    Raster dessiner(String nom, int largeur, int hauteur, String... options) throws IOException {
+    Raster dessiner(String nom, int largeur, int hauteur) throws IOException {
         Path scene = dossier.resolve(nom + ".pov");
         Path image = dossier.resolve(nom + ".png");
         Files.deleteIfExists(image);
         // sans affichage, pause ni hasard ; File_Gamma=1 : les niveaux du PNG sont proportionnels à la lumière
-        List<String> dessin = new ArrayList<>(Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,
-                "+H" + hauteur, "-D", "-P", "-V", "-J"));
-        dessin.addAll(Arrays.asList(options.length == 0 ? new String[] {"-A"} : options));
+        List<String> dessin = Arrays.asList(commande, "+I" + scene, "+O" + image, "+FN16", "File_Gamma=1", "+W" + largeur,
+                "+H" + hauteur, "-D", "-P", "-V", "-J", "-A");
         int statut = lancer(dessin);
         if (statut != 0) {
             // sur une machine chargée, POV-Ray échoue parfois : « Timed out waiting for worker thread startup »
@@ -88,15 +84,6 @@ public final class PovRay {
     /** Coût de la dernière commande entière ({@link Lancement#pris}). */
     public double[] pris() {
         return dernier.pris;
-    }
-
-    /** Nombre de rayons de toutes sortes du dernier dessin, d'après la commande. */
-    public long rayons() {
-        long rayons = 0;
-        for (Matcher m = RAYONS.matcher(dernier.dit); m.find();) {
-            rayons += Long.parseLong(m.group(1));
-        }
-        return rayons;
     }
 
     /** @return le statut de la commande */

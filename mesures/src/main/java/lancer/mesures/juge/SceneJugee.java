@@ -46,12 +46,12 @@ public final class SceneJugee {
     }
 
     /** L'image linéaire de POV-Ray, faite des composantes justes de chaque dessin. */
-    public ImageLineaire image(String... options) throws IOException {
+    public ImageLineaire image() throws IOException {
         int largeur = camera.getLargeur();
         ImageLineaire image = new ImageLineaire(largeur, camera.getHauteur());
         Raster[] rasters = new Raster[3];
         for (int c = 0; c < 3; c++) {
-            rasters[c] = c < dessins ? dessiner(c, options) : rasters[0];
+            rasters[c] = c < dessins ? dessiner(c) : rasters[0];
         }
         for (int k = 0; k < image.getComposantes().length; k++) {
             image.getComposantes()[k] = rasters[k % 3].getSample(k / 3 % largeur, k / 3 / largeur, k % 3) / NIVEAUX_16;
@@ -59,12 +59,12 @@ public final class SceneJugee {
         return image;
     }
 
-    /** Fait le premier dessin seulement. @param options de la commande {@code povray} ; aucune pour un rayon par pixel */
-    public void dessiner(String... options) throws IOException {
-        dessiner(0, options);
+    /** Fait le premier dessin seulement. */
+    public void dessiner() throws IOException {
+        dessiner(0);
     }
 
-    private Raster dessiner(int c, String... options) throws IOException {
-        return povray.dessiner(noms[c], camera.getLargeur(), camera.getHauteur(), options);
+    private Raster dessiner(int c) throws IOException {
+        return povray.dessiner(noms[c], camera.getLargeur(), camera.getHauteur());
     }
 }

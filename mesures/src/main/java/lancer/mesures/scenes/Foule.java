@@ -48,10 +48,8 @@ public final class Foule {
     }
 
     static void ecrire(Appendable sortie, String... args) throws IOException {
-        if (args.length == 1 && Difficiles.NOMS.contains(args[0])) {
+        if (args.length == 1 && Scenes.estDifficile(args[0])) {
             Difficiles.ecrire(sortie, args[0]);
-        } else if (args.length == 1 && Rares.NOMS.contains(args[0])) {
-            Rares.ecrire(sortie, args[0]);
         } else {
             ecrire(sortie, combien(args));
         }
@@ -62,7 +60,7 @@ public final class Foule {
         int n = args.length == 1 && args[0].matches("[0-9]{1,9}") ? Integer.parseInt(args[0]) : 0;
         if (n < 1 || n > N_MAX) {
             throw new IllegalArgumentException("le nombre de boules est un entier de 1 à " + N_MAX + " ; ou une scène : "
-                    + String.join(", ", Difficiles.NOMS) + ", " + String.join(", ", Rares.NOMS));
+                    + String.join(", ", Difficiles.FINES) + ", " + String.join(", ", Difficiles.RARES));
         }
         return n;
     }

@@ -21,12 +21,16 @@ public final class Scenes {
     public static final String FOULE = "foule";
 
     /** Trois scènes engendrées, difficiles à échantillonner. */
-    public static final List<String> DIFFICILES = Difficiles.NOMS;
+    public static final List<String> DIFFICILES = Difficiles.FINES;
 
     /** Scènes engendrées où quelques pixels portent presque toute l'erreur. */
-    public static final List<String> RARES = Rares.NOMS;
+    public static final List<String> RARES = Difficiles.RARES;
 
     private Scenes() {
+    }
+
+    static boolean estDifficile(String nom) {
+        return DIFFICILES.contains(nom) || RARES.contains(nom);
     }
 
     /** Les fichiers des scènes livrées, par ordre alphabétique. */
@@ -49,7 +53,7 @@ public final class Scenes {
      * @throws lancer.SceneFautive si une scène livrée manque
      */
     public static Path fichier(String nom, Path dossier) throws IOException {
-        if (!nom.startsWith(FOULE + "-") && !Difficiles.NOMS.contains(nom) && !Rares.NOMS.contains(nom)) {
+        if (!nom.startsWith(FOULE + "-") && !estDifficile(nom)) {
             return LecteurScene.trouver("scenes/" + nom + ".ini");
         }
         Path fichier = dossier.resolve(nom + ".ini");

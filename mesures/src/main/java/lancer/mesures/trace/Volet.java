@@ -64,21 +64,21 @@ public final class Volet {
     private final JFreeChart graphique;
     private final XYPlot plot;
 
-    /** Un point mesuré, la barre de chaque intervalle, et le texte écrit à côté, vide s'il n'y en a pas. */
+    /** Un point mesuré, la barre de son intervalle, et le texte écrit à côté, vide s'il n'y en a pas. */
     public static final class Point {
 
-        private final Intervalle x;
+        private final double x;
         private final Intervalle y;
         private final String texte;
 
-        public Point(Intervalle x, Intervalle y, String texte) {
-            this.x = x.montrable();
+        public Point(double x, Intervalle y, String texte) {
+            this.x = x;
             this.y = y.montrable();
             this.texte = texte;
         }
 
         public Point(double x, double y) {
-            this(Intervalle.exact(x), Intervalle.exact(y), "");
+            this(x, Intervalle.exact(y), "");
         }
 
         /** Faux d'une ordonnée nulle, qu'un axe logarithmique n'a pas. */
@@ -144,7 +144,7 @@ public final class Volet {
         }
         int rang = series.getSeriesCount();
         XYIntervalSeries serie = new XYIntervalSeries(nom, false, true);
-        points.forEach(p -> serie.add(p.x.valeur, p.x.min, p.x.max, p.y.valeur, p.y.min, p.y.max));
+        points.forEach(p -> serie.add(p.x, p.x, p.x, p.y.valeur, p.y.min, p.y.max));
         // l'étendue la plus petite que JFreeChart donne à un axe, 1e-8, dépasse toutes les valeurs de certains
         double max = points.stream().mapToDouble(p -> p.y.valeur).max().getAsDouble();
         plot.getRangeAxis().setAutoRangeMinimumSize(Math.min(ETENDUE, ETENDUE * max));

@@ -14,17 +14,15 @@ final class Groupe {
     final String sceneUnite;
     final List<Essai> essais = new ArrayList<>();
 
-    /** Un réglage, et la taille de son image. */
+    /** Un réglage, et son abscisse. */
     static final class Essai {
 
         final Reglage reglage;
         final double x;
-        final Taille taille;
 
-        Essai(Reglage reglage, double x, Taille taille) {
+        Essai(Reglage reglage, double x) {
             this.reglage = reglage;
             this.x = x;
-            this.taille = taille;
         }
     }
 
@@ -35,8 +33,8 @@ final class Groupe {
     }
 
     /** @param x abscisse de la courbe ; 0 si le volet n'en est pas une */
-    Groupe avec(Reglage reglage, double x, Taille taille) {
-        essais.add(new Essai(reglage, x, taille));
+    Groupe avec(Reglage reglage, double x) {
+        essais.add(new Essai(reglage, x));
         return this;
     }
 }

@@ -61,6 +61,16 @@ final class Mesure {
         return processeurs / unite;
     }
 
+    /** Oublie ce qui se chronomètre. */
+    void oublierLesTemps() {
+        unite = Double.NaN;
+        processeurs = Double.NaN;
+        mur = Double.NaN;
+        memoire = Double.NaN;
+        chronometre = "";
+        machine = "";
+    }
+
     String ligne() {
         return FichierCsv.ligne(volet, scene, methode, parametres, Nombres.champ(x), Nombres.champ(rayons), Nombres.champ(examens),
                 Nombres.champ(erreur.valeur), Nombres.champ(erreur.min), Nombres.champ(erreur.max), Nombres.champ(visibles), compte,

@@ -129,8 +129,8 @@ public final class MesureAuto {
     /** Choix, mesure et verdict du programme pour chaque erreur voulue ; l'erreur vraie ; le moins cher des échelons qui la tiennent. */
     static List<Reponse> repondre(String nom, Scene scene, Taille taille, double... voulues) {
         boolean tous = Scenes.RARES.contains(nom);
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, tous ? 1 : PAS, tous ? COTE_DE_TOUS : COTE,
-                (i, j) -> true);
+        int pas = tous ? 1 : PAS;
+        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, pas, tous ? COTE_DE_TOUS : COTE, (i, j) -> true);
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
         List<Reglages> echelle = Echelle.de(Options.lire().pour(Collections.singletonMap(new Antialias(),
                 new SectionLue("Antialias"))),

@@ -35,11 +35,16 @@ final class Mesureur {
     /** Programme que construit le Makefile, si Embree est installé. */
     static final Path EMBREE = Paths.get("mesures", "target", "embree");
 
-    /** Nombre de manches, dont le moindre temps est gardé : chacune lance une fois l'unité, puis chaque réglage du groupe. */
+    /**
+     * Nombre de manches, dont le moindre temps est gardé : chacune lance une fois l'unité, puis chaque réglage du groupe. Après tant de
+     * nanosecondes, celles qui sont au-delà de la troisième ne sont pas faites.
+     */
     private static final int MANCHES = 5;
+    private static final int MANCHES_LONGUES = 3;
+    private static final double LONG = 20e9;
 
     /** Nombre maximal de rayons d'une référence. */
-    private static final double VERITE = 1e8;
+    private static final double VERITE = 6e7;
 
     /** Charge de la machine, et étendue relative des temps de l'unité, au-dessus desquelles elle est occupée. */
     private static final double CHARGE = 0.5;
@@ -50,12 +55,16 @@ final class Mesureur {
     private final PovRay povray;
     private final int manches;
 
-    /** Taille des images de l'unité. */
+    /** Taille des images. */
     private final Taille taille;
 
     /** Arguments de {@code java} qui lancent le programme d'un réglage. */
     private final Function<Reglage, List<String>> programme;
     private final Circonstances circonstances = new Circonstances();
+
+    /** La vérité de la dernière scène comptée : deux groupes qui se suivent ont souvent la même. */
+    private Gabarit gabarit;
+    private String sceneDuGabarit;
 
     /** Une commande que l'on peut répéter. */
     private interface Commande {
@@ -67,7 +76,7 @@ final class Mesureur {
     /**
      * @param dossier celui des fichiers provisoires
      * @param povray {@code null} s'il n'est pas installé
-     * @param taille celle des images de l'unité
+     * @param taille celle des images
      * @param court vrai pour une seule manche, dont aucun intervalle ne se déduit
      */
     Mesureur(Path dossier, PovRay povray, PrintStream sortie, Taille taille, boolean court,
@@ -87,10 +96,14 @@ final class Mesureur {
         sortie.println("rayons et erreurs de " + groupe.scene + ", " + groupe.volet);
         Scene scene = Scenes.lire(Scenes.fichier(groupe.scene, dossier));
         Lancer prepare = Dessin.lancer(scene, taille.largeur, taille.hauteur, false);
-        Lancer sansLimite = Reglage.UN_RAYON.par("", "", "--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0").lancer(prepare);
-        dessiner(sansLimite, Gabarit.PROFONDEUR);
-        int pas = (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * sansLimite.getAtelier().getCompteurs().rayons() / VERITE));
-        Gabarit gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, pas, Gabarit.COTE, Gabarit::dunPaveSurQuatre);
+        if (!groupe.scene.equals(sceneDuGabarit)) {
+            Lancer sansLimite = Reglage.UN_RAYON.par("", "", "--reflets", String.valueOf(Gabarit.PROFONDEUR), "--seuil", "0")
+                    .lancer(prepare);
+            dessiner(sansLimite, Gabarit.PROFONDEUR);
+            int pas = (int) Math.ceil(Math.sqrt(Gabarit.RAYONS * sansLimite.getAtelier().getCompteurs().rayons() / VERITE));
+            gabarit = new Gabarit(scene, taille.largeur, taille.hauteur, pas, Gabarit.COTE, Gabarit::dunPaveSurQuatre);
+            sceneDuGabarit = groupe.scene;
+        }
         for (Groupe.Essai essai : groupe.essais) {
             Mesure m = resultats.noter(groupe, essai);
             ImageLineaire image = compter(essai.reglage, prepare, m);
@@ -120,7 +133,7 @@ final class Mesureur {
         return image;
     }
 
-    Lancement lancer(Reglage reglage, Path fichier, Taille sienne, Object... sorties) throws IOException {
+    Lancement lancer(Reglage reglage, Path fichier, Object... sorties) throws IOException {
         Path scene = fichier;
         if (!reglage.section.isEmpty()) {
             scene = dossier.resolve("changee.ini");
@@ -130,7 +143,7 @@ final class Mesureur {
         List<Object> commande = new ArrayList<>(Collections.singletonList(Lancement.JAVA));
         commande.addAll(reglage.machine());
         commande.addAll(programme.apply(reglage));
-        commande.addAll(Arrays.asList("--taille", sienne, scene));
+        commande.addAll(Arrays.asList("--taille", taille, scene));
         commande.addAll(Arrays.asList(sorties));
         commande.addAll(reglage.options);
         return new Lancement(dossier.resolve("pris"), commande.toArray()).reussi();
@@ -147,26 +160,33 @@ final class Mesureur {
         Path unite = Scenes.fichier(groupe.sceneUnite, dossier);
         groupe.essais.removeIf(e -> e.reglage.methode.equals(Reglage.POVRAY) && povray == null
                 || e.reglage.methode.equals(Reglage.EMBREE) && !Files.isExecutable(EMBREE));
-        List<Commande> commandes = new ArrayList<>(Collections.singletonList(() -> image(Reglage.UN_RAYON, unite, taille)));
+        List<Commande> commandes = new ArrayList<>(Collections.singletonList(() -> image(Reglage.UN_RAYON, unite)));
         for (Groupe.Essai essai : groupe.essais) {
-            commandes.add(commande(essai, fichier));
+            commandes.add(commande(essai.reglage, fichier));
         }
         double charge = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
         sortie.println(groupe.volet + ", " + groupe.scene + " : " + commandes.size() + " commandes, " + manches + " manches");
-        double[][][] pris = new double[commandes.size()][manches][];
-        for (int manche = 0; manche < manches; manche++) {
-            for (int k = 0; k < commandes.size(); k++) {
-                pris[k][manche] = commandes.get(k).prendre();
+        List<double[][]> pris = new ArrayList<>();
+        long debut = System.nanoTime();
+        while (pris.size() < Math.min(manches, System.nanoTime() - debut < LONG ? MANCHES : MANCHES_LONGUES)) {
+            double[][] manche = new double[commandes.size()][];
+            for (int k = 0; k < manche.length; k++) {
+                manche[k] = commandes.get(k).prendre();
             }
+            pris.add(manche);
         }
-        double etendue = Arrays.stream(pris[0]).mapToDouble(p -> p[0]).max().getAsDouble() / moindre(pris[0], 0) - 1;
+        double etendue = pris.stream().mapToDouble(p -> p[0][0]).max().getAsDouble() / moindre(pris, 0, 0) - 1;
         boolean occupee = groupe.volet.equals(Catalogue.FILS) && manches > 1 && (charge > CHARGE || etendue > ETENDUE);
+        if (!occupee) {
+            // un réglage que ce groupe n'a plus a été chronométré dans d'autres conditions
+            resultats.volet(groupe.volet).scene(groupe.scene).toutes.forEach(Mesure::oublierLesTemps);
+        }
         for (int k = 1; k < commandes.size(); k++) {
             Mesure m = resultats.noter(groupe, groupe.essais.get(k - 1));
             if (occupee) {
                 m.machine = m.machine.replaceFirst(" ; machine occupée.*", "") + " ; machine occupée le " + jour();
             } else {
-                noter(m, pris[0], pris[k]);
+                noter(m, pris, k);
             }
         }
     }
@@ -175,38 +195,37 @@ final class Mesureur {
         return circonstances.date.replaceFirst("T.*", "");
     }
 
-    private void noter(Mesure m, double[][] unite, double[][] pris) {
-        m.unite = moindre(unite, 1) / 1e9;
-        m.processeurs = moindre(pris, 1) / 1e9;
-        m.mur = moindre(pris, 0) / 1e9;
-        m.memoire = moindre(pris, 2) / (1 << 20);
+    private void noter(Mesure m, List<double[][]> pris, int commande) {
+        m.unite = moindre(pris, 0, 1) / 1e9;
+        m.processeurs = moindre(pris, commande, 1) / 1e9;
+        m.mur = moindre(pris, commande, 0) / 1e9;
+        m.memoire = moindre(pris, commande, 2) / (1 << 20);
         m.chronometre = circonstances.commit + " " + jour();
         m.machine = (circonstances.machine + " ; " + circonstances.coeurs + " cœurs ; " + circonstances.jvm).replace(',', ' ');
         sortie.println(String.format(Locale.ROOT, "  %-45s %8.4g s de processeur, × %.4g", m.nom(), m.processeurs, m.rapport()));
     }
 
-    private static double moindre(double[][] pris, int rang) {
-        return Arrays.stream(pris).mapToDouble(p -> p[rang]).min().getAsDouble();
+    private static double moindre(List<double[][]> pris, int commande, int rang) {
+        return pris.stream().mapToDouble(p -> p[commande][rang]).min().getAsDouble();
     }
 
-    private Commande commande(Groupe.Essai essai, Path fichier) throws IOException {
-        Taille sienne = essai.taille;
-        if (essai.reglage.methode.equals(Reglage.POVRAY)) {
-            SceneJugee jugee = new SceneJugee(povray, "povray", Scenes.lire(fichier), Constantes.MAX_REFLETS, sienne.largeur,
-                    sienne.hauteur);
+    private Commande commande(Reglage reglage, Path fichier) throws IOException {
+        if (reglage.methode.equals(Reglage.POVRAY)) {
+            SceneJugee jugee = new SceneJugee(povray, "povray", Scenes.lire(fichier), Constantes.MAX_REFLETS, taille.largeur,
+                    taille.hauteur);
             return () -> {
                 jugee.dessiner();
                 return povray.pris();
             };
         }
-        if (essai.reglage.methode.equals(Reglage.EMBREE)) {
-            return () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, sienne.largeur, sienne.hauteur, sienne.fils,
+        if (reglage.methode.equals(Reglage.EMBREE)) {
+            return () -> new Lancement(dossier.resolve("pris"), EMBREE, fichier, taille.largeur, taille.hauteur, taille.fils,
                     dossier.resolve("embree.ppm")).reussi().pris;
         }
-        return () -> image(essai.reglage, fichier, sienne);
+        return () -> image(reglage, fichier);
     }
 
-    private double[] image(Reglage reglage, Path fichier, Taille sienne) throws IOException {
-        return lancer(reglage, fichier, sienne, "--image", dossier.resolve("image.png")).pris;
+    private double[] image(Reglage reglage, Path fichier) throws IOException {
+        return lancer(reglage, fichier, "--image", dossier.resolve("image.png")).pris;
     }
 }

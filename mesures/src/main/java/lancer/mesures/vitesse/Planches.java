@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lancer.mesures.Intervalle;
 import lancer.mesures.Nombres;
 import lancer.mesures.scenes.Scenes;
 import lancer.mesures.trace.Planche;
@@ -36,6 +35,7 @@ final class Planches {
     /** L'erreur de chaque réglage que l'on choisit, sur une scène, selon les secondes de tous les cœurs. */
     private Volet choix(String scene, boolean grande) {
         Resultats siens = tous.volet(Catalogue.CHOIX).scene(scene).tels(m -> m.rapport() > 0);
+        siens.toutes.sort(Comparator.comparingDouble(m -> m.rayons));
         Volet volet = new Volet(scene, "secondes de processeur de la commande entière", "erreur, en niveaux").repere(1, "1 niveau")
                 .repere(ARRONDI, grande ? "l'arrondi de l'écran" : "");
         for (String methode : METHODES) {
@@ -53,7 +53,7 @@ final class Planches {
                     || nommee.erreur.valeur / m.erreur.valeur > LOIN;
             nommee = seul ? m : nommee;
             String nom = seul && (grande || !m.methode.equals(Reglage.COINS)) ? m.parametres.replaceFirst("n=(.*) seuil=", "$1/") : "";
-            points.add(new Volet.Point(Intervalle.exact(m.processeurs), m.erreur, nom));
+            points.add(new Volet.Point(m.processeurs, m.erreur, nom));
         }
         return points;
     }
@@ -81,7 +81,7 @@ final class Planches {
         Resultats siens = tous.volet(Catalogue.REFLETS);
         return memesAxes(4, 440, siens.scenes().stream().map(scene -> new Volet(scene, "--reflets", "niveaux").xOrdinaire()
                 .repere(1, "1 niveau").serie("", true, siens.scene(scene).toutes.stream().sorted(Comparator.comparingDouble(m -> m.x))
-                .map(m -> new Volet.Point(Intervalle.exact(m.x), m.erreur, "")).collect(Collectors.toList())))
+                .map(m -> new Volet.Point(m.x, m.erreur, "")).collect(Collectors.toList())))
                 .collect(Collectors.toList()));
     }
 
@@ -96,14 +96,14 @@ final class Planches {
                 .serie("mesures", false, siens.stream().map(m -> new Volet.Point(m.x, m.mur)).collect(Collectors.toList())));
     }
 
-    /** L'ordonnée à l'origine et la pente de la droite des moindres carrés. */
-    static double[] droite(List<Mesure> mesures, ToDoubleFunction<Mesure> x, ToDoubleFunction<Mesure> y) {
+    /** La pente de la droite des moindres carrés. */
+    static double pente(List<Mesure> mesures, ToDoubleFunction<Mesure> x, ToDoubleFunction<Mesure> y) {
         double n = mesures.size();
         double mx = mesures.stream().mapToDouble(x).sum() / n;
         double my = mesures.stream().mapToDouble(y).sum() / n;
         double xx = mesures.stream().mapToDouble(m -> Math.pow(x.applyAsDouble(m) - mx, 2)).sum();
         double xy = mesures.stream().mapToDouble(m -> (x.applyAsDouble(m) - mx) * (y.applyAsDouble(m) - my)).sum();
-        return new double[] {my - mx * xy / xx, xy / xx};
+        return xy / xx;
     }
 
     /** Le temps du programme entier, des boucles du cours et de deux autres programmes, selon le nombre de sphères. */

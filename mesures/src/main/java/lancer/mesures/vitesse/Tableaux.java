@@ -91,13 +91,13 @@ final class Tableaux {
     /** Deux réglages dont l'erreur est voisine, leurs rayons et leurs temps. */
     private String resultat() {
         Resultats cours = choix.scene(Catalogue.COURS);
-        Optional<Mesure> partage = cours.de(Reglage.partage(8, 0.08));
-        Optional<Mesure> grille = cours.de(Reglage.grille(4));
+        Optional<Mesure> partage = cours.de(Catalogue.UN_NIVEAU);
+        Optional<Mesure> grille = cours.de(Reglage.grille(5));
         if (!partage.isPresent() || !grille.isPresent()) {
             return PAS_ENCORE;
         }
         double temps = grille.get().processeurs / partage.get().processeurs;
-        return Nombres.niveaux(partage.get().erreur.valeur) + ". La grille de 4 × 4 rayons par pixel lance "
+        return Nombres.niveaux(partage.get().erreur.valeur) + ". La grille de 5 × 5 rayons par pixel lance "
                 + Nombres.arrondi(grille.get().rayons / partage.get().rayons) + " fois plus de rayons" + (Double.isNaN(temps) ? ""
                 : ", en " + Nombres.arrondi(temps) + " fois plus de temps de processeur") + ", pour une erreur de "
                 + Nombres.niveaux(grille.get().erreur.valeur);
@@ -111,7 +111,7 @@ final class Tableaux {
     }
 
     private static String pente(Resultats methode) {
-        return Nombres.arrondi(Planches.droite(methode.toutes, m -> Math.log(m.rayons), m -> Math.log(m.erreur.valeur))[1]);
+        return Nombres.arrondi(Planches.pente(methode.toutes, m -> Math.log(m.rayons), m -> Math.log(m.erreur.valeur)));
     }
 
     // ---- les autres
@@ -138,6 +138,9 @@ final class Tableaux {
 
     /** Facteur, ou phrase qui dit qu'aucune différence n'est sûre. */
     static String rapport(double rapport) {
-        return Double.isNaN(rapport) ? "" : Math.abs(rapport - 1) < AUTANT ? "autant, à un dixième près" : "× " + Nombres.nombre(rapport);
+        if (Double.isNaN(rapport)) {
+            return "";
+        }
+        return Math.abs(rapport - 1) < AUTANT ? "autant, à un dixième près" : "× " + Nombres.nombre(rapport);
     }
 }

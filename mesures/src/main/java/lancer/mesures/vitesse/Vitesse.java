@@ -82,17 +82,16 @@ public final class Vitesse {
         long debut = System.nanoTime();
         Files.createDirectories(TRAVAIL);
         PovRay povray = povray();
-        Catalogue catalogue = new Catalogue(Taille.PUBLIEE);
-        Mesureur mesureur = new Mesureur(TRAVAIL, povray, sortie, catalogue.taille, false, r -> Arrays.asList("-jar", r.jar()));
-        Resultats mesures = Resultats.lire(RESULTATS).tels(catalogue.demandees());
+        Mesureur mesureur = new Mesureur(TRAVAIL, povray, sortie, Taille.PUBLIEE, false, r -> Arrays.asList("-jar", r.jar()));
+        Resultats mesures = Resultats.lire(RESULTATS).tels(Catalogue.demandees());
         // les fils d'abord : rien n'a encore chargé la machine
         if (demande("--temps")) {
-            for (Groupe groupe : catalogue.temps()) {
+            for (Groupe groupe : Catalogue.temps()) {
                 mesureur.chronometrer(groupe, mesures);
             }
         }
         if (demande("--comptes")) {
-            for (Groupe groupe : catalogue.comptes()) {
+            for (Groupe groupe : Catalogue.comptes()) {
                 mesureur.compter(groupe, mesures);
             }
             Decoupe.dessiner(mesures, TRAVAIL);

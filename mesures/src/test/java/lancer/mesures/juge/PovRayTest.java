@@ -22,11 +22,11 @@ class PovRayTest {
 
     private PovRay povray;
 
-    private Raster dessiner(int echecs, WritableRaster rendue, String... options) throws IOException {
+    private Raster dessiner(int echecs, WritableRaster rendue) throws IOException {
         ScenesJugees.preparer(dossier, echecs, rendue);
         povray = new PovRay(ScenesJugees.commande(dossier), dossier);
         povray.ecrire("essai", "la scène");
-        return povray.dessiner("essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR, options);
+        return povray.dessiner("essai", ScenesJugees.LARGEUR, ScenesJugees.HAUTEUR);
     }
 
     private String panne(int echecs, WritableRaster rendue) {

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class PlancheTest {
 
     private static final List<Volet.Point> POINTS = Arrays.asList(
-            new Volet.Point(new Intervalle(1, 0.8, 1.2), Intervalle.exact(10), "le nom"),
+            new Volet.Point(1, new Intervalle(10, 8, 12), "le nom"),
             new Volet.Point(10, 1), new Volet.Point(100, 0.4));
 
     private static long pixels(BufferedImage image, int couleur) {

@@ -46,7 +46,7 @@ class ResultatsTest {
         for (String scene : Arrays.asList(Catalogue.COURS, "poussiere")) {
             Lancer prepare = Dessin.lancer(Scenes.lire(Scenes.fichier(scene, dossier)), Taille.PUBLIEE.largeur, Taille.PUBLIEE.hauteur,
                     false);
-            for (Reglage reglage : Arrays.asList(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Reglage.partage(16, 0.065))) {
+            for (Reglage reglage : Arrays.asList(Reglage.UN_RAYON, Reglage.coins(3, 0.05), Catalogue.UN_NIVEAU)) {
                 Mesure neuve = new Mesure(Catalogue.CHOIX, scene, reglage.methode, reglage.parametres, 0);
                 mesureur.compter(reglage, prepare, neuve);
                 Mesure publiee = publies().volet(Catalogue.CHOIX).scene(scene).de(reglage).get();

@@ -68,8 +68,8 @@ class VitesseTest {
     void lesRayonsComptesSontCeuxDeLaCommandeEntiere() throws IOException {
         Taille taille = new Taille(320, 240);
         Mesureur mesureur = new Mesureur(dossier, null, new PrintStream(sortie), taille, true, VitesseTest::programme);
-        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0, taille)
-                .avec(Reglage.coins(3, 0.05), 0, taille);
+        Groupe deux = new Groupe(Catalogue.CHOIX, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 0)
+                .avec(Reglage.coins(3, 0.05), 0);
         mesureur.compter(deux, resultats);
         Mesure un = resultats.de(Reglage.UN_RAYON).get();
         Mesure coins = resultats.de(Reglage.coins(3, 0.05)).get();
@@ -78,7 +78,7 @@ class VitesseTest {
         for (Mesure m : resultats.toutes) {
             Reglage reglage = m == un ? Reglage.UN_RAYON : Reglage.coins(3, 0.05);
             Matcher rayons = Pattern.compile("(?m)^rayons\\.[a-z]+: (\\d+)$").matcher(mesureur.lancer(reglage,
-                    Scenes.fichier(Catalogue.COURS, dossier), taille, "--lineaire", dossier.resolve("i.pfm"), "--statistiques").dit);
+                    Scenes.fichier(Catalogue.COURS, dossier), "--lineaire", dossier.resolve("i.pfm"), "--statistiques").dit);
             double somme = 0;
             while (rayons.find()) {
                 somme += Double.parseDouble(rayons.group(1));
@@ -94,8 +94,8 @@ class VitesseTest {
         Function<Reglage, String> nom = System.getProperty("tests.longs") != null ? Reglage::nom : reglage -> reglage.module;
         Set<String> deja = new HashSet<>();
         Groupe tous = new Groupe(Catalogue.CHOIX, "bowling", Catalogue.COURS);
-        new Catalogue(PETITE).temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
-                .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0, PETITE));
+        Catalogue.temps().stream().filter(g -> !g.volet.equals(Catalogue.SPHERES)).flatMap(g -> g.essais.stream())
+                .map(e -> e.reglage).filter(reglage -> deja.add(nom.apply(reglage))).forEach(reglage -> tous.avec(reglage, 0));
         mesureur().chronometrer(tous, resultats);
         assertEquals(tous.essais.size(), resultats.toutes.size());
         for (Mesure m : resultats.toutes) {
@@ -106,7 +106,7 @@ class VitesseTest {
 
     @Test
     void uneMesureSeRelitTelleQuElleEstEcrite() throws IOException {
-        mesureur().chronometrer(new Groupe(Catalogue.FILS, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 3, PETITE), resultats);
+        mesureur().chronometrer(new Groupe(Catalogue.FILS, Catalogue.COURS, Catalogue.COURS).avec(Reglage.UN_RAYON, 3), resultats);
         resultats.ecrire(dossier);
         assertEquals(resultats.toutes.get(0).ligne(), Resultats.lire(dossier).toutes.get(0).ligne());
         assertEquals(0, Resultats.lire(dossier.resolve("ailleurs")).toutes.size());
@@ -139,14 +139,14 @@ class VitesseTest {
     @Test
     void chaqueSouhaitAUneReponseParSorteDeScene() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        noter("scene1", Reglage.partage(16, 0.05), 2.5, 0.2);
-        noter("scene1", Reglage.partage(8, 0.08), 1.9, 0.6);
-        noter("scene1", Reglage.partage(4, 0.2), 1.5, 0.9);
+        noter("scene1", Reglage.partage(16, 0.02), 2.5, 0.2);
+        noter("scene1", Catalogue.UN_NIVEAU, 1.9, 0.6);
+        noter("scene1", Reglage.partage(4, 0.07), 1.5, 0.9);
         noter("scene1", Reglage.grille(2), 1.2, 0.5);
         noter("poussiere", Reglage.UN_RAYON, 1, 12);
-        noter("poussiere", Reglage.partage(16, 0.05), 2.5, 0.27);
-        noter("poussiere", Reglage.partage(8, 0.08), 2, 0.94);
-        noter("poussiere", Reglage.partage(4, 0.2), 1.5, 1.2);
+        noter("poussiere", Reglage.partage(16, 0.02), 2.5, 0.27);
+        noter("poussiere", Catalogue.UN_NIVEAU, 2, 0.94);
+        noter("poussiere", Reglage.partage(4, 0.07), 1.5, 1.2);
         String table = new Tableaux(resultats).pages().get("choisir");
         assertTrue(table.contains("<tr><td>aller au plus vite</td><td><b>un rayon</b><br>au pire 3 niveaux (de 2,8 à 3,2, scene1)<br>1 % "
                 + "des "
@@ -154,9 +154,9 @@ class VitesseTest {
                         table);
         // l'erreur de la grille n'est pas connue de la poussière ; ce qui suffit sans détail ne suffit pas avec
         assertTrue(table.contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus</td><td><b>grille 2 × 2</b>"), table);
-        assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=8 seuil=0.08</b><br>au pire 0,94 niveau"), table);
-        assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.05</b>"), table);
-        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.05\n\n"), table);
+        assertTrue(table.contains("rayons × 1,2, temps × 1,2</td><td><b>partage n=12 seuil=0.045</b><br>au pire 0,94 niveau"), table);
+        assertTrue(table.contains("<tr><td>moins que l'arrondi de l'écran</td><td><b>partage n=16 seuil=0.02</b>"), table);
+        assertTrue(table.contains("\n    [Antialias]\n    methode=partage\n    n=16\n    seuil=0.02\n\n"), table);
         assertTrue(table.contains("\n    java -jar antialias/target/antialias.jar --reflets 1000 --image boules.png scenes/scene1.ini\n"),
                 table);
         assertEquals(1, table.split("n=16\n", -1).length - 1, "ce qui est à écrire l'est une fois");
@@ -166,7 +166,7 @@ class VitesseTest {
     @Test
     void deuxSouhaitsQuiOntLaMemeReponseSontUneLigne() {
         noter("scene1", Reglage.UN_RAYON, 1, 3);
-        noter("scene1", Reglage.partage(16, 0.05), 1.5, 0.1);
+        noter("scene1", Reglage.partage(16, 0.02), 1.5, 0.1);
         assertTrue(new Tableaux(resultats).pages().get("choisir").contains("<tr><td>le mieux, en deux fois ce temps ; un niveau au plus ; "
                 + "moins "
                 + "que l'arrondi de l'écran</td><td><b>partage"));
@@ -184,14 +184,12 @@ class VitesseTest {
     }
 
     @Test
-    void uneDroiteEtSaPenteSontCellesDesTemps() {
+    void laPenteDUneDroiteEstLaSienne() {
         for (int x : new int[] {2, 4, 8}) {
             Mesure m = new Mesure(Catalogue.FILS, Catalogue.COURS, "fils", "" + x, x);
             m.processeurs = 0.5 + 0.1 * x;
             resultats.toutes.add(m);
         }
-        double[] droite = Planches.droite(resultats.toutes, m -> m.x, m -> m.processeurs);
-        assertEquals(0.5, droite[0], 1e-12);
-        assertEquals(0.1, droite[1], 1e-12);
+        assertEquals(0.1, Planches.pente(resultats.toutes, m -> m.x, m -> m.processeurs), 1e-12);
     }
 }
