@@ -25,9 +25,6 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
 
-    /** Ce qui couvre de plus l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
-    private static final double ARRONDI_DU_TRI = 0x1p-26;
-
     /** Plus petite composante de la direction dans les cellules, à la place d'une plus petite : rien n'y déborde. */
     private static final double COMPOSANTE_MIN = 1e-180;
 
@@ -64,7 +61,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int fin;
     /** Dit si la liste va de l'enveloppe la plus proche d'un point de vue à la plus lointaine. */
     private boolean triee;
-    /** Ce que l'arrondi du tri ajoute à la limite : il est proportionnel à la distance du point de vue. */
+    /** Ce que l'erreur du tri ajoute à la limite. */
     private double lache;
 
     /** L'objet proposé, s'il est prêt ; −1 à la fin. */
@@ -216,7 +213,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 double fz = g[s + 2] - pz;
                 double r = g[s + 3];
                 double b = fx * vx + fy * vy + fz * vz;
-                if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
+                if (b * (1 - PointDeVue.ARRONDI_DU_TRI) - r > auPlus) {
                     if (triee) {
                         // les suivants sont encore plus loin
                         place = fin;
@@ -253,7 +250,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 etape = FIN;
                 if (direction >= 0) {
                     triee = true;
-                    lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
+                    lache = vue.erreur(px, py, pz);
                     lire(c.objets, c.debut[direction], c.debut[direction + 1]);
                     if (fin - place > EXAMENS_MAX) {
                         fin = place + EXAMENS_MAX;

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import lancer.Camera;
+import lancer.CameraPlacee;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -21,6 +22,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Une recherche ne cache aucun objet qu'un rayon rencontre, d'où qu'il parte, et toute forme bornée s'y trouve comme une sphère. */
@@ -176,6 +178,25 @@ class CurseurTest {
                 assertEquals(attendu.getDistance(), rayon.getDistance(), "de z = " + z);
                 assertTrue(rayon.getDistance() < 30);
             }
+        }
+    }
+
+    /** Tout y est plus près de l'œil que l'écart permis à un rayon qui en vient ; un rayon de l'écran, lui, en est loin. */
+    @Test
+    void dansUneSceneMinusculeUnRayonQuiPartDeLOeilALaReponseDeTousLesObjets() {
+        Scene boucles = Ressources.deplacee(ScenesDEssai.hostiles(60).get("nuage de boules mêlées"),
+                p -> new Point(1e-24 * p.x, 1e-24 * p.y, 1e-24 * p.z), 1e-24);
+        Camera camera = new CameraPlacee(97, 61, new Point(), new Vecteur(0, 0, 1), 60);
+        Scene rapide = Structuree.scene(boucles, camera);
+        Random hasard = new Random(5);
+        for (int k = 0; k < 2000; k++) {
+            Vecteur v = new Vecteur(hasard.nextGaussian() / 3, hasard.nextGaussian() / 3, 1);
+            Rayon attendu = new Rayon(camera.getOeil(), v);
+            Rayon rayon = new Rayon(camera.getOeil(), v);
+            boucles.getClosestIntersection(attendu);
+            rapide.getClosestIntersection(rayon);
+            assertEquals(attendu.getDistance(), rayon.getDistance(), "rayon " + k);
+            assertEquals(attendu.getObjet(), rayon.getObjet(), "rayon " + k);
         }
     }
 
