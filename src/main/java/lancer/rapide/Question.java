@@ -159,9 +159,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             }
             propose = chercher();
             pret = true;
-            // une autre question a pu être posée depuis la précédente
-            foule.enCours = this;
         }
+        // une autre question a pu être posée, ou proposer, depuis la précédente
+        foule.enCours = this;
         return propose >= 0;
     }
 

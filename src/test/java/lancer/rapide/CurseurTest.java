@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -224,6 +225,40 @@ class CurseurTest {
             }
             assertEquals(attendu.getDistance(), distance);
             assertEquals(attendu.getObjet(), rapide.aEgalite(plusProche));
+        }
+    }
+
+    /** Deux questions qui avancent ensemble : ce qui limite l'une ne limite pas l'autre. */
+    @Test
+    void deuxQuestionsMeneesDeFrontOntChacuneLeurLimite() {
+        Scene boucles = ScenesDEssai.toutes(60).get("presque jumelles");
+        Recherche rapide = Preparation.recherche(boucles, CAMERA);
+        Random hasard = new Random(3);
+        for (int k = 0; k < 500; k++) {
+            Rayon[] rayons = new Rayon[2];
+            double[] distances = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+            List<Iterator<Objet3D>> questions = new ArrayList<>();
+            for (int i = 0; i < 2; i++) {
+                rayons[i] = CAMERA.getRayon(97 * hasard.nextDouble(), 61 * hasard.nextDouble());
+                questions.add(rapide.candidats(rayons[i], null, Double.POSITIVE_INFINITY).iterator());
+            }
+            boolean[] suite = {true, true};
+            while (suite[0] || suite[1]) {
+                for (int i = 0; i < 2; i++) {
+                    suite[i] = questions.get(i).hasNext();
+                }
+                for (int i = 0; i < 2; i++) {
+                    if (suite[i]) {
+                        distances[i] = Math.min(distances[i], questions.get(i).next().getIntersectionDistance(rayons[i]));
+                        rapide.limiter(distances[i]);
+                    }
+                }
+            }
+            for (int i = 0; i < 2; i++) {
+                Rayon attendu = Rayon.unitaire(rayons[i].getP(), rayons[i].getV());
+                boucles.getClosestIntersection(attendu);
+                assertEquals(attendu.getDistance(), distances[i], "rayon " + k);
+            }
         }
     }
 }
