@@ -25,7 +25,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
 
-    /** Plus petite composante de la direction dans les cellules, à la place d'une plus petite : rien n'y déborde. */
+    /** Plus petite composante de la direction dont l'inverse sert, à la place d'une plus petite : rien n'y déborde. */
     private static final double COMPOSANTE_MIN = 1e-180;
 
     /** Écart permis à 1 du carré de la longueur d'une direction. */
@@ -50,6 +50,10 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double vx;
     private double vy;
     private double vz;
+    /** Les inverses de la direction, pour les cellules de l'espace et pour l'arbre. */
+    private double wx;
+    private double wy;
+    private double wz;
     private double limite;
 
     private int etape;
@@ -283,6 +287,12 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         fin = apres;
     }
 
+    private void inverser() {
+        wx = inverse(vx);
+        wy = inverse(vy);
+        wz = inverse(vz);
+    }
+
     private static double inverse(double v) {
         return 1 / (Math.abs(v) < COMPOSANTE_MIN ? COMPOSANTE_MIN : v);
     }
@@ -290,9 +300,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Place le rayon dans le premier cube qu'il traverse, et en ouvre la liste. */
     private void entrer() {
         Cellules c = structures.espace;
-        double wx = inverse(vx);
-        double wy = inverse(vy);
-        double wz = inverse(vz);
+        inverser();
         double ax = (c.x0 - px) * wx;
         double ay = (c.y0 - py) * wy;
         double az = (c.z0 - pz) * wz;
@@ -378,15 +386,13 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         }
         if (haut < 0) {
             triee = false;
+            inverser();
             haut = arbre.feuilles.length == 0 ? 0 : 1;
             pile[0] = 0;
             entrees[0] = 0;
         }
         double[] q = arbre.boites;
         double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);
-        double ax = Math.abs(vx);
-        double ay = Math.abs(vy);
-        double az = Math.abs(vz);
         while (haut > 0) {
             if (entrees[--haut] > limite) {
                 continue;
@@ -396,8 +402,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             while (n >= 0 && arbre.compte[n] == 0) {
                 examens += 2;
                 int s = arbre.suite[n];
-                double e0 = entree(q, Arbre.PAS * s, ax, ay, az, marge);
-                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, ax, ay, az, marge);
+                double e0 = entree(q, Arbre.PAS * s, marge);
+                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, marge);
                 if (e0 <= limite && e1 <= limite) {
                     boolean gauche = e0 <= e1;
                     pile[haut] = gauche ? s + 1 : s;
@@ -415,23 +421,16 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         return false;
     }
 
-    /**
-     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation
-     * sont V et ses produits vectoriels avec les trois axes.
-     */
-    private double entree(double[] q, int b, double ax, double ay, double az, double marge) {
-        double x = q[b] - px;
-        double y = q[b + 1] - py;
-        double z = q[b + 2] - pz;
-        double hx = q[b + 3] + marge;
-        double hy = q[b + 4] + marge;
-        double hz = q[b + 5] + marge;
-        if (Math.abs(y * vz - z * vy) > hy * az + hz * ay || Math.abs(z * vx - x * vz) > hz * ax + hx * az
-                || Math.abs(x * vy - y * vx) > hx * ay + hy * ax) {
-            return Double.NaN;
-        }
-        double milieu = x * vx + y * vy + z * vz;
-        double demi = hx * ax + hy * ay + hz * az;
-        return milieu + demi < 0 ? Double.NaN : milieu - demi;
+    /** La distance où le rayon entre dans cette boîte, arrondie par défaut ; NaN s'il ne la rencontre pas. */
+    private double entree(double[] q, int b, double marge) {
+        double x = (q[b] - px) * wx;
+        double y = (q[b + 1] - py) * wy;
+        double z = (q[b + 2] - pz) * wz;
+        double ex = (q[b + 3] + marge) * Math.abs(wx);
+        double ey = (q[b + 4] + marge) * Math.abs(wy);
+        double ez = (q[b + 5] + marge) * Math.abs(wz);
+        double entree = Math.max(x - ex, Math.max(y - ey, z - ez));
+        double sortie = Math.min(x + ex, Math.min(y + ey, z + ez));
+        return entree <= sortie && sortie >= 0 ? entree : Double.NaN;
     }
 }
