@@ -50,10 +50,10 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double vx;
     private double vy;
     private double vz;
-    /** Les inverses de la direction, pour les cellules de l'espace et pour l'arbre. */
-    private double wx;
-    private double wy;
-    private double wz;
+    /** Les inverses de la direction, une fois l'arbre ouvert. */
+    private double ix;
+    private double iy;
+    private double iz;
     private double limite;
 
     private int etape;
@@ -287,12 +287,6 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         fin = apres;
     }
 
-    private void inverser() {
-        wx = inverse(vx);
-        wy = inverse(vy);
-        wz = inverse(vz);
-    }
-
     private static double inverse(double v) {
         return 1 / (Math.abs(v) < COMPOSANTE_MIN ? COMPOSANTE_MIN : v);
     }
@@ -300,7 +294,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Place le rayon dans le premier cube qu'il traverse, et en ouvre la liste. */
     private void entrer() {
         Cellules c = structures.espace;
-        inverser();
+        double wx = inverse(vx);
+        double wy = inverse(vy);
+        double wz = inverse(vz);
         double ax = (c.x0 - px) * wx;
         double ay = (c.y0 - py) * wy;
         double az = (c.z0 - pz) * wz;
@@ -386,7 +382,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         }
         if (haut < 0) {
             triee = false;
-            inverser();
+            ix = inverse(vx);
+            iy = inverse(vy);
+            iz = inverse(vz);
             haut = arbre.feuilles.length == 0 ? 0 : 1;
             pile[0] = 0;
             entrees[0] = 0;
@@ -423,12 +421,12 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** La distance où le rayon entre dans cette boîte, arrondie par défaut ; NaN s'il ne la rencontre pas. */
     private double entree(double[] q, int b, double marge) {
-        double x = (q[b] - px) * wx;
-        double y = (q[b + 1] - py) * wy;
-        double z = (q[b + 2] - pz) * wz;
-        double ex = (q[b + 3] + marge) * Math.abs(wx);
-        double ey = (q[b + 4] + marge) * Math.abs(wy);
-        double ez = (q[b + 5] + marge) * Math.abs(wz);
+        double x = (q[b] - px) * ix;
+        double y = (q[b + 1] - py) * iy;
+        double z = (q[b + 2] - pz) * iz;
+        double ex = (q[b + 3] + marge) * Math.abs(ix);
+        double ey = (q[b + 4] + marge) * Math.abs(iy);
+        double ez = (q[b + 5] + marge) * Math.abs(iz);
         double entree = Math.max(x - ex, Math.max(y - ey, z - ez));
         double sortie = Math.min(x + ex, Math.min(y + ey, z + ez));
         return entree <= sortie && sortie >= 0 ? entree : Double.NaN;
