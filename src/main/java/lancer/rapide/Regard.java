@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Point;
@@ -42,7 +43,7 @@ public final class Regard {
             // chaque classe d'objets reçoit autant de rayons
             Map<String, List<Objet3D>> classes = preparee.getObjets().stream().filter(o -> o.getEnveloppe() != null)
                     .collect(Collectors.groupingBy(o -> o.getClass().getName(), TreeMap::new, Collectors.toList()));
-            return new Regard().compare(preparee.pourUnFil(), new ArrayList<>(classes.values()), camera.getOeil());
+            return new Regard().compare(preparee.pourUnFil(), new ArrayList<>(classes.values()), camera);
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
@@ -51,7 +52,7 @@ public final class Regard {
         }
     }
 
-    private boolean compare(Scene preparee, List<List<Objet3D>> classes, Point oeil) {
+    private boolean compare(Scene preparee, List<List<Objet3D>> classes, Camera camera) {
         Scene toutes = preparee.avec(new TousLesObjets(preparee.getObjets()));
         boolean cache = false;
         int rayons = classes.isEmpty() ? 0 : RAYONS;
@@ -59,13 +60,20 @@ public final class Regard {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
             Point vers = dans(tirer(classe), 2 * hasard.nextDouble());
-            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), vers);
+            Rayon rayon = depart == null ? deLEcran(vers, camera) : new Rayon(dans(depart, 1), vers);
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(preparee.getCouleurVue(rayon, depart, 0))
                     && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
         }
         return cache;
+    }
+
+    /** Le rayon de l'écran qui va vers ce point ou, s'il n'est pas devant l'œil, le rayon de l'œil. */
+    private static Rayon deLEcran(Point vers, Camera camera) {
+        Point vu = camera.projeter(vers);
+        boolean devant = vu.z > 0 && Math.abs(vu.x) + Math.abs(vu.y) < Constantes.INFINI;
+        return devant ? camera.getRayon(vu.x, vu.y) : new Rayon(camera.getOeil(), vers);
     }
 
     private Objet3D tirer(List<Objet3D> liste) {
