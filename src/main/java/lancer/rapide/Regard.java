@@ -8,7 +8,6 @@ import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import lancer.Camera;
-import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Point;
@@ -60,20 +59,15 @@ public final class Regard {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
             Point vers = dans(tirer(classe), 2 * hasard.nextDouble());
-            Rayon rayon = depart == null ? deLEcran(vers, camera) : new Rayon(dans(depart, 1), vers);
+            Rayon rayon = k % 4 == 0 ? camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
+                    camera.getHauteur() * hasard.nextDouble())
+                    : new Rayon(depart == null ? camera.getOeil() : dans(depart, 1), vers);
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(preparee.getCouleurVue(rayon, depart, 0))
                     && vue.equals(toutes.getCouleurVue(rayon, depart, 0));
         }
         return cache;
-    }
-
-    /** Le rayon de l'écran qui va vers ce point ou, s'il n'est pas devant l'œil, le rayon de l'œil. */
-    private static Rayon deLEcran(Point vers, Camera camera) {
-        Point vu = camera.projeter(vers);
-        boolean devant = vu.z > 0 && Math.abs(vu.x) + Math.abs(vu.y) < Constantes.INFINI;
-        return devant ? camera.getRayon(vu.x, vu.y) : new Rayon(camera.getOeil(), vers);
     }
 
     private Objet3D tirer(List<Objet3D> liste) {
