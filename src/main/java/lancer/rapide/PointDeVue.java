@@ -18,6 +18,9 @@ final class PointDeVue {
     /** Élargissement d'un cône : une direction et l'erreur d'une distance sont de quelques arrondis. */
     private static final double MARGE = 1e-14;
 
+    /** Ce qui couvre l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
+    static final double ARRONDI_DU_TRI = 0x1p-26;
+
     /** Plus petite distance dont le carré garde ses chiffres. */
     private static final double LOIN_MIN = 1e-120;
 
@@ -74,9 +77,13 @@ final class PointDeVue {
         return 0;
     }
 
-    /** La distance de ce point à P. */
-    double avance(double px, double py, double pz) {
-        return Math.sqrt((px - x) * (px - x) + (py - y) * (py - y) + (pz - z) * (pz - z));
+    /**
+     * L'erreur de l'ordre des distances, pour un rayon qui part de P : celle du tri, en part de la distance de P à ce
+     * point, et trois écarts. Une enveloppe à moins de deux écarts du point est rangée comme si elle le contenait.
+     */
+    double erreur(double px, double py, double pz) {
+        double avance = Math.sqrt((px - x) * (px - x) + (py - y) * (py - y) + (pz - z) * (pz - z));
+        return ARRONDI_DU_TRI * avance + 3 * ecart;
     }
 
     /** Dit si ce rayon passe par ce point, puis s'en éloigne. */

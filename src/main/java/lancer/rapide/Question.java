@@ -26,10 +26,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     /** Un peu moins que 1 : l'écart couvre 512 arrondis, dont ceux d'une distance et d'une direction. */
     private static final double PRESQUE_UN = 1 - 0x1p-44;
 
-    /** Ce qui couvre de plus l'arrondi de la distance selon laquelle une liste est triée, en part de cette distance. */
-    private static final double ARRONDI_DU_TRI = 0x1p-26;
-
-    /** Plus petite composante de la direction dans les cellules, à la place d'une plus petite : rien n'y déborde. */
+    /** Plus petite composante de la direction dont l'inverse sert, à la place d'une plus petite : rien n'y déborde. */
     private static final double COMPOSANTE_MIN = 1e-180;
 
     /** Écart permis à 1 du carré de la longueur d'une direction. */
@@ -54,6 +51,10 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private double vx;
     private double vy;
     private double vz;
+    /** Les inverses de la direction, une fois l'arbre ouvert. */
+    private double ix;
+    private double iy;
+    private double iz;
     private double limite;
 
     private int etape;
@@ -65,7 +66,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     private int fin;
     /** Dit si la liste va de l'enveloppe la plus proche d'un point de vue à la plus lointaine. */
     private boolean triee;
-    /** Ce que l'arrondi du tri ajoute à la limite : il est proportionnel à la distance du point de vue. */
+    /** Ce que l'erreur du tri ajoute à la limite. */
     private double lache;
 
     /** L'objet proposé, s'il est prêt ; −1 à la fin. */
@@ -164,9 +165,9 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             }
             propose = chercher();
             pret = true;
-            // une autre question a pu être posée depuis la précédente
-            suivi.accept(this);
         }
+        // une autre question a pu être posée, ou proposer, depuis la précédente
+        suivi.accept(this);
         return propose >= 0;
     }
 
@@ -218,7 +219,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 double fz = g[s + 2] - pz;
                 double r = g[s + 3];
                 double b = fx * vx + fy * vy + fz * vz;
-                if (b * (1 - ARRONDI_DU_TRI) - r > auPlus) {
+                if (b * (1 - PointDeVue.ARRONDI_DU_TRI) - r > auPlus) {
                     if (triee) {
                         // les suivants sont encore plus loin
                         place = fin;
@@ -255,7 +256,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 etape = FIN;
                 if (direction >= 0) {
                     triee = true;
-                    lache = ARRONDI_DU_TRI * vue.avance(px, py, pz);
+                    lache = vue.erreur(px, py, pz);
                     lire(c.objets, c.debut[direction], c.debut[direction + 1]);
                     if (fin - place > EXAMENS_MAX) {
                         fin = place + EXAMENS_MAX;
@@ -383,15 +384,15 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         }
         if (haut < 0) {
             triee = false;
+            ix = inverse(vx);
+            iy = inverse(vy);
+            iz = inverse(vz);
             haut = arbre.feuilles.length == 0 ? 0 : 1;
             pile[0] = 0;
             entrees[0] = 0;
         }
         double[] q = arbre.boites;
         double marge = Arbre.MARGE * Enveloppes.plusGrande(px, py, pz);
-        double ax = Math.abs(vx);
-        double ay = Math.abs(vy);
-        double az = Math.abs(vz);
         while (haut > 0) {
             if (entrees[--haut] > limite) {
                 continue;
@@ -401,8 +402,8 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
             while (n >= 0 && arbre.compte[n] == 0) {
                 examens += 2;
                 int s = arbre.suite[n];
-                double e0 = entree(q, Arbre.PAS * s, ax, ay, az, marge);
-                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, ax, ay, az, marge);
+                double e0 = entree(q, Arbre.PAS * s, marge);
+                double e1 = entree(q, Arbre.PAS * s + Arbre.PAS, marge);
                 if (e0 <= limite && e1 <= limite) {
                     boolean gauche = e0 <= e1;
                     pile[haut] = gauche ? s + 1 : s;
@@ -420,23 +421,16 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
         return false;
     }
 
-    /**
-     * Borne inférieure de la distance du rayon à cette boîte ; NaN s'il ne la rencontre pas. Les axes de séparation
-     * sont V et ses produits vectoriels avec les trois axes.
-     */
-    private double entree(double[] q, int b, double ax, double ay, double az, double marge) {
-        double x = q[b] - px;
-        double y = q[b + 1] - py;
-        double z = q[b + 2] - pz;
-        double hx = q[b + 3] + marge;
-        double hy = q[b + 4] + marge;
-        double hz = q[b + 5] + marge;
-        if (Math.abs(y * vz - z * vy) > hy * az + hz * ay || Math.abs(z * vx - x * vz) > hz * ax + hx * az
-                || Math.abs(x * vy - y * vx) > hx * ay + hy * ax) {
-            return Double.NaN;
-        }
-        double milieu = x * vx + y * vy + z * vz;
-        double demi = hx * ax + hy * ay + hz * az;
-        return milieu + demi < 0 ? Double.NaN : milieu - demi;
+    /** La distance où le rayon entre dans cette boîte, arrondie par défaut ; NaN s'il ne la rencontre pas. */
+    private double entree(double[] q, int b, double marge) {
+        double x = (q[b] - px) * ix;
+        double y = (q[b + 1] - py) * iy;
+        double z = (q[b + 2] - pz) * iz;
+        double ex = (q[b + 3] + marge) * Math.abs(ix);
+        double ey = (q[b + 4] + marge) * Math.abs(iy);
+        double ez = (q[b + 5] + marge) * Math.abs(iz);
+        double entree = Math.max(x - ex, Math.max(y - ey, z - ez));
+        double sortie = Math.min(x + ex, Math.min(y + ey, z + ez));
+        return entree <= sortie && sortie >= 0 ? entree : Double.NaN;
     }
 }

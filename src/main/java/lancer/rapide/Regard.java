@@ -42,7 +42,7 @@ public final class Regard {
             // chaque classe d'objets reçoit autant de rayons
             Map<String, List<Objet3D>> classes = preparee.getObjets().stream().filter(o -> o.getEnveloppe() != null)
                     .collect(Collectors.groupingBy(o -> o.getClass().getName(), TreeMap::new, Collectors.toList()));
-            return new Regard().compare(preparee.pourUnFil(), new ArrayList<>(classes.values()), camera.getOeil());
+            return new Regard().compare(preparee.pourUnFil(), new ArrayList<>(classes.values()), camera);
         } catch (CancellationException | OutOfMemoryError e) {
             throw e;
         } catch (RuntimeException | Error e) {
@@ -51,7 +51,7 @@ public final class Regard {
         }
     }
 
-    private boolean compare(Scene preparee, List<List<Objet3D>> classes, Point oeil) {
+    private boolean compare(Scene preparee, List<List<Objet3D>> classes, Camera camera) {
         Scene toutes = preparee.avec(new TousLesObjets(preparee.getObjets()));
         boolean cache = false;
         int rayons = classes.isEmpty() ? 0 : RAYONS;
@@ -59,7 +59,9 @@ public final class Regard {
             List<Objet3D> classe = classes.get(k / 2 % classes.size());
             Objet3D depart = k % 2 == 0 ? null : tirer(classe);
             Point vers = dans(tirer(classe), 2 * hasard.nextDouble());
-            Rayon rayon = new Rayon(depart == null ? oeil : dans(depart, 1), vers);
+            Rayon rayon = k % 4 == 0 ? camera.getRayon(camera.getLargeur() * hasard.nextDouble(),
+                    camera.getHauteur() * hasard.nextDouble())
+                    : new Rayon(depart == null ? camera.getOeil() : dans(depart, 1), vers);
             Couleur vue = toutes.getCouleurVue(rayon, depart, 0);
             // une couleur qui ne se répète pas ne dit rien de la recherche
             cache = !vue.equals(preparee.getCouleurVue(rayon, depart, 0))

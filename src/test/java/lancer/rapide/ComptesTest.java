@@ -110,6 +110,22 @@ class ComptesTest {
         assertTrue(cout(rapide) < cout(arbre) / 2, cout(rapide) + " examens, arbre simple " + cout(arbre));
     }
 
+    /** Sous toutes les boîtes, il y a une boule proche : seule l'entrée exacte dans une boîte l'écarte. */
+    @Test
+    void dansLArbreSeulDesBoulesQuiSeRecouvrentCoutentCeQueCouteUnArbreSimple() {
+        Random hasard = new Random(7);
+        List<Sphere> boules = new ArrayList<>();
+        for (int k = 0; k < 1000; k++) {
+            boules.add(new Sphere(new Point(2 * hasard.nextDouble() - 1, 2 * hasard.nextDouble() - 1, 7 + 2 * hasard.nextDouble()),
+                    1 + 2 * hasard.nextDouble()));
+        }
+        Scene scene = new Scene(boules, Collections.singletonList(new Lampe(new Point(-10, 15, -12), new Couleur(1))));
+        Camera camera = new Camera(12, 9);
+        Compteurs arbre = compter(scene.avec(new ArbreSimple(scene.getObjets(), new Compteurs())), camera, 3, 1);
+        Compteurs rapide = compter(Preparation.preparer(scene, camera), camera, 3, 1);
+        assertTrue(cout(rapide) < 1.5 * cout(arbre), cout(rapide) + " examens, arbre simple " + cout(arbre));
+    }
+
     @Test
     void niLampesNiMiroirsNiSousPixelsNiProfondeurNeCoutentPlusQueLaBorne() {
         essayer("25 sphères, 5 000 lampes", ScenesDEssai.foule(25, 25, 0).lampes(5000).scene(), 6, 4, 5, 1, true);

@@ -7,10 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import lancer.Camera;
+import lancer.CameraPlacee;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
@@ -21,6 +23,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Recherche;
+import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
 
 /** Une recherche ne cache aucun objet qu'un rayon rencontre, d'où qu'il parte, et toute forme bornée s'y trouve comme une sphère. */
@@ -179,6 +182,25 @@ class CurseurTest {
         }
     }
 
+    /** Tout y est plus près de l'œil que l'écart permis à un rayon qui en vient ; un rayon de l'écran, lui, en est loin. */
+    @Test
+    void dansUneSceneMinusculeUnRayonQuiPartDeLOeilALaReponseDeTousLesObjets() {
+        Scene boucles = Ressources.deplacee(ScenesDEssai.hostiles(60).get("nuage de boules mêlées"),
+                p -> new Point(1e-24 * p.x, 1e-24 * p.y, 1e-24 * p.z), 1e-24);
+        Camera camera = new CameraPlacee(97, 61, new Point(), new Vecteur(0, 0, 1), 60);
+        Scene rapide = Structuree.scene(boucles, camera);
+        Random hasard = new Random(5);
+        for (int k = 0; k < 2000; k++) {
+            Vecteur v = new Vecteur(hasard.nextGaussian() / 3, hasard.nextGaussian() / 3, 1);
+            Rayon attendu = new Rayon(camera.getOeil(), v);
+            Rayon rayon = new Rayon(camera.getOeil(), v);
+            boucles.getClosestIntersection(attendu);
+            rapide.getClosestIntersection(rayon);
+            assertEquals(attendu.getDistance(), rayon.getDistance(), "rayon " + k);
+            assertEquals(attendu.getObjet(), rayon.getObjet(), "rayon " + k);
+        }
+    }
+
     /** Une question posée pendant une autre ne change ni ses objets, ni sa limite, ni l'objet qui y est à égalité. */
     @Test
     void uneQuestionPoseePendantUneAutreLaisseSaReponse() {
@@ -203,6 +225,40 @@ class CurseurTest {
             }
             assertEquals(attendu.getDistance(), distance);
             assertEquals(attendu.getObjet(), rapide.aEgalite(plusProche));
+        }
+    }
+
+    /** Deux questions qui avancent ensemble : ce qui limite l'une ne limite pas l'autre. */
+    @Test
+    void deuxQuestionsMeneesDeFrontOntChacuneLeurLimite() {
+        Scene boucles = ScenesDEssai.toutes(60).get("presque jumelles");
+        Recherche rapide = Preparation.recherche(boucles, CAMERA);
+        Random hasard = new Random(3);
+        for (int k = 0; k < 500; k++) {
+            Rayon[] rayons = new Rayon[2];
+            double[] distances = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+            List<Iterator<Objet3D>> questions = new ArrayList<>();
+            for (int i = 0; i < 2; i++) {
+                rayons[i] = CAMERA.getRayon(97 * hasard.nextDouble(), 61 * hasard.nextDouble());
+                questions.add(rapide.candidats(rayons[i], null, Double.POSITIVE_INFINITY).iterator());
+            }
+            boolean[] suite = {true, true};
+            while (suite[0] || suite[1]) {
+                for (int i = 0; i < 2; i++) {
+                    suite[i] = questions.get(i).hasNext();
+                }
+                for (int i = 0; i < 2; i++) {
+                    if (suite[i]) {
+                        distances[i] = Math.min(distances[i], questions.get(i).next().getIntersectionDistance(rayons[i]));
+                        rapide.limiter(distances[i]);
+                    }
+                }
+            }
+            for (int i = 0; i < 2; i++) {
+                Rayon attendu = Rayon.unitaire(rayons[i].getP(), rayons[i].getV());
+                boucles.getClosestIntersection(attendu);
+                assertEquals(attendu.getDistance(), distances[i], "rayon " + k);
+            }
         }
     }
 }

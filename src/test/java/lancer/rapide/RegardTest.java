@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import lancer.Camera;
 import lancer.Objet3D;
+import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import org.junit.jupiter.api.Test;
@@ -20,7 +21,7 @@ class RegardTest {
     private static final Camera CAMERA = new Camera(97, 61);
 
     /** Une sphère dont l'enveloppe n'a que cette part du rayon. */
-    private static final class Debordante extends Sphere {
+    private static class Debordante extends Sphere {
 
         private final double part;
 
@@ -70,5 +71,25 @@ class RegardTest {
         }
         Scene scene = new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes());
         assertTrue(trouve(scene));
+    }
+
+    /** Le départ du rayon décide : ceux de l'image partent de l'écran, pas de l'œil. */
+    @Test
+    void unObjetFauxPourLesSeulsRayonsDeLEcranEstVu() {
+        List<Objet3D> objets = new ArrayList<>(ScenesDEssai.hostiles(60).get("nuage de boules mêlées").getObjets());
+        objets.replaceAll(objet -> new Debordante((Sphere) objet, 1) {
+            {
+                setMatiere(objet);
+            }
+
+            @Override
+            public double getIntersectionDistance(Rayon incident) {
+                double d = super.getIntersectionDistance(incident);
+                d = incident.getP().z == 0 && getCentre().x > 0 ? 0.5 * d : d;
+                incident.setContact(this, d);
+                return d;
+            }
+        });
+        assertTrue(trouve(new Scene(objets, ScenesDEssai.foule(3, 60, 0).scene().getLampes())));
     }
 }
