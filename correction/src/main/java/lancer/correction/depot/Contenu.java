@@ -87,9 +87,12 @@ final class Contenu {
             return zip.getInputStream(entree);
         } catch (UnsupportedZipFeatureException | LinkageError e) {
             // une bibliothèque facultative, qui n'est pas ici, lirait XZ ou Zstandard
+            if (entree.getGeneralPurposeBit().usesEncryption()) {
+                throw new UnsupportedOperationException("protégée par un mot de passe");
+            }
             ZipMethod methode = ZipMethod.getMethodByCode(entree.getMethod());
-            throw new UnsupportedOperationException(entree.getGeneralPurposeBit().usesEncryption() ? "protégée par un mot de passe"
-                    : "comprimée d'une façon qui n'est pas lue ici (" + (methode == null ? entree.getMethod() : methode) + ")");
+            throw new UnsupportedOperationException("comprimée d'une façon qui n'est pas lue ici ("
+                    + (methode == null ? entree.getMethod() : methode) + ")");
         }
     }
 
@@ -181,10 +184,10 @@ final class Contenu {
 
     private void ajouter(String chemin, byte[] lus) {
         String texte = Source.decoder(lus).replace("\0", "");
-        String pourquoi = texte.isBlank() ? "vide"
-                : texte.startsWith("version https://git-lfs.") ? "un renvoi de Git LFS, sans le texte" : "";
-        if (!pourquoi.isEmpty()) {
-            rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""), pourquoi);
+        boolean renvoi = texte.startsWith("version https://git-lfs.");
+        if (renvoi || texte.isBlank()) {
+            rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""),
+                    renvoi ? "un renvoi de Git LFS, sans le texte" : "vide");
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
             refuser(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
@@ -206,7 +209,7 @@ final class Contenu {
                 laisses.merge(noms[0] + (noms.length > 2 ? "/" + noms[1] : ""), 1, Integer::sum);
             }
         }
-        laisses.forEach((ou, combien) -> refuser(ou + DE_COTE + combien + (combien > 1 ? " fichiers" : " fichier") + " au-delà de "
+        laisses.forEach((ou, combien) -> refuser(ou + DE_COTE + Texte.compter(combien, "fichier") + " au-delà de "
                 + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20) + " Mo de sources : une bibliothèque ?"));
     }
 
