@@ -106,7 +106,8 @@ public final class Depot {
                 // un nom qui serait celui de la ligne d'un autre
                 boolean pris = nom.matches("\\d{1,18}") || canvas.values().stream()
                         .anyMatch(m -> nom.equals(m.group(1) + "_" + m.group(3)));
-                rendu(pris ? nom + "/" : nom, nom).entrees.put(nom, fichier ? nom : "");
+                String id = pris ? nom + "/" : nom;
+                rendu(id, nom).entrees.put(nom, fichier ? nom : "");
             }
         });
     }

@@ -29,6 +29,7 @@ import java.util.UUID;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.lang.model.element.Modifier;
+import javax.lang.model.element.Name;
 import javax.tools.Diagnostic;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -192,8 +193,9 @@ public final class Lecteur {
         boolean constructeur = methode.getReturnType() == null;
         Set<Modifier> modificateurs = methode.getModifiers().getFlags();
         int debut = Math.max(0, debut(methode));
-        Signature lue = new Signature((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
-                constructeur ? "" : type(methode.getReturnType()), modificateurs.contains(Modifier.STATIC),
+        Name nom = constructeur ? classe.getSimpleName() : methode.getName();
+        String rend = constructeur ? "" : type(methode.getReturnType());
+        Signature lue = new Signature(nom.toString(), rend, modificateurs.contains(Modifier.STATIC),
                 modificateurs.contains(Modifier.PRIVATE), texte.substring(debut, Math.max(debut, fin(methode))),
                 condense(methode.getParameters() + " " + methode.getBody()));
         methode.getParameters().forEach(p -> lue.types.add(type(p.getType())));

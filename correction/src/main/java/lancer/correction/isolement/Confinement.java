@@ -96,10 +96,13 @@ public final class Confinement {
                 return new Confinement(false, "bwrap ne répond pas");
             }
             String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
-            return new Confinement(processus.exitValue() == 0, processus.exitValue() == 0 ? ""
-                    : (dit.contains("uid map: Permission denied") ? "AppArmor ne laisse pas bwrap confiner (Ubuntu 23.10 et suivants) ; "
-                    + "pour le permettre : make profil-bwrap (--profil-bwrap) ; le message : " : "bwrap refuse : ")
-                    + dit.replaceAll("\\s+", " "), enPlus, filtre);
+            if (processus.exitValue() == 0) {
+                return new Confinement(true, "", enPlus, filtre);
+            }
+            String raison = dit.contains("uid map: Permission denied")
+                    ? "AppArmor ne laisse pas bwrap confiner (Ubuntu 23.10 et suivants) ; pour le permettre : make profil-bwrap "
+                    + "(--profil-bwrap) ; le message : " : "bwrap refuse : ";
+            return new Confinement(false, raison + dit.replaceAll("\\s+", " "));
         } catch (IOException e) {
             return new Confinement(false, System.getProperty("os.name").startsWith("Linux")
                     ? "bwrap n'est pas installé (sudo apt-get install bubblewrap)" : "bwrap n'existe que sous Linux");

@@ -91,11 +91,13 @@ final class JugeImage {
                     > image.pareilles(reference.grille.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
             Image attendue = reference.grille.getImage(scene, resultat.centre);
+            if (image.pareille(attendue)) {
+                return new Verdict(Etat.REUSSI, "", image.combien(attendue));
+            }
             // une image d'une seule couleur est celle du projet à compléter, sauf si getCouleurPixel est écrite
             boolean commencee = juge.aEcrit("Lancer", "getCouleurPixel") || IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
-            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.FAUSSE : Etat.NON_COMMENCE, "",
-                    image.combien(attendue));
+            return new Verdict(commencee ? Etat.FAUSSE : Etat.NON_COMMENCE, "", image.combien(attendue));
         } catch (Arret e) {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.FAUSSE, "", e.getMessage());

@@ -139,11 +139,17 @@ public final class SourcesDuCours {
     private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
         double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
         String cle = triplet.group(1);
-        // au plus un huitième du rayon d'une sphère, ou un vingtième de la distance d'une lampe
-        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
-                : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
+        double pas = pas(cle, t, rayon);
         return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
                 : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
+    }
+
+    /** Un huitième du rayon pour le centre d'une sphère, un vingtième de sa distance pour une lampe. */
+    private static double pas(String cle, double[] place, double rayon) {
+        if (cle.equals("position")) {
+            return Math.sqrt(place[0] * place[0] + place[1] * place[1] + place[2] * place[2]) / 20;
+        }
+        return rayon < IMMENSE ? rayon / 8 : 0;
     }
 
     /** Un texte de l'archive du programme. */
@@ -191,7 +197,7 @@ public final class SourcesDuCours {
         } catch (IOException e) {
             throw new Panne(1, "écriture impossible : " + e);
         }
-        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
-                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
+        String corrige = "".equals(variante) ? "Le corrigé" : "Le corrigé, extension " + variante + ",";
+        sortie.println((variante == null ? "Le projet à compléter" : corrige) + " est dans " + racine);
     }
 }

@@ -91,13 +91,18 @@ public final class Pages {
         List<List<?>> lignes = new ArrayList<>(List.of(titres));
         for (Eleve e : eleves) {
             // un rendu qui n'a pu être jugé n'a pas de note
-            boolean juge = !e.illisible();
-            String note = juge ? String.format(Locale.ROOT, "%.2f", e.note) : "";
-            String identique = e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non";
+            String note = "";
+            String atteinte = "";
+            String identique = "";
+            if (!e.illisible()) {
+                note = String.format(Locale.ROOT, "%.2f", e.note);
+                atteinte = e.atteinte;
+                identique = e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non";
+            }
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom, note,
-                    String.format(Locale.ROOT, "%.2f", bareme.total), juge ? e.atteinte : "", juge ? identique : "",
+                    String.format(Locale.ROOT, "%.2f", bareme.total), atteinte, identique,
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
-            e.parts.values().forEach(part -> ligne.add(juge ? combien(part) : ""));
+            e.parts.values().forEach(part -> ligne.add(e.illisible() ? "" : combien(part)));
             ligne.replaceAll(Texte::sansFormule);
             lignes.add(ligne);
         }
