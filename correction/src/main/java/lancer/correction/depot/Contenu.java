@@ -147,7 +147,9 @@ final class Contenu {
         try (InputStream flux = contenu.get();
                 ZipFile zip = ZipFile.builder().setByteArray(flux.readNBytes((int) OCTETS_MAX)).get()) {
             long sources = Collections.list(zip.getEntries()).stream().filter(e -> e.getName().endsWith(".java")).count();
-            deSources.add(sources == 0 ? "" : Texte.protege(nom, NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
+            if (sources > 0) {
+                deSources.add(Texte.protege(nom, NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
+            }
         } catch (IOException | RuntimeException e) {
             // une bibliothèque, que rien ne lit
         }
@@ -287,7 +289,6 @@ final class Contenu {
 
     /** Ce que contient un rendu sans source. */
     private String sansSource() {
-        deSources.remove("");
         String debut = "aucun fichier .java dans ce rendu";
         if (!rendu.vides.isEmpty()) {
             return vides();
