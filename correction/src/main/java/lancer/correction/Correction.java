@@ -2,7 +2,6 @@ package lancer.correction;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -40,6 +39,8 @@ import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.note.Ressemblances;
 import lancer.correction.page.Pages;
+import org.apache.commons.io.function.IORunnable;
+import org.apache.commons.io.function.Uncheck;
 
 /** La ligne de commande : juge les rendus d'une classe et les note, ou écrit le projet à compléter. */
 public final class Correction {
@@ -125,17 +126,12 @@ public final class Correction {
         }
     }
 
-    /** Ce qu'un correcteur fait pendant que les autres l'attendent. */
-    private interface Travail {
-        void faire() throws IOException;
-    }
-
     /** Fait ce travail seul : un autre correcteur du même dossier, ou un autre fil, attend. */
-    private void seul(Path dossier, Travail travail) throws IOException {
+    private void seul(Path dossier, IORunnable travail) throws IOException {
         synchronized (Correction.class) {
             try (FileChannel verrou = FileChannel.open(dossier.resolve(".verrou"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
                 verrou.lock();
-                travail.faire();
+                travail.run();
             }
         }
     }
@@ -167,11 +163,7 @@ public final class Correction {
             }
             AtomicInteger finis = new AtomicInteger();
             jury.juger(rendus, resultat -> {
-                try {
-                    resultats.ecrire(resultat);
-                } catch (IOException e) {
-                    throw new UncheckedIOException(e);
-                }
+                Uncheck.accept(resultats::ecrire, resultat);
                 String fin = resultat.refus.isEmpty() ? "jugé" : Texte.protege(resultat.refus.get(0));
                 suivi.println("correction : " + finis.incrementAndGet() + "/" + rendus.size() + " " + resultat.qui() + " : " + fin
                         + (resultat.remplace.isEmpty() ? "" : " ; " + resultat.remplace));
@@ -242,8 +234,7 @@ public final class Correction {
             sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
                     + dossier.resolve("retours.zip"));
         }
-        String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> e.resultat.qui())
-                .collect(Collectors.joining(", "));
+        String nonCorriges = eleves.stream().map(e -> e.resultat).filter(r -> r.nonCorrige).map(Resultat::qui).collect(Collectors.joining(", "));
         if (!nonCorriges.isEmpty()) {
             throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; à juger de nouveau : " + nonCorriges);
         }

@@ -12,9 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** Lancement de Java sans réseau ni disque, par bubblewrap ; sans confinement si bubblewrap ne marche pas et que l'enseignant l'accepte. */
 public final class Confinement {
@@ -162,13 +160,9 @@ public final class Confinement {
             }
         }
         // Debian met une partie de la configuration de Java hors de son dossier
-        try (Stream<Path> flux = Files.list(Paths.get("/etc"))) {
-            for (String java : flux.map(Path::toString).filter(f -> f.startsWith("/etc/java"))
-                    .collect(Collectors.toList())) {
-                commande.addAll(List.of("--ro-bind-try", java, java));
-            }
-        } catch (IOException e) {
-            // pas de dossier /etc
+        String[] reglages = new File("/etc").list((etc, nom) -> nom.startsWith("java"));
+        for (String nom : reglages == null ? new String[0] : reglages) {
+            commande.addAll(List.of("--ro-bind-try", "/etc/" + nom, "/etc/" + nom));
         }
         // Java a seulement besoin de /proc/self/exe ; le vrai /proc montrerait l'origine des fichiers, et laisserait écrire oom_score_adj
         commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",

@@ -35,6 +35,7 @@ import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
 import org.apache.commons.io.FileUtils;
+import org.apache.commons.io.function.IOFunction;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
@@ -88,11 +89,6 @@ final class Machines {
         }
     }
 
-    /** Lecture d'une réponse. */
-    private interface Reponse<T> {
-        T lire(DataInputStream reponse) throws IOException;
-    }
-
     /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
     private abstract class Machine implements AutoCloseable {
 
@@ -123,11 +119,11 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(byte[] demande, int max, Reponse<T> lecture) throws Arret {
+        <T> T demander(byte[] demande, int max, IOFunction<DataInputStream, T> lecture) throws Arret {
             try {
                 DataInputStream reponse = enfant.demander(demande, max);
                 try {
-                    T lue = lecture.lire(reponse);
+                    T lue = lecture.apply(reponse);
                     if (reponse.available() == 0) {
                         return lue;
                     }
