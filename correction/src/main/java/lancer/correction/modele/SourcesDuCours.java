@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -131,25 +130,18 @@ public final class SourcesDuCours {
         for (String section : scene(nom).split("(?m)^(?=\\[)")) {
             Matcher rayon = RAYON.matcher(section);
             double r = rayon.find() ? Double.parseDouble(rayon.group(1)) : IMMENSE;
-            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r)));
+            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r < IMMENSE ? r / 8 : 0)));
         }
         return texte.toString();
     }
 
-    private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
+    /** @param ecart le plus grand déplacement d'un centre ; celui d'une lampe est un vingtième de sa distance */
+    private static String tirer(SplittableRandom hasard, MatchResult triplet, double ecart) {
         double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
         String cle = triplet.group(1);
-        double pas = pas(cle, t, rayon);
+        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20 : ecart;
         return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
                 : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
-    }
-
-    /** Un huitième du rayon pour le centre d'une sphère, un vingtième de sa distance pour une lampe. */
-    private static double pas(String cle, double[] place, double rayon) {
-        if (cle.equals("position")) {
-            return Math.sqrt(place[0] * place[0] + place[1] * place[1] + place[2] * place[2]) / 20;
-        }
-        return rayon < IMMENSE ? rayon / 8 : 0;
     }
 
     /** Un texte de l'archive du programme. */
@@ -183,7 +175,7 @@ public final class SourcesDuCours {
         VERIFICATIONS.forEach(nom -> fichiers.put("src/test/java/" + nom + ".java", ressource("modele/" + nom + ".java")));
         SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
         PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
-        Path racine = Paths.get(dossier);
+        Path racine = Path.of(dossier);
         try {
             String[] contenu = racine.toFile().list();
             if (contenu != null && contenu.length > 0) {
