@@ -7,7 +7,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -120,7 +119,7 @@ public final class Confinement {
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire, Limites limites) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
-        if (Files.isExecutable(Paths.get("/bin/sh"))) {
+        if (Files.isExecutable(Path.of("/bin/sh"))) {
             // à court de mémoire, le noyau tue d'abord ce programme et tout ce qu'il a lancé ; les fichiers sont limités ; l'archive passe
             // par un descripteur, car un lien ou un argument montrerait son nom
             commande.addAll(List.of("/bin/sh", "-c", "{ echo 1000 >/proc/self/oom_score_adj; } 2>/dev/null; ulimit -f " + DISQUE / BLOC
@@ -152,7 +151,7 @@ public final class Confinement {
                 "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
         commande.addAll(enPlus);
         for (String dossier : List.of("/lib", "/lib64", "/bin")) {
-            Path ici = Paths.get(dossier);
+            Path ici = Path.of(dossier);
             if (Files.isSymbolicLink(ici)) {
                 commande.addAll(List.of("--symlink", "usr" + dossier, dossier));
             } else if (Files.isDirectory(ici)) {
@@ -175,7 +174,7 @@ public final class Confinement {
         // ôterait aussi, prive Java de ses classes préparées, et double le temps de son démarrage
         for (String nom : List.of("management", "management_ext")) {
             String bibliotheque = JAVA + "/lib/lib" + nom + ".so";
-            if (Files.exists(Paths.get(bibliotheque))) {
+            if (Files.exists(Path.of(bibliotheque))) {
                 commande.addAll(List.of("--ro-bind", "/dev/null", bibliotheque));
             }
         }

@@ -26,7 +26,6 @@ import lancer.correction.depot.Source;
 import lancer.correction.enfant.Texte;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
-import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.QuoteMode;
 
 /**
@@ -160,9 +159,7 @@ public final class FeuilleMoodle {
         }
         StringWriter ecrit = new StringWriter();
         ecrit.append(texte.startsWith(BOM) ? BOM : "");
-        try (CSVPrinter csv = new CSVPrinter(ecrit, format)) {
-            csv.printRecords(lignes);
-        }
+        format.print(ecrit).printRecords(lignes);
         deposer(dossier, ecrit.toString().getBytes(codage), avis);
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
