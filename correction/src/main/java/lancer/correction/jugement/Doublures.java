@@ -94,9 +94,7 @@ final class Doublures {
                         + k + ")" : "r.champ(" + type + ".class, " + k + ")") + ";\n");
             }
         }
-        if (relire.length() > 0) {
-            source.append("@Override protected void relire(" + RECU + " r) {\nsuper.relire(r);\n" + relire + "}\n");
-        }
+        source.append("@Override protected void relire(" + RECU + " r) {\nsuper.relire(r);\n" + relire + "}\n");
         for (Constructor<?> c : classe.getConstructors()) {
             if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
                 // le cours ne demande pas le constructeur d'une scène par deux listes

@@ -10,7 +10,6 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -143,11 +142,10 @@ public final class Pages {
     }
 
     /** Nombre de notes de chaque dixième de la note maximale, du plus bas au plus haut. */
-    public List<Integer> histogramme(List<Eleve> eleves) {
-        Integer[] nombres = new Integer[10];
-        Arrays.fill(nombres, 0);
+    public int[] histogramme(List<Eleve> eleves) {
+        int[] nombres = new int[10];
         eleves.forEach(e -> nombres[(int) Math.min(9, 10 * e.note / bareme.total)]++);
-        return List.of(nombres);
+        return nombres;
     }
 
     /** Vrai la première fois que la page en cours demande ce texte. */
