@@ -234,7 +234,8 @@ public final class Correction {
             sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
                     + dossier.resolve("retours.zip"));
         }
-        String nonCorriges = eleves.stream().map(e -> e.resultat).filter(r -> r.nonCorrige).map(Resultat::qui).collect(Collectors.joining(", "));
+        String nonCorriges = eleves.stream().map(e -> e.resultat).filter(r -> r.nonCorrige).map(Resultat::qui)
+                .collect(Collectors.joining(", "));
         if (!nonCorriges.isEmpty()) {
             throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; à juger de nouveau : " + nonCorriges);
         }
