@@ -2,7 +2,6 @@ package lancer.correction;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -17,11 +16,13 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import lancer.correction.depot.Depot;
 import lancer.correction.depot.Rendu;
 import lancer.correction.depot.Source;
@@ -38,12 +39,13 @@ import lancer.correction.note.Eleve;
 import lancer.correction.note.FeuilleMoodle;
 import lancer.correction.note.Ressemblances;
 import lancer.correction.page.Pages;
+import org.apache.commons.io.function.IORunnable;
+import org.apache.commons.io.function.Uncheck;
 
 /** La ligne de commande : juge les rendus d'une classe et les note, ou écrit le projet à compléter. */
 public final class Correction {
 
     private static final String RENDUS = "RENDUS";
-    private static final int ID_MAX = 70;
     private static final List<String> AVEC_VALEUR =
             List.of("--notes", "--sortie", "--bareme", "--corrige", "--variante", "--squelette");
 
@@ -124,22 +126,12 @@ public final class Correction {
         }
     }
 
-    private static String qui(Resultat resultat) {
-        String id = Texte.protege(resultat.id, ID_MAX);
-        return resultat.nom + (resultat.nom.equals(id) ? "" : " (" + id + ")");
-    }
-
-    /** Ce qu'un correcteur fait pendant que les autres l'attendent. */
-    private interface Travail {
-        void faire() throws IOException;
-    }
-
     /** Fait ce travail seul : un autre correcteur du même dossier, ou un autre fil, attend. */
-    private void seul(Path dossier, Travail travail) throws IOException {
+    private void seul(Path dossier, IORunnable travail) throws IOException {
         synchronized (Correction.class) {
             try (FileChannel verrou = FileChannel.open(dossier.resolve(".verrou"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
                 verrou.lock();
-                travail.faire();
+                travail.run();
             }
         }
     }
@@ -157,8 +149,7 @@ public final class Correction {
         seul(dossier, () -> graine[0] = graine(dossier.resolve("graine.txt")));
         try (Jury jury = jurys.apply(confinement, graine[0])) {
             List<Rendu> rendus = Depot.lire(Path.of(demande.get(RENDUS)), demande.containsKey("--un"));
-            suivi.println("correction : " + compter(rendus.stream().mapToInt(r -> r.entrees.size()).sum(), rendus.size())
-                    + " ; le corrigé d'abord");
+            suivi.println("correction : " + compter(rendus.stream().mapToInt(r -> r.entrees.size())) + " ; le corrigé d'abord");
             GrilleDeNotation grille = jury.reference().grille;
             seul(dossier, () -> {
                 if (demande.containsKey("--neuf")) {
@@ -172,20 +163,18 @@ public final class Correction {
             }
             AtomicInteger finis = new AtomicInteger();
             jury.juger(rendus, resultat -> {
-                try {
-                    resultats.ecrire(resultat);
-                } catch (IOException e) {
-                    throw new UncheckedIOException(e);
-                }
-                suivi.println("correction : " + finis.incrementAndGet() + "/" + rendus.size() + " " + qui(resultat) + " : "
-                        + Texte.protege(resultat.refus.isEmpty() ? "jugé" : resultat.refus.get(0))
+                Uncheck.accept(resultats::ecrire, resultat);
+                String fin = resultat.refus.isEmpty() ? "jugé" : Texte.protege(resultat.refus.get(0));
+                suivi.println("correction : " + finis.incrementAndGet() + "/" + rendus.size() + " " + resultat.qui() + " : " + fin
                         + (resultat.remplace.isEmpty() ? "" : " ; " + resultat.remplace));
             });
         }
     }
 
-    private static String compter(int entrees, int lignes) {
-        return entrees + (entrees > 1 ? " entrées, " : " entrée, ") + lignes + (lignes > 1 ? " lignes" : " ligne");
+    /** @param entrees le nombre d'entrées de chaque ligne */
+    private static String compter(IntStream entrees) {
+        IntSummaryStatistics toutes = entrees.summaryStatistics();
+        return Texte.compter(toutes.getSum(), "entrée") + ", " + Texte.compter(toutes.getCount(), "ligne");
     }
 
     /** Met de côté ce qui a été jugé avant. */
@@ -231,8 +220,7 @@ public final class Correction {
         Collection<Eleve> sansNote = feuille == null ? List.of() : feuille.ecrire(dossier, eleves, avis);
         avis.forEach(a -> suivi.println("correction : " + Texte.protege(a)));
         ajustements.ecrireARemplir(dossier, eleves);
-        new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream().mapToInt(r -> r.entrees.size()).sum(),
-                resultats.size()), avis);
+        new Pages(grille, bareme).ecrire(dossier, eleves, compter(resultats.stream().mapToInt(r -> r.entrees.size())), avis);
         sortie.println("La classe : " + dossier.resolve("index.html"));
         if (eleves.stream().anyMatch(e -> !e.illisible() && !e.aNoter().isEmpty())) {
             sortie.println("À noter vous-même : " + dossier.resolve("ajustements-a-remplir.csv") + ", puis make noter");
@@ -241,12 +229,12 @@ public final class Correction {
             FeuilleMoodle.ecrireRetours(dossier, eleves);
             if (!sansNote.isEmpty()) {
                 suivi.println("correction : absents de la feuille, ou que Moodle y a verrouillés : "
-                        + sansNote.stream().map(e -> qui(e.resultat)).collect(Collectors.joining(", ")));
+                        + sansNote.stream().map(e -> e.resultat.qui()).collect(Collectors.joining(", ")));
             }
             sortie.println("À déposer dans Moodle : " + dossier.resolve("notes-a-deposer.csv") + " et "
                     + dossier.resolve("retours.zip"));
         }
-        String nonCorriges = eleves.stream().filter(e -> e.resultat.nonCorrige).map(e -> qui(e.resultat))
+        String nonCorriges = eleves.stream().map(e -> e.resultat).filter(r -> r.nonCorrige).map(Resultat::qui)
                 .collect(Collectors.joining(", "));
         if (!nonCorriges.isEmpty()) {
             throw new Panne(1, "non corrigés, sans que ce soit de leur faute ; à juger de nouveau : " + nonCorriges);

@@ -9,7 +9,6 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -139,7 +138,7 @@ public final class Compilateur {
             }
         }, faute -> {
             if (faute.getKind() == Diagnostic.Kind.ERROR && fautes.size() < FAUTES_MAX) {
-                fautes.add(List.of(faute.getSource() == null ? "?" : dossier.relativize(Paths.get(faute.getSource().toUri()))
+                fautes.add(List.of(faute.getSource() == null ? "?" : dossier.relativize(Path.of(faute.getSource().toUri()))
                         .toString().replace('\\', '/'), (int) faute.getLineNumber(), faute.getMessage(Locale.ROOT)));
             }
         }, List.of("-source", niveau, "-target", niveau, "-encoding", "UTF-8", "-g", "-nowarn", "-proc:none", "-proceedOnError",

@@ -45,7 +45,6 @@ final class Contenu {
     private static final int SOURCES_MAX = 300;
     private static final int EMBOITEMENT_MAX = 3;
     private static final int CITES_MAX = 5;
-    private static final int NOM_MAX = 70;
     private static final Pattern AUTRE_ARCHIVE =
             Pattern.compile("(?is).*\\.(rar|(7z|zip)\\.\\d+|7z|z\\d\\d|tar|tgz|tbz2?|txz|gz|xz|bz2|zst|lzma|zipx|ace|arj|cab|dmg)");
     /** Ce que des outils ajoutent, et que l'énoncé demande d'enlever. Un dossier de ce nom qui a des sources n'en est pas. */
@@ -87,9 +86,12 @@ final class Contenu {
             return zip.getInputStream(entree);
         } catch (UnsupportedZipFeatureException | LinkageError e) {
             // une bibliothèque facultative, qui n'est pas ici, lirait XZ ou Zstandard
+            if (entree.getGeneralPurposeBit().usesEncryption()) {
+                throw new UnsupportedOperationException("protégée par un mot de passe");
+            }
             ZipMethod methode = ZipMethod.getMethodByCode(entree.getMethod());
-            throw new UnsupportedOperationException(entree.getGeneralPurposeBit().usesEncryption() ? "protégée par un mot de passe"
-                    : "comprimée d'une façon qui n'est pas lue ici (" + (methode == null ? entree.getMethod() : methode) + ")");
+            throw new UnsupportedOperationException("comprimée d'une façon qui n'est pas lue ici ("
+                    + (methode == null ? entree.getMethod() : methode) + ")");
         }
     }
 
@@ -123,18 +125,18 @@ final class Contenu {
         String bas = fin.toLowerCase(Locale.ROOT);
         boolean zip = bas.endsWith(".zip");
         if (bas.endsWith(".jar")) {
-            rendu.bibliotheques.add(Texte.protege(fin, NOM_MAX));
+            rendu.bibliotheques.add(Texte.protege(fin, Rendu.NOM_MAX));
             compter(contenu, fin);
         }
         if (lien) {
             refuser("lien refusé : " + fin);
         } else if (AUTRE_ARCHIVE.matcher(fin).matches()) {
             refuser(chemin + A_DEPLIER + ", dans un dossier de même nom que ce rendu : « "
-                    + Texte.protege(rendu.entrees.keySet().iterator().next(), NOM_MAX) + " »");
+                    + Texte.protege(rendu.entrees.keySet().iterator().next(), Rendu.NOM_MAX) + " »");
         } else if (zip || bas.endsWith(".java") && !DE_TEST.matcher(chemin).matches()) {
             lire(chemin, contenu, archive, niveau);
         } else if (autres.size() < CITES_MAX || bas.matches("(?s).*\\.(kt|class)")) {
-            autres.add(Texte.protege(fin, NOM_MAX));
+            autres.add(Texte.protege(fin, Rendu.NOM_MAX));
         }
         return true;
     }
@@ -144,7 +146,9 @@ final class Contenu {
         try (InputStream flux = contenu.get();
                 ZipFile zip = ZipFile.builder().setByteArray(flux.readNBytes((int) OCTETS_MAX)).get()) {
             long sources = Collections.list(zip.getEntries()).stream().filter(e -> e.getName().endsWith(".java")).count();
-            deSources.add(sources == 0 ? "" : Texte.protege(nom, NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
+            if (sources > 0) {
+                deSources.add(Texte.protege(nom, Rendu.NOM_MAX) + ", qui en a " + sources + ", est à renommer en .zip");
+            }
         } catch (IOException | RuntimeException e) {
             // une bibliothèque, que rien ne lit
         }
@@ -155,7 +159,7 @@ final class Contenu {
             String nom = noms.get(k);
             if (DOSSIERS_OUTILS.contains(nom) || k == noms.size() - 1 && OUTIL.matcher(nom).matches()) {
                 outils.putIfAbsent(DOSSIERS_OUTILS.contains(nom) ? String.join("/", noms.subList(0, k + 1)) : nom,
-                        Texte.protege(nom, NOM_MAX));
+                        Texte.protege(nom, Rendu.NOM_MAX));
                 return;
             }
         }
@@ -181,10 +185,10 @@ final class Contenu {
 
     private void ajouter(String chemin, byte[] lus) {
         String texte = Source.decoder(lus).replace("\0", "");
-        String pourquoi = texte.isBlank() ? "vide"
-                : texte.startsWith("version https://git-lfs.") ? "un renvoi de Git LFS, sans le texte" : "";
-        if (!pourquoi.isEmpty()) {
-            rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""), pourquoi);
+        boolean renvoi = texte.startsWith("version https://git-lfs.");
+        if (renvoi || texte.isBlank()) {
+            rendu.vides.put(chemin.replaceFirst("(?s).*/", "").replaceFirst("(?i)\\.java$", ""),
+                    renvoi ? "un renvoi de Git LFS, sans le texte" : "vide");
         } else if (!Arrays.equals(lus, Objects.requireNonNullElse(rendu.sources.putIfAbsent(chemin, lus), lus))) {
             refuser(chemin + DE_COTE + "un autre fichier a ce chemin, dans ce dossier ou dans une archive");
         }
@@ -206,7 +210,7 @@ final class Contenu {
                 laisses.merge(noms[0] + (noms.length > 2 ? "/" + noms[1] : ""), 1, Integer::sum);
             }
         }
-        laisses.forEach((ou, combien) -> refuser(ou + DE_COTE + combien + (combien > 1 ? " fichiers" : " fichier") + " au-delà de "
+        laisses.forEach((ou, combien) -> refuser(ou + DE_COTE + Texte.compter(combien, "fichier") + " au-delà de "
                 + SOURCES_MAX + ", ou de " + (PESEE_MAX >> 20) + " Mo de sources : une bibliothèque ?"));
     }
 
@@ -273,7 +277,7 @@ final class Contenu {
     /** « vides : Point, Vecteur ; un renvoi de Git LFS, sans le texte : Sphere ». */
     private String vides() {
         Map<String, String> noms = new TreeMap<>();
-        rendu.vides.forEach((nom, pourquoi) -> noms.merge(pourquoi, Texte.protege(nom, NOM_MAX), (a, b) -> a + ", " + b));
+        rendu.vides.forEach((nom, pourquoi) -> noms.merge(pourquoi, Texte.protege(nom, Rendu.NOM_MAX), (a, b) -> a + ", " + b));
         return noms.entrySet().stream().map(e -> (e.getKey().equals("vide") ? "des fichiers vides" : e.getKey()) + " : " + e.getValue())
                 .collect(Collectors.joining(" ; "));
     }
@@ -284,7 +288,6 @@ final class Contenu {
 
     /** Ce que contient un rendu sans source. */
     private String sansSource() {
-        deSources.remove("");
         String debut = "aucun fichier .java dans ce rendu";
         if (!rendu.vides.isEmpty()) {
             return vides();

@@ -23,9 +23,10 @@ public final class Cours {
     int provenance(Type type) {
         if (!SourcesDuCours.A_COMPLETER.contains(type.nom)) {
             return 0;
+        } else if (type.empreinte.equals(squelette.get(type.nom).empreinte)) {
+            return 1;
         }
-        return type.empreinte.equals(squelette.get(type.nom).empreinte) ? 1
-                : type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
+        return type.empreinte.equals(corrige.get(type.nom).empreinte) ? 2 : 0;
     }
 
     /** L'empreinte d'une classe que deux étudiants n'écrivent pas pareil par hasard, sans les noms des variables ; vide sinon. */

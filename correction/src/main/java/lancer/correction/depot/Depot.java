@@ -90,8 +90,7 @@ public final class Depot {
             Matcher moodle = MOODLE.matcher(nom);
             Matcher sien = canvas.get(nom);
             if (moodle.matches()) {
-                Rendu rendu = rendu(moodle.group(2), moodle.group(1).trim());
-                rendu.entrees.put(nom, Objects.toString(moodle.group(4), ""));
+                rendu(moodle.group(2), moodle.group(1).trim()).entrees.put(nom, Objects.toString(moodle.group(4), ""));
             } else if (sien != null) {
                 Rendu rendu = rendu(sien.group(1) + "_" + sien.group(3), sien.group(1));
                 rendu.entrees.put(nom, sien.group(4));
@@ -106,7 +105,8 @@ public final class Depot {
                 // un nom qui serait celui de la ligne d'un autre
                 boolean pris = nom.matches("\\d{1,18}") || canvas.values().stream()
                         .anyMatch(m -> nom.equals(m.group(1) + "_" + m.group(3)));
-                rendu(pris ? nom + "/" : nom, nom).entrees.put(nom, fichier ? nom : "");
+                String id = pris ? nom + "/" : nom;
+                rendu(id, nom).entrees.put(nom, fichier ? nom : "");
             }
         });
     }

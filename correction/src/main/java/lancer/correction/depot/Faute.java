@@ -30,9 +30,8 @@ public final class Faute {
         this.fichier = fichier;
         this.ligne = ligne;
         this.message = message;
-        remede = REMEDES.entrySet().stream().filter(r -> r.getKey().matcher(message).find()).findFirst()
-                .map(r -> r.getKey().matcher(message).results().findFirst().map(trouve -> String.format(r.getValue(), trouve.group(1),
-                Runtime.version().feature())).get()).orElse("");
+        remede = REMEDES.entrySet().stream().flatMap(r -> r.getKey().matcher(message).results()
+                .map(trouve -> String.format(r.getValue(), trouve.group(1), Runtime.version().feature()))).findFirst().orElse("");
     }
 
     /** Le nom de la classe du fichier, sans son paquet. */

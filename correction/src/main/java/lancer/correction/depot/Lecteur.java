@@ -27,8 +27,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import javax.lang.model.element.Modifier;
+import javax.lang.model.element.Name;
 import javax.tools.Diagnostic;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -51,19 +51,17 @@ public final class Lecteur {
     public static final class Fichier {
 
         final String paquet;
-        final int entete;
+        int entete;
         /** Le paquet, puis les préfixes de chaque importation, du plus long au plus court. */
         final List<Nom> noms = new ArrayList<>();
         /** Les importations, puis les annotations. */
         final List<Nom> importations = new ArrayList<>();
         final List<Nom> annotations = new ArrayList<>();
-        final List<Type> types;
+        final List<Type> types = new ArrayList<>();
         final List<Integer> fautes;
 
-        Fichier(String paquet, int entete, List<Type> types, List<Integer> fautes) {
+        Fichier(String paquet, List<Integer> fautes) {
             this.paquet = paquet;
-            this.entete = entete;
-            this.types = types;
             this.fautes = fautes;
         }
     }
@@ -128,22 +126,19 @@ public final class Lecteur {
 
     private Fichier fichier(List<Integer> fautes) {
         Tree paquet = fichier.getPackageName();
-        int entete = fin(fichier.getPackage());
-        List<Nom> noms = new ArrayList<>(List.of(nom(paquet)));
-        List<Nom> importations = new ArrayList<>();
+        Fichier lu = new Fichier(paquet == null ? "" : paquet.toString(), fautes);
+        lu.entete = fin(fichier.getPackage());
+        lu.noms.add(nom(paquet));
         for (ImportTree importation : fichier.getImports()) {
             Tree nom = importation.getQualifiedIdentifier();
+            lu.importations.add(new Nom(nom.toString(), debut(importation), fin(importation)));
+            lu.entete = Math.max(lu.entete, fin(importation));
             for (; nom instanceof MemberSelectTree; nom = ((MemberSelectTree) nom).getExpression()) {
-                noms.add(nom(((MemberSelectTree) nom).getExpression()));
+                lu.noms.add(nom(((MemberSelectTree) nom).getExpression()));
             }
-            entete = Math.max(entete, fin(importation));
-            importations.add(new Nom(importation.getQualifiedIdentifier().toString(), debut(importation), fin(importation)));
         }
-        Fichier lu = new Fichier(paquet == null ? "" : paquet.toString(), entete, fichier.getTypeDecls().stream()
-                .filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1).map(c -> classe((ClassTree) c)).collect(Collectors.toList()),
-                fautes);
-        lu.noms.addAll(noms);
-        lu.importations.addAll(importations);
+        fichier.getTypeDecls().stream().filter(ClassTree.class::isInstance).limit(CLASSES_MAX + 1)
+                .forEach(c -> lu.types.add(classe((ClassTree) c)));
         new TreeScanner<Void, Void>() {
             @Override
             public Void visitAnnotation(AnnotationTree annotation, Void rien) {
@@ -192,8 +187,9 @@ public final class Lecteur {
         boolean constructeur = methode.getReturnType() == null;
         Set<Modifier> modificateurs = methode.getModifiers().getFlags();
         int debut = Math.max(0, debut(methode));
-        Signature lue = new Signature((constructeur ? classe.getSimpleName() : methode.getName()).toString(),
-                constructeur ? "" : type(methode.getReturnType()), modificateurs.contains(Modifier.STATIC),
+        Name nom = constructeur ? classe.getSimpleName() : methode.getName();
+        String rend = constructeur ? "" : type(methode.getReturnType());
+        Signature lue = new Signature(nom.toString(), rend, modificateurs.contains(Modifier.STATIC),
                 modificateurs.contains(Modifier.PRIVATE), texte.substring(debut, Math.max(debut, fin(methode))),
                 condense(methode.getParameters() + " " + methode.getBody()));
         methode.getParameters().forEach(p -> lue.types.add(type(p.getType())));

@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lancer.correction.enfant.Texte;
 import lancer.correction.isolement.Arret;
 import lancer.correction.modele.SourcesDuCours;
 
@@ -172,8 +173,8 @@ public final class Projet {
                 .filter(m -> !type(classe).nommees().contains(m)).forEach(m -> absente(classe, m, duCours)));
         // si presque toutes les classes sont absentes, l'étudiant a seulement commencé, ou a rendu autre chose
         if (!absentes.isEmpty() && 2 * absentes.size() < SourcesDuCours.A_COMPLETER.size()) {
-            aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + (inconnus.isEmpty() ? ""
-                    : " ; les classes qui ne sont pas du cours : " + noms(inconnus)));
+            String siennes = inconnus.isEmpty() ? "" : " ; les classes qui ne sont pas du cours : " + noms(inconnus);
+            aRegarder.add(String.join(", ", absentes) + (absentes.size() > 1 ? " absentes" : " absente") + siennes);
         }
         long presentes = SourcesDuCours.A_COMPLETER.stream().filter(c -> type(c).parmi(squelette.get(c).nommees()) > 0).count();
         if (presentes < 2 && inconnus.size() > presentes) {
@@ -208,7 +209,7 @@ public final class Projet {
         }
         long tabulations = base.values().stream().filter(t -> t.contains("\n\t")).count();
         if (tabulations > 0) {
-            noter(TEXTE, "des tabulations dans " + tabulations + (tabulations > 1 ? " classes" : " classe"));
+            noter(TEXTE, "des tabulations dans " + Texte.compter(tabulations, "classe"));
         }
         List<String> jointes = rendu.bibliotheques.stream().filter(b -> !FOURNIE.matcher(b).matches()).collect(Collectors.toList());
         if (!jointes.isEmpty()) {

@@ -16,7 +16,7 @@ import lancer.correction.enfant.Texte;
 public final class Rendu {
 
     /** Nombre maximal de caractères d'un nom : avec le suffixe de Moodle, il tient en 255 octets. */
-    private static final int NOM_MAX = 70;
+    public static final int NOM_MAX = 70;
 
     /** Identifiant unique : le numéro que donne Moodle ou, à défaut, le nom exact de l'entrée. */
     public final String id;

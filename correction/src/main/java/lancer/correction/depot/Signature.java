@@ -66,9 +66,10 @@ public final class Signature {
                 .collect(Collectors.joining(", "));
         String arguments = IntStream.range(0, types.size()).mapToObj(k -> (types.get(k).equals(attendue.types.get(k)) ? ""
                 : "(" + types.get(k) + ") ") + "p" + k).collect(Collectors.joining(", "));
-        String appel = (rend.isEmpty() ? "this" : rend.equals("void") ? nom : "return " + nom)
-                + "(" + arguments + "); }";
-        return " public " + (statique ? "static " : "") + rend + " " + nom + "(" + parametres + ") { " + appel;
+        String resultat = rend.isEmpty() || rend.equals("void") ? "" : "return ";
+        String appelee = rend.isEmpty() ? "this" : nom;
+        return " public " + (statique ? "static " : "") + rend + " " + nom + "(" + parametres + ") { "
+                + resultat + appelee + "(" + arguments + "); }";
     }
 
     /** Dit si un appel de l'attendue appelle celle-ci : un {@code Objet3D} reçoit une {@code Sphere}. */

@@ -210,16 +210,16 @@ public final class Execution {
         Throwable statique = e instanceof NoClassDefFoundError ? e.getCause() : e;
         if (statique instanceof ExceptionInInitializerError) {
             // la première fois, sa cause ; ensuite, ce que Java en a gardé
-            String dit = statique.getCause() != null ? statique.getCause().toString() : String.valueOf(statique.getMessage())
+            Throwable origine = statique.getCause() == null ? statique : statique.getCause();
+            String dit = origine != statique ? origine.toString() : String.valueOf(statique.getMessage())
                     .replaceFirst("^Exception ", "").replaceFirst(" \\[in thread [^]]*]$", "");
-            return dit.contains(NON_COMPILE) ? List.of(FAUTE, ou(statique), "")
-                    : List.of(EXCEPTION, "un champ statique échoue : " + dit.replaceFirst("^(\\w+\\.)+", "")
-                    + ou(statique.getCause() == null ? statique : statique.getCause()), "");
-        }
-        boolean compile = nom.equals("java.lang.Error") && message.startsWith(NON_COMPILE);
-        if (e instanceof StackOverflowError) {
+            if (dit.contains(NON_COMPILE)) {
+                return List.of(FAUTE, ou(statique), "");
+            }
+            return List.of(EXCEPTION, "un champ statique échoue : " + dit.replaceFirst("^(\\w+\\.)+", "") + ou(origine), "");
+        } else if (e instanceof StackOverflowError) {
             return List.of(SANS_FIN, "appels sans fin (StackOverflowError)" + ou(e), "");
-        } else if (compile) {
+        } else if (nom.equals("java.lang.Error") && message.startsWith(NON_COMPILE)) {
             return List.of(FAUTE, ou(e), message.replaceFirst("^[^\n]*+\n", "").trim().split("\n")[0]);
         } else if (e instanceof LinkageError && !(e instanceof UnsatisfiedLinkError) && !message.startsWith("java")) {
             // une classe du rendu qui n'a pu être définie manque à toutes celles qui la nomment

@@ -34,7 +34,15 @@ public final class Texte {
 
     /** Le début d'un texte, d'au plus {@code max} caractères ; aucun n'est coupé en deux. */
     public static String couper(String texte, int max) {
-        return texte.length() <= max ? texte : texte.substring(0, Character.isHighSurrogate(texte.charAt(max - 1)) ? max - 1 : max);
+        if (texte.length() <= max) {
+            return texte;
+        }
+        return texte.substring(0, Character.isHighSurrogate(texte.charAt(max - 1)) ? max - 1 : max);
+    }
+
+    /** « 1 entrée », « 2 entrées ». */
+    public static String compter(long nombre, String nom) {
+        return nombre + " " + nom + (nombre > 1 ? "s" : "");
     }
 
     /** Limite une liste à quelques lignes de longueur limitée, pour une page. */

@@ -7,14 +7,11 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** Lancement de Java sans réseau ni disque, par bubblewrap ; sans confinement si bubblewrap ne marche pas et que l'enseignant l'accepte. */
 public final class Confinement {
@@ -96,10 +93,13 @@ public final class Confinement {
                 return new Confinement(false, "bwrap ne répond pas");
             }
             String dit = new String(processus.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
-            return new Confinement(processus.exitValue() == 0, processus.exitValue() == 0 ? ""
-                    : (dit.contains("uid map: Permission denied") ? "AppArmor ne laisse pas bwrap confiner (Ubuntu 23.10 et suivants) ; "
-                    + "pour le permettre : make profil-bwrap (--profil-bwrap) ; le message : " : "bwrap refuse : ")
-                    + dit.replaceAll("\\s+", " "), enPlus, filtre);
+            if (processus.exitValue() == 0) {
+                return new Confinement(true, "", enPlus, filtre);
+            }
+            String raison = dit.contains("uid map: Permission denied")
+                    ? "AppArmor ne laisse pas bwrap confiner (Ubuntu 23.10 et suivants) ; pour le permettre : make profil-bwrap "
+                    + "(--profil-bwrap) ; le message : " : "bwrap refuse : ";
+            return new Confinement(false, raison + dit.replaceAll("\\s+", " "));
         } catch (IOException e) {
             return new Confinement(false, System.getProperty("os.name").startsWith("Linux")
                     ? "bwrap n'est pas installé (sudo apt-get install bubblewrap)" : "bwrap n'existe que sous Linux");
@@ -119,7 +119,7 @@ public final class Confinement {
     public List<String> java(Class<?> principale, String chemin, boolean visibles, Path temporaire, Limites limites) {
         List<String> commande = new ArrayList<>();
         String classes = confine && !visibles ? BOITE : chemin;
-        if (Files.isExecutable(Paths.get("/bin/sh"))) {
+        if (Files.isExecutable(Path.of("/bin/sh"))) {
             // à court de mémoire, le noyau tue d'abord ce programme et tout ce qu'il a lancé ; les fichiers sont limités ; l'archive passe
             // par un descripteur, car un lien ou un argument montrerait son nom
             commande.addAll(List.of("/bin/sh", "-c", "{ echo 1000 >/proc/self/oom_score_adj; } 2>/dev/null; ulimit -f " + DISQUE / BLOC
@@ -151,7 +151,7 @@ public final class Confinement {
                 "--setenv", "LANG", "C.UTF-8", "--setenv", "PATH", "/usr/bin", "--ro-bind", "/usr", "/usr"));
         commande.addAll(enPlus);
         for (String dossier : List.of("/lib", "/lib64", "/bin")) {
-            Path ici = Paths.get(dossier);
+            Path ici = Path.of(dossier);
             if (Files.isSymbolicLink(ici)) {
                 commande.addAll(List.of("--symlink", "usr" + dossier, dossier));
             } else if (Files.isDirectory(ici)) {
@@ -159,13 +159,9 @@ public final class Confinement {
             }
         }
         // Debian met une partie de la configuration de Java hors de son dossier
-        try (Stream<Path> flux = Files.list(Paths.get("/etc"))) {
-            for (String java : flux.map(Path::toString).filter(f -> f.startsWith("/etc/java"))
-                    .collect(Collectors.toList())) {
-                commande.addAll(List.of("--ro-bind-try", java, java));
-            }
-        } catch (IOException e) {
-            // pas de dossier /etc
+        String[] reglages = new File("/etc").list((etc, nom) -> nom.startsWith("java"));
+        for (String nom : reglages == null ? new String[0] : reglages) {
+            commande.addAll(List.of("--ro-bind-try", "/etc/" + nom, "/etc/" + nom));
         }
         // Java a seulement besoin de /proc/self/exe ; le vrai /proc montrerait l'origine des fichiers, et laisserait écrire oom_score_adj
         commande.addAll(List.of("--dir", "/proc/self", "--symlink", JAVA + "/bin/java", "/proc/self/exe",
@@ -178,7 +174,7 @@ public final class Confinement {
         // ôterait aussi, prive Java de ses classes préparées, et double le temps de son démarrage
         for (String nom : List.of("management", "management_ext")) {
             String bibliotheque = JAVA + "/lib/lib" + nom + ".so";
-            if (Files.exists(Paths.get(bibliotheque))) {
+            if (Files.exists(Path.of(bibliotheque))) {
                 commande.addAll(List.of("--ro-bind", "/dev/null", bibliotheque));
             }
         }

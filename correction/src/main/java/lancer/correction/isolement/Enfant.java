@@ -155,10 +155,15 @@ public final class Enfant implements AutoCloseable {
             if (reponse != null) {
                 return reponse;
             }
-            int trop = immobile * TOUR_MS > 1000 * limites.attente ? 1 : endormi * TOUR_MS > 1000 * limites.attente * SOMMEIL ? SOMMEIL : 0;
-            if (trop > 0) {
-                throw arreter("arrêté : plus de " + (int) (trop * limites.attente) + " s sans rien faire, bloqué ou endormi");
-            }
+            limiter(immobile, limites.attente);
+            limiter(endormi, SOMMEIL * limites.attente);
+        }
+    }
+
+    /** @throws Arret si ces tours passés sans rien faire durent plus que ces secondes */
+    private void limiter(int tours, double secondes) throws Arret {
+        if (tours * TOUR_MS > 1000 * secondes) {
+            throw arreter("arrêté : plus de " + (int) secondes + " s sans rien faire, bloqué ou endormi");
         }
     }
 

@@ -196,8 +196,9 @@ public final class Dialogue {
             throw new Echec(ou);
         } else if (fautes.isEmpty()) {
             throw new Echec("erreur de Java" + ou);
+        } else if (fautes.stream().anyMatch(f -> f.message.equals(quoi))) {
+            throw new Echec("ne se compile pas" + ou + " : " + Faute.citer(quoi), quoi);
         }
-        boolean dite = fautes.stream().anyMatch(f -> f.message.equals(quoi));
-        throw new Echec("ne se compile pas" + ou + (dite ? " : " + Faute.citer(quoi) : ""), dite ? quoi : "");
+        throw new Echec("ne se compile pas" + ou, "");
     }
 }

@@ -94,9 +94,7 @@ final class Doublures {
                         + k + ")" : "r.champ(" + type + ".class, " + k + ")") + ";\n");
             }
         }
-        if (relire.length() > 0) {
-            source.append("@Override protected void relire(" + RECU + " r) {\nsuper.relire(r);\n" + relire + "}\n");
-        }
+        source.append("@Override protected void relire(" + RECU + " r) {\nsuper.relire(r);\n" + relire + "}\n");
         for (Constructor<?> c : classe.getConstructors()) {
             if (!Modifier.isAbstract(classe.getModifiers()) && passent(c)) {
                 // le cours ne demande pas le constructeur d'une scène par deux listes
@@ -120,20 +118,19 @@ final class Doublures {
 
     private String methode(String nom, Method m, Class<?> rend) {
         boolean statique = Modifier.isStatic(m.getModifiers());
-        int numero = numeroter((statique ? nom : "((" + nom + ") a[0])") + "." + m.getName() + "("
-                + passes(m, statique ? 0 : 1) + ")", rend == void.class);
+        String sur = statique ? nom : "((" + nom + ") a[0])";
+        int numero = numeroter(sur + "." + m.getName() + "(" + passes(m, statique ? 0 : 1) + ")", rend == void.class);
         String type = rend.getSimpleName();
         String passe = (statique ? "" : ", this") + arguments(m);
-        return "public " + (statique ? "static " : "") + type + " " + m.getName() + "(" + parametres(m) + ") { "
-                + (rend == void.class ? "" : "return ") + "Dialogue.appeler(" + EN_OBJET.getOrDefault(rend, type) + ".class, " + numero
-                + passe + "); }\n";
+        String appel = "Dialogue.appeler(" + EN_OBJET.getOrDefault(rend, type) + ".class, " + numero + passe + ")";
+        return "public " + Modifier.toString(m.getModifiers() & Modifier.STATIC) + " " + type + " " + m.getName() + "(" + parametres(m)
+                + ") { " + (rend == void.class ? appel : "return " + appel) + "; }\n";
     }
 
     /** Ajoute un appel. @return son numéro */
     private int numeroter(String appel, boolean muet) {
         appels.append("public static Object m" + nombre + "(Object[] a) throws Throwable { " + (muet ? appel + "; return null"
-                : "return " + appel)
-                + "; }\n");
+                : "return " + appel) + "; }\n");
         return nombre++;
     }
 

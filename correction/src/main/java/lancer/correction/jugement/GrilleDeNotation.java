@@ -62,6 +62,7 @@ public final class GrilleDeNotation {
     public final List<Etape> etapes = new ArrayList<>();
     /** Images du corrigé : par scène, aux coordonnées entières puis au centre des pixels ; une par extension. */
     final Map<String, Image> images = new LinkedHashMap<>();
+
     /** Ajoute un critère à la dernière étape si c'est la sienne, sinon à une nouvelle étape. */
     void ajouter(Verification critere) {
         if (etapes.isEmpty() || !etapes.get(etapes.size() - 1).nom.equals(critere.etape)) {

@@ -3,13 +3,12 @@ package lancer.correction.jugement;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Base64;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import org.apache.commons.io.function.Uncheck;
 
 /** Une image, en couleurs non limitées. */
 public final class Image {
@@ -45,16 +44,12 @@ public final class Image {
 
     /** L'image que {@link #png} a écrite en entier : ses couleurs y ont un octet par composante. */
     static Image lire(String png) {
-        try {
-            BufferedImage lue = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(png)));
-            Image image = new Image(lue.getWidth(), lue.getHeight());
-            for (int k = 0; k < image.rvb.length; k++) {
-                image.rvb[k] = (lue.getRGB(k / 3 % image.largeur, k / 3 / image.largeur) >> 16 - 8 * (k % 3) & 255) / 255f;
-            }
-            return image;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        BufferedImage lue = Uncheck.get(() -> ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(png))));
+        Image image = new Image(lue.getWidth(), lue.getHeight());
+        for (int k = 0; k < image.rvb.length; k++) {
+            image.rvb[k] = (lue.getRGB(k / 3 % image.largeur, k / 3 / image.largeur) >> 16 - 8 * (k % 3) & 255) / 255f;
         }
+        return image;
     }
 
     /** Un PNG en base 64. @param reduction un pixel sur ce nombre est montré, dans chaque sens */
@@ -63,11 +58,7 @@ public final class Image {
         IntStream.range(0, image.getWidth()).forEach(x -> IntStream.range(0, image.getHeight()).forEach(y ->
                 image.setRGB(x, y, code(reduction * x, reduction * y))));
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(image, "png", octets);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        Uncheck.run(() -> ImageIO.write(image, "png", octets));
         return Base64.getEncoder().encodeToString(octets.toByteArray());
     }
 

@@ -34,36 +34,22 @@ final class JugeImage {
     Image dessiner(Assemblage assemblage, String scene) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
         // un petit dessin profond a moins de temps : si chaque reflet en demande deux, il ne finira pas
-        return new Image(taille[0], taille[1], sonder(assemblage, taille[2] > 5 ? TEMPS / 2 : TEMPS, ici -> ici.sonder(byte[].class,
-                "dessiner", reference.scene(scene), taille[0], taille[1], taille[2])));
+        double temps = taille[2] > 5 ? TEMPS / 2 : TEMPS;
+        return new Image(taille[0], taille[1], juge.machine(assemblage).sonder(byte[].class, temps, "dessiner", reference.scene(scene),
+                taille[0], taille[1], taille[2]));
     }
 
     /** L'image d'une scène, par la méthode {@code TracerImage} de ces classes. @throws Dialogue.Echec si le dessin échoue */
     Image tracer(Assemblage assemblage, String scene, int largeur, int hauteur, int profondeur) throws Arret {
-        return new Image(largeur, hauteur, sonder(assemblage, TEMPS, ici -> ici.sonder(byte[].class, "tracer", scene, largeur, hauteur,
-                profondeur)));
+        return new Image(largeur, hauteur, juge.machine(assemblage).sonder(byte[].class, TEMPS, "tracer", scene,
+                largeur, hauteur, profondeur));
     }
 
     /** Réponses intermédiaires des méthodes de ces classes. */
     List<?> decrire(Assemblage assemblage, String scene, double xe, double ye) throws Arret {
         int[] taille = Reference.SCENES.get(scene);
-        return sonder(assemblage, TEMPS, ici -> ici.sonder(List.class, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
-                Math.min(5, taille[2])));
-    }
-
-    /** Une demande à la sonde. */
-    private interface Demande<T> {
-        T faire(Machines.Rendue ici) throws Arret;
-    }
-
-    private <T> T sonder(Assemblage assemblage, double temps, Demande<T> demande) throws Arret {
-        Machines.Rendue ici = juge.machine(assemblage);
-        ici.commencer(temps);
-        try {
-            return demande.faire(ici);
-        } catch (StackOverflowError e) {
-            throw new Dialogue.Echec(e.getMessage());
-        }
+        return juge.machine(assemblage).sonder(List.class, TEMPS, "decrire", reference.scene(scene), taille[0], taille[1], xe, ye,
+                Math.min(5, taille[2]));
     }
 
     /** Dessine et compare chaque scène, puis cherche la cause de la première différence. */
@@ -91,11 +77,13 @@ final class JugeImage {
                     > image.pareilles(reference.grille.getImage(scene, false)) : resultat.centre;
             resultat.images.put(scene, image);
             Image attendue = reference.grille.getImage(scene, resultat.centre);
+            if (image.pareille(attendue)) {
+                return new Verdict(Etat.REUSSI, "", image.combien(attendue));
+            }
             // une image d'une seule couleur est celle du projet à compléter, sauf si getCouleurPixel est écrite
             boolean commencee = juge.aEcrit("Lancer", "getCouleurPixel") || IntStream.range(1, image.pixels())
                     .anyMatch(p -> image.code(p % image.largeur, p / image.largeur) != image.code(0, 0));
-            return new Verdict(image.pareille(attendue) ? Etat.REUSSI : commencee ? Etat.FAUSSE : Etat.NON_COMMENCE, "",
-                    image.combien(attendue));
+            return new Verdict(commencee ? Etat.FAUSSE : Etat.NON_COMMENCE, "", image.combien(attendue));
         } catch (Arret e) {
             resultat.regarder(e.getMessage() + " (en dessinant « " + scene + " »)");
             return new Verdict(Etat.FAUSSE, "", e.getMessage());

@@ -145,12 +145,7 @@ final class JugeRendu implements AutoCloseable {
             }
             boolean paie = SourcesDuCours.A_COMPLETER.contains(classe) && aUneFaute(classe);
             Map<String, Verdict> parElle = lancer(seule(classe), cachees).verdicts;
-            for (Verification v : List.copyOf(cachees)) {
-                if (parElle.get(v.id()).etat != Etat.REUSSI) {
-                    cachees.remove(v);
-                    charger(v, paie ? Etat.REUSSI : Etat.FAUSSE, parElle.get(v.id()).message, classe);
-                }
-            }
+            retirer(parElle).forEach(v -> charger(v, paie ? Etat.REUSSI : Etat.FAUSSE, parElle.get(v.id()).message, classe));
         }
         chercherCeQuiEstGarde();
         // les fautes déjà comptées expliquent les vérifications restantes ; sans faute comptée, l'enseignant doit examiner le rendu
@@ -174,14 +169,17 @@ final class JugeRendu implements AutoCloseable {
                 break;
             }
             Map<String, Verdict> ensuite = lancer(seule(classe), reference.verifications).verdicts;
-            for (Verification v : List.copyOf(cachees)) {
-                if (ensuite.get(v.id()).etat != Etat.REUSSI) {
-                    cachees.remove(v);
-                    charger(v, Etat.FAUSSE, "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe,
-                            classe);
-                }
-            }
+            retirer(ensuite).forEach(v -> charger(v, Etat.FAUSSE,
+                    "la réponse change d'un appel à l'autre : quelque chose est gardé dans un champ de " + classe, classe));
         }
+    }
+
+    /** Retire, des vérifications cachées, celles qui échouent ici. @return celles-là */
+    private List<Verification> retirer(Map<String, Verdict> verdicts) {
+        List<Verification> echouent = new ArrayList<>(cachees);
+        echouent.removeIf(v -> verdicts.get(v.id()).etat == Etat.REUSSI);
+        cachees.removeAll(echouent);
+        return echouent;
     }
 
     private void charger(Verification v, Etat etat, String message, String classe) {

@@ -3,7 +3,6 @@ package lancer.correction.jugement;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -75,22 +74,20 @@ public class Jury implements AutoCloseable {
     }
 
     /** @param fini appelé pour chaque rendu jugé, dans un fil quelconque, l'un après l'autre */
-    public List<Resultat> juger(List<Rendu> rendus, Consumer<Resultat> fini) {
+    public void juger(List<Rendu> rendus, Consumer<Resultat> fini) {
         reference();
         ExecutorService ensemble = Executors.newFixedThreadPool(Math.min(ENSEMBLE_MAX, Runtime.getRuntime().availableProcessors()));
         try {
-            List<Future<Resultat>> promis = rendus.stream().map(rendu -> ensemble.submit(() -> {
+            List<Future<?>> promis = rendus.stream().map(rendu -> ensemble.submit(() -> {
                 Resultat resultat = limiter(rendu);
                 synchronized (this) {
                     fini.accept(resultat);
                 }
                 return resultat;
             })).collect(Collectors.toList());
-            List<Resultat> resultats = new ArrayList<>();
-            for (Future<Resultat> un : promis) {
-                resultats.add(un.get());
+            for (Future<?> un : promis) {
+                un.get();
             }
-            return resultats;
         } catch (InterruptedException | ExecutionException e) {
             throw new Panne(1, "jugement interrompu : " + e);
         } finally {

@@ -35,6 +35,7 @@ import lancer.correction.isolement.Confinement;
 import lancer.correction.isolement.Enfant;
 import lancer.correction.isolement.Limites;
 import org.apache.commons.io.FileUtils;
+import org.apache.commons.io.function.IOFunction;
 import org.ini4j.Ini;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.commons.JUnitException;
@@ -50,11 +51,12 @@ final class Machines {
     private final Path outillage;
 
     /** Chemin des classes du compilateur : JUnit, ini4j, le compilateur, la correction. La base n'y est jamais. */
-    private final String chemin = chemin(Stream.concat(
+    private final String chemin = Stream.concat(
             Stream.of(Execution.class, Gson.class, FileUtils.class, Ini.class, Test.class, AssertionFailedError.class,
                     JUnitException.class),
             ServiceLoader.load(JavaCompiler.class).stream().map(ServiceLoader.Provider::type)
-            .filter(c -> c.getName().startsWith("org.eclipse."))));
+            .filter(c -> c.getName().startsWith("org.eclipse.")))
+            .map(Machines::lieu).distinct().collect(Collectors.joining(File.pathSeparator));
 
     /** @param dossier dossier de travail, à soi seul */
     Machines(Confinement confinement, Path dossier) throws IOException {
@@ -78,10 +80,6 @@ final class Machines {
         }
     }
 
-    private static String chemin(Stream<Class<?>> classes) {
-        return classes.map(Machines::lieu).distinct().collect(Collectors.joining(File.pathSeparator));
-    }
-
     /** L'archive ou le dossier d'une classe. */
     static String lieu(Class<?> classe) {
         try {
@@ -89,11 +87,6 @@ final class Machines {
         } catch (URISyntaxException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    /** Lecture d'une réponse. */
-    private interface Reponse<T> {
-        T lire(DataInputStream reponse) throws IOException;
     }
 
     /** Une autre machine virtuelle, relancée si elle a été arrêtée. */
@@ -126,11 +119,11 @@ final class Machines {
         }
 
         /** Envoie une demande, et lit toute la réponse ; une réponse de forme inattendue arrête la machine virtuelle. */
-        <T> T demander(byte[] demande, int max, Reponse<T> lecture) throws Arret {
+        <T> T demander(byte[] demande, int max, IOFunction<DataInputStream, T> lecture) throws Arret {
             try {
                 DataInputStream reponse = enfant.demander(demande, max);
                 try {
-                    T lue = lecture.lire(reponse);
+                    T lue = lecture.apply(reponse);
                     if (reponse.available() == 0) {
                         return lue;
                     }
@@ -265,11 +258,20 @@ final class Machines {
             }, Execution.APPEL, methode, arguments);
         }
 
-        /** Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène. */
-        <T> T sonder(Class<T> sorte, String methode, String scene, Object... arguments) throws Arret {
+        /**
+         * Ce que rend, de cette sorte, une méthode de la sonde, sur cette scène.
+         *
+         * @param fois voir {@link #commencer} ; @throws Dialogue.Echec si elle échoue
+         */
+        <T> T sonder(Class<T> sorte, double fois, String methode, String scene, Object... arguments) throws Arret {
             int max = sorte == byte[].class ? Echange.GROSSE_REPONSE_MAX : Echange.REPONSE_MAX;
-            return demander(max, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
-                    scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
+            commencer(fois);
+            try {
+                return demander(max, reponse -> sorte.cast(reponse.get(0)), Execution.SONDE, methode,
+                        scene.getBytes(StandardCharsets.UTF_8), Stream.of(arguments).map(String::valueOf).collect(Collectors.toList()));
+            } catch (StackOverflowError e) {
+                throw new Dialogue.Echec(e.getMessage());
+            }
         }
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import lancer.correction.depot.Rendu;
+import lancer.correction.enfant.Texte;
 
 /**
  * Résultat du jugement d'un rendu, écrit dans son propre fichier. La note n'y est pas : elle dépend du barème et des points que donne
@@ -55,6 +56,12 @@ public final class Resultat {
         this.entrees = List.copyOf(rendu.entrees.keySet());
         this.empreinte = rendu.empreinte();
         this.sansConfinement = sansConfinement;
+    }
+
+    /** Le nom, et l'identifiant s'il est autre, en une ligne. */
+    public String qui() {
+        String court = Texte.protege(id, Rendu.NOM_MAX);
+        return nom + (nom.equals(court) ? "" : " (" + court + ")");
     }
 
     /** Ajoute une raison d'examiner ce rendu, sans doublon. */

@@ -97,22 +97,27 @@ final class Verifications {
 
         private static Verdict verdict(Verification v, TestExecutionResult fin) {
             Throwable cause = fin.getThrowable().orElse(null);
-            String message = cause == null ? "" : message(cause);
+            if (cause == null) {
+                return new Verdict(Etat.REUSSI, v.classe, "");
+            }
+            String message = message(cause);
             if (fin.getStatus() == TestExecutionResult.Status.ABORTED) {
                 Etat etat = message.startsWith(NON_EVALUABLE) ? Etat.NON_EVALUABLE : Etat.NON_COMMENCE;
                 return new Verdict(etat, v.classe, message.replaceFirst("^(" + NON_EVALUABLE + "|" + NON_COMMENCEE + ")", ""));
             }
-            return new Verdict(cause == null ? Etat.REUSSI : Etat.FAUSSE, v.classe, message,
-                    cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null);
+            return new Verdict(Etat.FAUSSE, v.classe, message, cause instanceof Dialogue.Echec ? ((Dialogue.Echec) cause).faute : null);
         }
 
         private static String message(Throwable e) {
             String message = String.valueOf(e.getMessage());
             boolean parle = e instanceof AssertionError || e instanceof Dialogue.Echec
                     || e instanceof StackOverflowError || e.getClass().getName().startsWith("org.opentest4j.");
-            return Texte.protege(parle ? message.replaceFirst("^Assumption failed: ", "")
-                    : e instanceof NullPointerException ? "une méthode rend null, là où la vérification attend un objet"
-                    : e.getClass().getSimpleName() + " : " + message + ", dans la vérification");
+            if (parle) {
+                return Texte.protege(message.replaceFirst("^Assumption failed: ", ""));
+            } else if (e instanceof NullPointerException) {
+                return "une méthode rend null, là où la vérification attend un objet";
+            }
+            return Texte.protege(e.getClass().getSimpleName() + " : " + message + ", dans la vérification");
         }
     }
 

@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -131,17 +130,16 @@ public final class SourcesDuCours {
         for (String section : scene(nom).split("(?m)^(?=\\[)")) {
             Matcher rayon = RAYON.matcher(section);
             double r = rayon.find() ? Double.parseDouble(rayon.group(1)) : IMMENSE;
-            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r)));
+            texte.append(TRIPLET.matcher(section).replaceAll(triplet -> tirer(hasard, triplet, r < IMMENSE ? r / 8 : 0)));
         }
         return texte.toString();
     }
 
-    private static String tirer(SplittableRandom hasard, MatchResult triplet, double rayon) {
+    /** @param ecart le plus grand déplacement d'un centre ; celui d'une lampe est un vingtième de sa distance */
+    private static String tirer(SplittableRandom hasard, MatchResult triplet, double ecart) {
         double[] t = IntStream.rangeClosed(2, 4).mapToDouble(k -> Double.parseDouble(triplet.group(k))).toArray();
         String cle = triplet.group(1);
-        // au plus un huitième du rayon d'une sphère, ou un vingtième de la distance d'une lampe
-        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20
-                : cle.equals("centre") && rayon < IMMENSE ? rayon / 8 : 0;
+        double pas = cle.equals("position") ? Math.sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]) / 20 : ecart;
         return cle + "=" + Arrays.stream(t).map(x -> cle.matches("centre|position") ? x + pas * hasard.nextDouble(-1, 1)
                 : x * hasard.nextDouble(0.75, 1)).mapToObj(x -> String.format(Locale.ROOT, "%.4f", x)).collect(Collectors.joining(" "));
     }
@@ -177,7 +175,7 @@ public final class SourcesDuCours {
         VERIFICATIONS.forEach(nom -> fichiers.put("src/test/java/" + nom + ".java", ressource("modele/" + nom + ".java")));
         SCENES.forEach(scene -> fichiers.put("scenes/" + scene + ".ini", scene(scene)));
         PROJET.forEach(fichier -> fichiers.put(fichier, ressource("projet/" + fichier)));
-        Path racine = Paths.get(dossier);
+        Path racine = Path.of(dossier);
         try {
             String[] contenu = racine.toFile().list();
             if (contenu != null && contenu.length > 0) {
@@ -191,7 +189,7 @@ public final class SourcesDuCours {
         } catch (IOException e) {
             throw new Panne(1, "écriture impossible : " + e);
         }
-        sortie.println((variante == null ? "Le projet à compléter" : variante.isEmpty() ? "Le corrigé"
-                : "Le corrigé, extension " + variante + ",") + " est dans " + racine);
+        String corrige = "".equals(variante) ? "Le corrigé" : "Le corrigé, extension " + variante + ",";
+        sortie.println((variante == null ? "Le projet à compléter" : corrige) + " est dans " + racine);
     }
 }

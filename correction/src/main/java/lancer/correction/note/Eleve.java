@@ -119,13 +119,8 @@ public final class Eleve {
         String aucune = note > 0 ? "aucune en entier" : "aucune";
         atteinte = (derniere.isEmpty() ? aucune : derniere) + suite(", mais reste à compléter : ", manquent)
                 + suite(" ; extensions : ", extensions) + suite(" ; extensions à noter : ", aNoter);
-        if (nonEvaluables() > 0) {
-            aRegarder.add(perdus(nonEvaluables(), "ce qui n'a pu être évalué"));
-        }
-        double nonCompiles = perdus(Verdict::neSeCompilePas);
-        if (nonCompiles > 0) {
-            aRegarder.add(perdus(nonCompiles, "ce qui ne se compile pas"));
-        }
+        direPerdus(nonEvaluables(), "ce qui n'a pu être évalué");
+        direPerdus(perdus(Verdict::neSeCompilePas), "ce qui ne se compile pas");
     }
 
     private static String suite(String debut, List<String> titres) {
@@ -146,8 +141,10 @@ public final class Eleve {
         return parts.values().stream().mapToDouble(p -> p.perdus(lesquels)).sum();
     }
 
-    private static String perdus(double points, String pourquoi) {
-        return String.format(Locale.FRANCE, "%.2f %s par %s", points, points < 2 ? "point perdu" : "points perdus", pourquoi);
+    private void direPerdus(double points, String pourquoi) {
+        if (points > 0) {
+            aRegarder.add(String.format(Locale.FRANCE, "%.2f %s par %s", points, points < 2 ? "point perdu" : "points perdus", pourquoi));
+        }
     }
 
     public boolean illisible() {

@@ -26,7 +26,6 @@ import lancer.correction.depot.Source;
 import lancer.correction.enfant.Texte;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
-import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.QuoteMode;
 
 /**
@@ -160,9 +159,7 @@ public final class FeuilleMoodle {
         }
         StringWriter ecrit = new StringWriter();
         ecrit.append(texte.startsWith(BOM) ? BOM : "");
-        try (CSVPrinter csv = new CSVPrinter(ecrit, format)) {
-            csv.printRecords(lignes);
-        }
+        format.print(ecrit).printRecords(lignes);
         deposer(dossier, ecrit.toString().getBytes(codage), avis);
         parId.values().removeIf(Eleve::illisible);
         return parId.values();
@@ -201,15 +198,16 @@ public final class FeuilleMoodle {
         } else if (!ancienne.isBlank()) {
             String aQui = aNous ? "note d'un rendu d'avant, laissée dans la feuille : "
                     : "note de la feuille gardée, que nous n'avons pas écrite : ";
-            eleve.aRegarder.add(aQui + ancienne.replace('.', ',') + (reel(ancienne) <= sur ? "" : ", que Moodle ignorera")
-                    + (juge ? " ; la nôtre serait " + neuve : ""));
-            eleve.note = juge && reel(ancienne) <= sur ? reel(ancienne) : eleve.note;
+            boolean possible = reel(ancienne) <= sur;
+            String gardee = aQui + ancienne.replace('.', ',') + (possible ? "" : ", que Moodle ignorera");
+            eleve.aRegarder.add(juge ? gardee + " ; la nôtre serait " + neuve : gardee);
+            eleve.note = juge && possible ? reel(ancienne) : eleve.note;
         }
         if (commentaire >= 0 && commentaire < ligne.size() && (juge || !aNous)) {
             // le texte de l'enseignant est gardé ; celui de la correction est remplacé avec la note
             String reste = NOTRE.matcher(dit).replaceAll("").trim();
-            ligne.set(commentaire, !juge || !aNous ? reste : (reste.isEmpty() ? "" : reste + " ") + DEBUT + neuve + ", étape atteinte, « "
-                    + eleve.atteinte + " »" + FIN);
+            String notre = juge && aNous ? DEBUT + neuve + ", étape atteinte, « " + eleve.atteinte + " »" + FIN : "";
+            ligne.set(commentaire, (reste + " " + notre).trim());
         }
     }
 

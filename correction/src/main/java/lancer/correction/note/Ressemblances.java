@@ -20,7 +20,7 @@ public final class Ressemblances {
         Collection<List<Eleve>> groupes = juges.stream().collect(Collectors.groupingBy(e -> e.resultat.empreinte, LinkedHashMap::new,
                 Collectors.toList())).values();
         groupes.stream().filter(g -> g.size() > 1).forEach(g -> avis.add("un même rendu pour " + g.size() + " identifiants : "
-                + g.stream().map(Ressemblances::nom).collect(Collectors.joining(", "))));
+                + g.stream().map(e -> e.resultat.qui()).collect(Collectors.joining(", "))));
         // un groupe n'a écrit chaque classe qu'une fois
         List<Eleve> auteurs = groupes.stream().map(g -> g.get(0)).collect(Collectors.toList());
         for (Eleve un : auteurs) {
@@ -28,15 +28,11 @@ public final class Ressemblances {
             auteurs.stream().filter(autre -> autre != un).forEach(autre -> {
                 String communes = un.resultat.formes.entrySet().stream().filter(f -> f.getValue().equals(autre.resultat.formes
                         .get(f.getKey()))).map(Map.Entry::getKey).collect(Collectors.joining(", "));
-                classes.computeIfAbsent(communes, c -> new ArrayList<>()).add(nom(autre));
+                classes.computeIfAbsent(communes, c -> new ArrayList<>()).add(autre.resultat.qui());
             });
             classes.remove("");
             classes.forEach((communes, autres) -> un.aRegarder.add("écrit comme chez " + String.join(", ", autres)
                     + ", aux noms et aux commentaires près : " + communes));
         }
-    }
-
-    private static String nom(Eleve eleve) {
-        return eleve.resultat.nom + (eleve.resultat.nom.equals(eleve.resultat.id) ? "" : " (" + eleve.resultat.id + ")");
     }
 }

@@ -10,7 +10,6 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -91,13 +90,18 @@ public final class Pages {
         List<List<?>> lignes = new ArrayList<>(List.of(titres));
         for (Eleve e : eleves) {
             // un rendu qui n'a pu être jugé n'a pas de note
-            boolean juge = !e.illisible();
-            String note = juge ? String.format(Locale.ROOT, "%.2f", e.note) : "";
-            String identique = e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non";
+            String note = "";
+            String atteinte = "";
+            String identique = "";
+            if (!e.illisible()) {
+                note = String.format(Locale.ROOT, "%.2f", e.note);
+                atteinte = e.atteinte;
+                identique = e.parts.get(GrilleDeNotation.IMAGE).complete() ? "oui" : "non";
+            }
             List<String> ligne = new ArrayList<>(List.of(e.resultat.id, e.resultat.nom, note,
-                    String.format(Locale.ROOT, "%.2f", bareme.total), juge ? e.atteinte : "", juge ? identique : "",
+                    String.format(Locale.ROOT, "%.2f", bareme.total), atteinte, identique,
                     String.join(" ; ", e.resultat.refus), String.join(" ; ", e.aRegarder)));
-            e.parts.values().forEach(part -> ligne.add(juge ? combien(part) : ""));
+            e.parts.values().forEach(part -> ligne.add(e.illisible() ? "" : combien(part)));
             ligne.replaceAll(Texte::sansFormule);
             lignes.add(ligne);
         }
@@ -138,11 +142,10 @@ public final class Pages {
     }
 
     /** Nombre de notes de chaque dixième de la note maximale, du plus bas au plus haut. */
-    public List<Integer> histogramme(List<Eleve> eleves) {
-        Integer[] nombres = new Integer[10];
-        Arrays.fill(nombres, 0);
+    public int[] histogramme(List<Eleve> eleves) {
+        int[] nombres = new int[10];
         eleves.forEach(e -> nombres[(int) Math.min(9, 10 * e.note / bareme.total)]++);
-        return List.of(nombres);
+        return nombres;
     }
 
     /** Vrai la première fois que la page en cours demande ce texte. */

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import lancer.correction.ClasseEssai;
@@ -31,12 +31,9 @@ abstract class JuryEssai extends ClasseEssai {
         List<Rendu> liste = Depot.lire(rendus, false);
         jury.reference();
         jury.machines.limites = limites;
-        List<Resultat> tous = jury.juger(liste, resultat -> { });
+        Map<String, Resultat> resultats = new TreeMap<>();
+        jury.juger(liste, resultat -> resultats.put(resultat.nom, resultat));
         jury.machines.limites = Limites.ORDINAIRES;
-        Map<String, Resultat> resultats = new LinkedHashMap<>();
-        for (int k = 0; k < tous.size(); k++) {
-            resultats.put(liste.get(k).nom, tous.get(k));
-        }
         return resultats;
     }
 
