@@ -118,8 +118,6 @@ public final class Ecriture<T> {
         if (directe) {
             return Files.newOutputStream(cible);
         }
-        // il disparaît même si Ctrl+C interrompt l'écriture
-        provisoire.toFile().deleteOnExit();
         if (Files.exists(cible)) {
             // pour ses permissions et, si le système le permet, son propriétaire
             Files.copy(cible, provisoire, StandardCopyOption.COPY_ATTRIBUTES);
@@ -129,6 +127,8 @@ public final class Ecriture<T> {
         } else {
             Files.createFile(provisoire);
         }
+        // il disparaît même si Ctrl+C interrompt l'écriture ; demandé avant sa création, il lui survivrait
+        provisoire.toFile().deleteOnExit();
         // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
         return Files.newOutputStream(provisoire, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
     }
