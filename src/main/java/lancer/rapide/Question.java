@@ -17,6 +17,7 @@ import lancer.contrat.Recherche;
  * Woo, <i>A Fast Voxel Traversal Algorithm for Ray Tracing</i>, 1987). Là où elles donnent trop d'objets, l'arbre les
  * remplace.
  */
+// chercher et ouvrir sont d'un seul tenant : HotSpot recopie dans chaque boucle ce qui a moins de 325 octets
 final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
 
     /** Nombre d'examens au-delà duquel l'arbre remplace les cellules, et d'objets d'un cube trop plein. */
@@ -160,11 +161,7 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     @Override
     public boolean hasNext() {
         if (!pret) {
-            if (propose >= 0) {
-                noterLaReponse();
-            }
-            propose = chercher();
-            pret = true;
+            chercher();
         }
         // une autre question a pu être posée, ou proposer, depuis la précédente
         suivi.accept(this);
@@ -202,10 +199,14 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
     }
 
     /**
-     * Le rang de l'objet suivant dont le rayon peut toucher l'enveloppe, −1 à la fin. L'erreur sur f² − b² est au plus
-     * 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
+     * Note la réponse, puis cherche l'objet suivant dont le rayon peut toucher l'enveloppe. L'erreur sur f² − b² est au
+     * plus 512 u f². NaN, d'un objet libre ou d'un rayon démesuré, peut tout toucher.
      */
-    private int chercher() {
+    private void chercher() {
+        if (propose >= 0) {
+            noterLaReponse();
+        }
+        pret = true;
         int avant = examens;
         do {
             int[] rangs = liste;
@@ -228,17 +229,17 @@ final class Question implements Iterable<Objet3D>, Iterator<Objet3D> {
                 } else if (k != rangDepart && k != proche && k != propose
                         && !((fx * fx + fy * fy + fz * fz) * PRESQUE_UN - b * b > r * r || b < -r)) {
                     compteurs.noeudsVisites += examens - avant - 1;
-                    return k;
+                    propose = k;
+                    return;
                 }
             }
         } while (ouvrir());
         compteurs.noeudsVisites += examens - avant;
-        return -1;
+        propose = -1;
     }
 
     /** Ouvre la liste suivante. @return faux s'il n'y en a plus */
     private boolean ouvrir() {
-        // d'un seul tenant : HotSpot recopie dans chaque boucle ce qui a moins de 325 octets (FreqInlineSize)
         examens++;
         if (etape == DEBUT) {
             PointDeVue vue = null;

@@ -178,7 +178,8 @@ final class BancFenetre {
                 fenetre.toFront();
                 fenetre.requestFocus();
             }
-            return fenetre.isFocused();
+            // une touche frappée avant qu'un composant ait le clavier serait perdue
+            return fenetre.isFocused() && fenetre.getFocusOwner() != null;
         });
     }
 
