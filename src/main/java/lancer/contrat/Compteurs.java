@@ -16,7 +16,7 @@ public final class Compteurs {
     /** Distances demandées à un objet. */
     public long testsSpheres;
 
-    /** Nœuds, cases et masques que la recherche a visités, et pixels que l'échantillonnage a raffinés. */
+    /** Enveloppes, cubes et nœuds que la recherche a examinés, et pixels que l'échantillonnage a raffinés. */
     public long noeudsVisites;
     public long pixelsRaffines;
 

@@ -64,7 +64,7 @@ class ComptesTest {
         assertTrue(parOmbre[1] < 1.2 * parOmbre[0], parOmbre[0] + " examens par ombre, puis " + parOmbre[1]);
     }
 
-    /** Un examen : une case, une entrée, une boîte, un masque ou une sphère regardés pour un rayon. */
+    /** Un examen : un cube, une boîte, une enveloppe ou un objet regardés pour un rayon. */
     @Tag("long")
     @ParameterizedTest
     @ValueSource(ints = {1, 10})
