@@ -5,7 +5,8 @@ import java.io.PrintStream;
 import java.io.UnsupportedEncodingException;
 import java.nio.charset.Charset;
 import lancer.SceneFautive;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.Echec;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */

@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.contrat.Parametre;
+import lancer.systeme.Echec;
 import lancer.texte.Nombre;
 import lancer.texte.Texte;
 

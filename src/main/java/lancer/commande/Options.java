@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedList;
 import java.util.Map;
 import java.util.stream.Collectors;
+import lancer.systeme.Echec;
 import lancer.texte.Texte;
 
 /** La ligne de commande : ce qu'elle demande, et les textes de {@code --aide} et de {@code --version}. */

@@ -3,14 +3,14 @@ package lancer.dessin;
 import java.util.Objects;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
 import lancer.scene.SceneLue;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.Echec;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**

@@ -9,7 +9,6 @@ import lancer.Scene;
 import lancer.auto.Auto;
 import lancer.auto.Echelle;
 import lancer.auto.Mesure;
-import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
@@ -20,6 +19,7 @@ import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
 import lancer.rapide.Regard;
+import lancer.systeme.Echec;
 
 /** Ce qui est dessiné d'une demande : l'image, et le lancer qui la dessine, avec compteurs, temps et fautes. */
 public final class Dessin {

@@ -11,7 +11,6 @@ import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
 import lancer.image.Comparaison;
-import lancer.image.Ecriture;
 import lancer.image.FichierPfm;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
@@ -19,6 +18,7 @@ import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.scene.LecteurScene;
+import lancer.systeme.Ecriture;
 
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
 public final class SansFenetre {
@@ -69,7 +69,7 @@ public final class SansFenetre {
         }
     }
 
-    /** Les fichiers demandés. @throws lancer.commande.Echec si l'un d'eux ne peut être écrit */
+    /** Les fichiers demandés. @throws lancer.systeme.Echec si l'un d'eux ne peut être écrit */
     private List<Ecriture<ImageMemoire>> fichiers() {
         List<Ecriture<ImageMemoire>> fichiers = new ArrayList<>();
         Map<String, String> pris = new LinkedHashMap<>();
@@ -86,7 +86,7 @@ public final class SansFenetre {
         return fichiers;
     }
 
-    /** @throws lancer.commande.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont pris */
+    /** @throws lancer.systeme.Echec si ce fichier ne peut être écrit, ou écraserait un de ceux qui sont pris */
     private void ajouter(List<Ecriture<ImageMemoire>> fichiers, Option<String> option,
             Ecriture.Format<ImageMemoire> format, Map<String, String> pris) {
         if (options.estDonnee(option)) {

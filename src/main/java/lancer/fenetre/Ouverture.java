@@ -9,14 +9,14 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
-import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Reglages;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
 import lancer.scene.Surveillance;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.Echec;
+import lancer.systeme.ErreurSysteme;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {

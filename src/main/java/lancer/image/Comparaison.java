@@ -3,7 +3,7 @@ package lancer.image;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import lancer.Couleur;
-import lancer.commande.Echec;
+import lancer.systeme.Echec;
 
 /**
  * Différences de deux images de même taille, limitées à [0, 1], en niveaux de 1/255. Si une image n'a que 8 bits par

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import lancer.systeme.Ecriture;
 
 /** Le format PFM : les couleurs non limitées, en nombres de 32 bits petit-boutistes, du bas de l'image vers le haut. */
 public final class FichierPfm implements Ecriture.Format<ImageMemoire> {

@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
+import lancer.systeme.Ecriture;
 
 /** Le format PNG (ISO/IEC 15948), 8 bits par composante, sans ImageIO : charger AWT dure plus que dessiner. */
 public final class FichierPng implements Ecriture.Format<ImageMemoire> {

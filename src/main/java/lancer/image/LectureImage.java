@@ -17,8 +17,8 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import lancer.Couleur;
-import lancer.commande.Echec;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.Echec;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Lit un PNG ou un PFM à comparer. Les échantillons d'un PNG sont pris tels quels, sans gamma ni transparence. */

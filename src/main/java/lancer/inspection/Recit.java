@@ -12,8 +12,8 @@ import lancer.Objet3D;
 import lancer.Tuple;
 import lancer.contrat.Atmosphere;
 import lancer.inspection.Segment.Eclairage;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Nombre;
-import lancer.texte.ErreurSysteme;
 
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
 public final class Recit {

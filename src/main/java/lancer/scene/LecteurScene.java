@@ -13,7 +13,7 @@ import java.util.StringTokenizer;
 import java.util.function.DoubleConsumer;
 import lancer.SceneFautive;
 import lancer.contrat.Variante;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;

@@ -22,7 +22,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Forme;
 import lancer.contrat.Variante;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**

@@ -25,7 +25,7 @@ import lancer.Sphere;
 import lancer.contrat.Modele;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
-import lancer.image.Ecriture;
+import lancer.systeme.Ecriture;
 import lancer.texte.Nombre;
 
 /** Le contenu d'un fichier de scène. */
@@ -184,7 +184,7 @@ public final class SceneLue {
      * Seule la valeur des lignes {@code centre} ou {@code position} de ce qui a bougé change.
      *
      * @throws SceneFautive si le fichier a changé depuis sa lecture
-     * @throws lancer.commande.Echec s'il ne peut être lu ou écrit
+     * @throws lancer.systeme.Echec s'il ne peut être lu ou écrit
      */
     public void remplacer(SceneLue deplacee) {
         byte[][] ecrit = new byte[1][];

@@ -25,7 +25,7 @@ import lancer.contrat.PixelFautif;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import lancer.essai.Plan;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.ErreurSysteme;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

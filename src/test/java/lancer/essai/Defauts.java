@@ -20,9 +20,9 @@ import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Vue;
 import lancer.essai.TraceurNaif.Ombre;
-import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
+import lancer.systeme.Ecriture;
 
 /**
  * De petites scènes dont la géométrie donne l'image, et une façon courante de la fausser.

@@ -16,9 +16,10 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import lancer.commande.Echec;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
+import lancer.systeme.Echec;
+import lancer.systeme.Ecriture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

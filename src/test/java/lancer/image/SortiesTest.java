@@ -27,11 +27,12 @@ import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lancer.Couleur;
-import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.Ressources;
+import lancer.systeme.Echec;
+import lancer.systeme.Ecriture;
 import org.junit.jupiter.api.Test;
 
 /** Les fichiers que le programme écrit, ce qu'ils contiennent, et ce qu'il dit quand il ne le peut pas. */

@@ -57,12 +57,13 @@ class DependancesTest {
         verifier("lancer\\.contrat\\..*", COURS + "lancer\\.texte\\..*");
         verifier("lancer\\.precision\\..*", COURS);
         verifier("lancer\\.texte\\..*", JAVA);
+        verifier("lancer\\.systeme\\..*", JAVA + "|lancer\\.texte\\..*");
         verifier("lancer\\.fils\\..*", COURS + "lancer\\.(contrat|texte)\\..*");
     }
 
     @Test
     void laCommandeNeDependQueDesContratsEtDesTextes() {
-        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive)|lancer\\.(contrat|texte)\\..*");
+        verifier("lancer\\.commande\\..*", JAVA + "|lancer\\.(Constantes|SceneFautive)|lancer\\.(contrat|texte|systeme)\\..*");
     }
 
     @Test
@@ -97,8 +98,8 @@ class DependancesTest {
 
     @Test
     void laLectureEtLesSortiesNeSeConnaissentPas() {
-        verifier("lancer\\.scene\\..*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.image\\.Ecriture|org\\.ini4j\\..*");
-        verifier("lancer\\.image\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte)\\..*|lancer\\.commande\\.Echec");
+        verifier("lancer\\.scene\\..*", COURS + "lancer\\.(contrat|texte|systeme)\\..*|org\\.ini4j\\..*");
+        verifier("lancer\\.image\\.(?!LectureImage).*", COURS + "lancer\\.(contrat|texte|systeme)\\..*");
     }
 
     /** Celui du cours lui-même mis à part : il se sert de tous. */

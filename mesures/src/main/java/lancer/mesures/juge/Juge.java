@@ -13,7 +13,6 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import lancer.Scene;
 import lancer.SceneFautive;
-import lancer.commande.Echec;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Options;
@@ -22,7 +21,8 @@ import lancer.mesures.Circonstances;
 import lancer.mesures.FichierCsv;
 import lancer.mesures.ImageLineaire;
 import lancer.mesures.scenes.Scenes;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.Echec;
+import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**

@@ -27,7 +27,7 @@ public final class SceneJugee {
     /**
      * @param nom celui des fichiers de POV-Ray
      * @param scene son seuil est mis à 0 si un Ks est coloré
-     * @throws lancer.commande.Echec si POV-Ray ne peut faire le même calcul
+     * @throws lancer.systeme.Echec si POV-Ray ne peut faire le même calcul
      */
     public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;

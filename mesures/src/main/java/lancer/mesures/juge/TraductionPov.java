@@ -15,7 +15,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.commande.Echec;
+import lancer.systeme.Echec;
 
 /**
  * Traduction d'une scène pour POV-Ray 3.7. Les axes sont les mêmes. Il n'y a ni lumière ambiante, ni gamma. Le ciel est une fonction de la

@@ -17,7 +17,7 @@ import lancer.commande.Messages;
 import lancer.mesures.juge.DeuxProgrammes;
 import lancer.mesures.juge.PovRay;
 import lancer.mesures.stabilite.Mesures;
-import lancer.texte.ErreurSysteme;
+import lancer.systeme.ErreurSysteme;
 
 /**
  * Vitesse et précision : exécute les mesures du {@link Catalogue}, puis dessine les courbes et écrit les tableaux. Lancé par

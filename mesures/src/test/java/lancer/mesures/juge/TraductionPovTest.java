@@ -16,7 +16,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
-import lancer.commande.Echec;
+import lancer.systeme.Echec;
 import org.junit.jupiter.api.Test;
 
 /** La traduction d'une scène pour POV-Ray. */

@@ -24,9 +24,9 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Specularite;
-import lancer.image.Ecriture;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
+import lancer.systeme.Ecriture;
 
 /** La cible reponses d'outils/Makefile : calcule les figures et les nombres de la page des réponses. */
 public final class Reponses {

@@ -1,4 +1,4 @@
-package lancer.texte;
+package lancer.systeme;
 
 import java.io.File;
 import java.nio.charset.Charset;
@@ -7,6 +7,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
+import lancer.texte.Texte;
 
 /** Erreurs de Java et du système, dites en une ligne. */
 public final class ErreurSysteme {

@@ -1,4 +1,4 @@
-package lancer.commande;
+package lancer.systeme;
 
 /** Échec du programme : un message d'une ligne, et un statut de sortie. */
 public final class Echec extends RuntimeException {

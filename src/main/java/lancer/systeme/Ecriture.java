@@ -1,4 +1,4 @@
-package lancer.image;
+package lancer.systeme;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -13,8 +13,6 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Collection;
 import java.util.Collections;
-import lancer.commande.Echec;
-import lancer.texte.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
