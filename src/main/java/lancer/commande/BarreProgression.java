@@ -13,6 +13,12 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
 
     private static final String PLEINE = "####################";
     private static final String VIDE = "....................";
+    /** Ce qui efface la barre, dans les terminaux qui n'ont pas de séquence pour cela aussi. */
+    private static final String BLANCS = PLEINE.replace('#', ' ') + "        ";
+
+    /** Les bits du type d'un fichier, et le type d'un terminal (POSIX, {@code sys/stat.h}). */
+    private static final int TYPE = 0170000;
+    private static final int PERIPHERIQUE = 0020000;
 
     /** Temps entre deux états de la barre, et avant le premier, en millisecondes. */
     private static final int PERIODE_MS = 200;
@@ -33,13 +39,13 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
         }
     }
 
+    /** Dit si l'erreur standard est un terminal. Sous Windows, rien en Java ne le dit : il n'y a pas de barre. */
     private static boolean estUnTerminal() {
         try {
-            // sur Linux, le lien de l'erreur standard : Java ne sait pas si elle est un terminal
-            String cible = Files.readSymbolicLink(Paths.get("/proc/self/fd/2")).toString();
-            return cible.startsWith("/dev/pts/") || cible.startsWith("/dev/tty");
-        } catch (IOException | UnsupportedOperationException e) {
-            return System.console() != null;
+            int mode = (Integer) Files.getAttribute(Paths.get("/dev/fd/2"), "unix:mode");
+            return (mode & TYPE) == PERIPHERIQUE;
+        } catch (IOException | UnsupportedOperationException | IllegalArgumentException e) {
+            return false;
         }
     }
 
@@ -60,7 +66,7 @@ public final class BarreProgression extends TimerTask implements AutoCloseable {
         if (avancement != null) {
             avancement = null;
             cancel();
-            terminal.print("\r\u001b[K");
+            terminal.print("\r" + BLANCS + "\r");
             terminal.flush();
         }
     }

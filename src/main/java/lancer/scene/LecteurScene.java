@@ -14,6 +14,7 @@ import java.util.function.DoubleConsumer;
 import lancer.SceneFautive;
 import lancer.contrat.Variante;
 import lancer.systeme.ErreurSysteme;
+import lancer.texte.Ressemblance;
 import lancer.texte.Texte;
 import org.ini4j.Config;
 import org.ini4j.InvalidFileFormatException;
@@ -134,7 +135,8 @@ public final class LecteurScene {
             type = sections.trouver(mot);
             courante = new SectionLue(fichier, nom, ligne, type == null ? null : type.cles);
             if (type == null) {
-                throw courante.fautive(ligne, null, "type de section inconnu", sections.noms());
+                throw courante.fautive(ligne, null, "type de section inconnu" + Ressemblance.dire(mot),
+                        sections.noms());
             }
             String ordinaire = mot.equals(type.nom) ? nom : type.nom + nom.substring(mot.length());
             Integer deja = noms.putIfAbsent(type.unique ? type.nom : ordinaire, ligne);
@@ -170,10 +172,10 @@ public final class LecteurScene {
     /** Refus d'une ligne qu'ini4j rejette : le message d'ini4j est en anglais et sans raison. */
     private SceneFautive illisible(String texte) {
         if (courante == null) {
-            return refus("texte avant toute section : " + Texte.cite(texte),
+            return refus("texte avant toute section : " + Texte.cite(texte) + Ressemblance.dire(texte),
                     "d'abord une section seule sur sa ligne, par exemple [Sphere 1]");
         }
-        return refus("ligne illisible : " + Texte.cite(texte),
+        return refus("ligne illisible : " + Texte.cite(texte) + Ressemblance.dire(texte),
                 "clé=valeur, [Section], ou un commentaire seul sur sa ligne, après ; ou #");
     }
 

@@ -7,6 +7,7 @@ import java.util.StringTokenizer;
 import lancer.SceneFautive;
 import lancer.contrat.Section;
 import lancer.texte.Nombre;
+import lancer.texte.Ressemblance;
 import lancer.texte.Texte;
 
 /**
@@ -72,7 +73,8 @@ public final class SectionLue extends Section {
     }
 
     private SceneFautive inconnue(int ligneCle, String cle) {
-        return fautive(ligneCle, cle, "clé inconnue", connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
+        return fautive(ligneCle, cle, "clé inconnue" + Ressemblance.dire(cle),
+                connues.isEmpty() ? "aucune clé" : String.join(", ", connues));
     }
 
     private Entree entree(String cle) {
@@ -147,7 +149,7 @@ public final class SectionLue extends Section {
         } else if (!Double.isNaN(valeur)) {
             faute = Double.isInfinite(valeur) ? "nombre trop grand" : "hors limites";
         }
-        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot), attendu);
+        return fautive(entree.ligne, entree.cle, faute + " : " + Texte.cite(mot) + Ressemblance.dire(mot), attendu);
     }
 
     private static String attendu(int combien, double min, double max) {
