@@ -5,7 +5,6 @@ import java.lang.management.ManagementFactory;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -25,16 +24,14 @@ import org.opentest4j.TestAbortedException;
 public final class Causes implements InvocationInterceptor, TestInstancePostProcessor {
 
     /**
-     * Les méthodes du cours, les causes d'abord : leur classe, puis, si elle s'écrit en deux fois, une méthode et son
-     * étape. Une faute explique celles de toutes les lignes qui suivent, si on les cherche après elle.
+     * Les méthodes du cours, les causes d'abord : leur classe, puis, si elle s'écrit en deux fois, une méthode. Une faute
+     * explique celles de toutes les lignes qui suivent, si on les cherche après elle.
      */
     private static final List<List<String>> ORDRE = Arrays.asList(
-            Arrays.asList("Vecteur"), Arrays.asList("Point"), Arrays.asList("Rayon", "<init>", "rayons"),
-            Arrays.asList("Sphere", "getIntersectionDistance", "sphere"), Arrays.asList("Rayon", "calcContact", "scene"),
-            Arrays.asList("Scene"), Arrays.asList("Sphere", "getNormale", "lambert"), Arrays.asList("Objet3D"),
+            Arrays.asList("Vecteur"), Arrays.asList("Point"), Arrays.asList("Rayon", "Rayon"),
+            Arrays.asList("Sphere", "getIntersectionDistance"), Arrays.asList("Rayon", "calcContact"),
+            Arrays.asList("Scene"), Arrays.asList("Sphere", "getNormale"), Arrays.asList("Objet3D"),
             Arrays.asList("Camera"), Arrays.asList("Lancer"));
-
-    private static final String NON_EVALUABLE = "étape non évaluable : ";
 
     /** Les piles d'un fil qui ne répond pas, et les millisecondes de l'une à l'autre. */
     private static final int PILES = 10;
@@ -59,15 +56,26 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
                 .getOrComputeIfAbsent(Vu.class, cle -> new Vu(), Vu.class);
     }
 
-    /** La place de ces mots dans l'ordre des causes : les étiquettes d'une vérification, ou une classe et une méthode. */
-    private static int rang(Collection<String> mots) {
+    /** Ce que demande une vérification : sa classe le dit, si elle-même ne le dit pas. */
+    static Demande demande(Method verification) {
+        Demande sienne = verification.getAnnotation(Demande.class);
+        return sienne != null ? sienne : verification.getDeclaringClass().getAnnotation(Demande.class);
+    }
+
+    /** La place de ces méthodes d'une classe dans l'ordre des causes. */
+    private static int rang(String classe, String... methodes) {
         for (int k = 0; k < ORDRE.size(); k++) {
             List<String> ligne = ORDRE.get(k);
-            if (mots.contains(ligne.get(0)) && (ligne.size() == 1 || !Collections.disjoint(mots, ligne.subList(1, 3)))) {
+            if (ligne.get(0).equals(classe) && (ligne.size() == 1 || Arrays.asList(methodes).contains(ligne.get(1)))) {
                 return k;
             }
         }
         return 0;
+    }
+
+    private static int rang(ExtensionContext qui) {
+        Demande demande = demande(qui.getRequiredTestMethod());
+        return rang(demande.classe().getSimpleName(), demande.methodes());
     }
 
     @Override
@@ -84,10 +92,10 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     private static void mener(Invocation<Void> etape, ExtensionContext qui) throws Throwable {
         Vu vu = vu(qui);
-        int rang = rang(qui.getTags());
+        int rang = rang(qui);
         if (rang >= vu.rangSansFin) {
             etape.skip();
-            throw new TestAbortedException(NON_EVALUABLE + vu.sansFin + " ne finit pas");
+            throw new Demande.NonEvaluable(vu.sansFin + " ne finit pas");
         }
         commencer(vu, patience(qui));
         try {
@@ -97,7 +105,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
             String cause = qui.getTags().contains(Repetition.ETAPE) ? null
                     : abandonnee ? cause(vu.bilan, rang) : cause(vu, rang, qui);
             if (cause != null) {
-                throw new TestAbortedException(NON_EVALUABLE + cause);
+                throw new Demande.NonEvaluable(cause);
             }
             if (!abandonnee) {
                 vu.echecs.putIfAbsent(rang, qui.getDisplayName());
@@ -141,7 +149,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (garde != null) {
             return garde;
         }
-        if (!qui.getTags().contains("Objet3D") || qui.getRequiredTestMethod().getName().equals(Tests.OMBRE_DE_SOI)) {
+        if (demande(qui.getRequiredTestMethod()).classe() != Objet3D.class || qui.getRequiredTestMethod().getName().equals(Tests.OMBRE_DE_SOI)) {
             return null;
         }
         if (vu.ombre == null) {
@@ -154,7 +162,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     /** Ce que garde une méthode d'un appel à l'autre, si cela peut expliquer un échec de ce rang ; {@code null} sinon. */
     private static String cause(Repetition.Bilan bilan, int rang) {
-        return bilan != null && bilan.classe != null && rang(Arrays.asList(bilan.classe.getSimpleName(), bilan.methode)) <= rang
+        return bilan != null && bilan.classe != null && rang(bilan.classe.getSimpleName(), bilan.methode) <= rang
                 ? bilan.dit : null;
     }
 
@@ -231,7 +239,7 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
         if (!commune.isEmpty()) {
             String classe = commune.get(0).getClassName().replaceFirst("^lancer\\.", "");
             vu.sansFin = classe + "." + commune.get(0).getMethodName();
-            vu.rangSansFin = Math.max(2, rang(Arrays.asList(classe, commune.get(0).getMethodName())));
+            vu.rangSansFin = Math.max(2, rang(classe, commune.get(0).getMethodName().replace("<init>", classe)));
             ou = " dans " + vu.sansFin;
         }
         Error erreur = new Error("sans réponse après " + patience / 1000 + " secondes : une boucle sans fin" + ou + " ?");
@@ -252,6 +260,6 @@ public final class Causes implements InvocationInterceptor, TestInstancePostProc
 
     /** Vrai dans une classe du projet qui n'est pas une de celles qui le vérifient. */
     static boolean deLEtudiant(StackTraceElement appel) {
-        return appel.getClassName().matches("lancer\\.(?!Tests|Causes|Repetition|Valeurs).*");
+        return appel.getClassName().matches("lancer\\.(?!Tests|Demande|Causes|Repetition|Valeurs).*");
     }
 }

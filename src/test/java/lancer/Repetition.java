@@ -20,7 +20,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Order;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -35,47 +34,47 @@ abstract class Repetition {
     /** Demandé une fois pour toutes les vérifications : voir {@link Causes}. */
     Supplier<Bilan> bilan;
 
-    @Test @Order(1) @Tag("Vecteur") @DisplayName("un vecteur répond toujours de même")
+    @Test @Order(1) @Demande(classe = Vecteur.class) @DisplayName("un vecteur répond toujours de même")
     void unVecteurNeGardeRien() {
         bilan.get().verifier(Vecteur.class);
     }
 
-    @Test @Order(2) @Tag("Point") @DisplayName("un point répond toujours de même")
+    @Test @Order(2) @Demande(classe = Point.class) @DisplayName("un point répond toujours de même")
     void unPointNeGardeRien() {
         bilan.get().verifier(Point.class);
     }
 
-    @Test @Order(3) @Tag("Rayon") @DisplayName("un rayon répond toujours de même")
+    @Test @Order(3) @Demande(classe = Rayon.class) @DisplayName("un rayon répond toujours de même")
     void unRayonNeGardeRien() {
         bilan.get().verifier(Rayon.class);
     }
 
-    @Test @Order(4) @Tag("Camera") @DisplayName("la caméra répond toujours de même")
+    @Test @Order(4) @Demande(classe = Camera.class) @DisplayName("la caméra répond toujours de même")
     void laCameraNeGardeRien() {
         bilan.get().verifier(Camera.class);
     }
 
-    @Test @Order(5) @Tag("Sphere") @DisplayName("une sphère répond toujours de même")
+    @Test @Order(5) @Demande(classe = Sphere.class) @DisplayName("une sphère répond toujours de même")
     void uneSphereNeGardeRien() {
         bilan.get().verifier(Sphere.class);
     }
 
-    @Test @Order(6) @Tag("Scene") @DisplayName("une scène répond toujours de même")
+    @Test @Order(6) @Demande(classe = Scene.class) @DisplayName("une scène répond toujours de même")
     void laSceneNeGardeRien() {
         bilan.get().verifier(Scene.class);
     }
 
-    @Test @Order(7) @Tag("Objet3D") @DisplayName("un objet répond toujours de même")
+    @Test @Order(7) @Demande(classe = Objet3D.class) @DisplayName("un objet répond toujours de même")
     void unObjetNeGardeRien() {
         bilan.get().verifier(Objet3D.class);
     }
 
-    @Test @Order(8) @Tag("Lancer") @DisplayName("un pixel répond toujours de même")
+    @Test @Order(8) @Demande(classe = Lancer.class) @DisplayName("un pixel répond toujours de même")
     void unLancerNeGardeRien() {
         bilan.get().verifier(Lancer.class);
     }
 
-    @Test @Order(9) @Tag("Lancer") @DisplayName("un pixel n'affiche rien dans la console")
+    @Test @Order(9) @Demande(classe = Lancer.class) @DisplayName("un pixel n'affiche rien dans la console")
     void unPixelNAfficheRien() {
         if (bilan.get().affiche != null) {
             throw bilan.get().affiche;
@@ -240,9 +239,9 @@ abstract class Repetition {
                 new Question(Vecteur.class, "normalize", m -> Vecteur.normalize(m.w)),
                 new Question(Point.class, "sub", m -> m.p.sub(m.u)),
                 new Question(Point.class, "sub", m -> m.p.sub(m.q)),
-                new Question(Rayon.class, "<init>", m -> m.rayon()),
+                new Question(Rayon.class, "Rayon", m -> m.rayon()),
                 new Question(Rayon.class, "calcContact", m -> m.rayon().calcContact()),
-                new Question(Rayon.class, "<init>", m -> new Rayon(m.p, m.q)),
+                new Question(Rayon.class, "Rayon", m -> new Rayon(m.p, m.q)),
                 new Question(Rayon.class, "getSkyColor", m -> m.rayon(0).getSkyColor()),
                 new Question(Camera.class, "getRayon", m -> m.camera.getRayon(10.5, 20.25)),
                 new Question(Camera.class, "getRayon", m -> m.camera.getRayon(3, 4))));
@@ -341,7 +340,7 @@ abstract class Repetition {
         private void dire(Question fautive, String quoi) {
             classe = fautive.classe;
             methode = fautive.methode;
-            dit = classe.getSimpleName() + "." + methode.replace("<init>", "Rayon") + quoi;
+            dit = classe.getSimpleName() + "." + methode + quoi;
         }
 
         /** Les champs dont le contenu change. */

@@ -1,8 +1,6 @@
 package lancer;
 
 import static org.junit.jupiter.api.Assertions.fail;
-import static org.junit.jupiter.api.Assumptions.abort;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -211,17 +209,17 @@ public class Tests extends Valeurs {
     /** Abandonne le test tant que getClosestIntersection ne trouve rien, même parmi deux boules. */
     private void sceneCommencee() {
         Sphere boule = boule(0, 0, 5, 1);
-        assumeTrue(scene(null, boule).getClosestIntersection(devant(), null) != null
+        siCommencee(scene(null, boule).getClosestIntersection(devant(), null) != null
                 || scene(null, boule, boule(0, 0, 9, 1)).getClosestIntersection(devant(), null) != null
                 || scene(null, boule(9, 0, 5, 1), boule).getClosestIntersection(devant(), boule(0, 0, 5, 1)) != null,
-                "étape non commencée : getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle trouve");
+                Scene.class, "getClosestIntersection", "getClosestIntersection ne trouve encore rien, ou ne garde pas ce qu'elle trouve");
     }
 
     /** Abandonne le test tant que getColor rend du jaune vif. */
     private void couleurCommencee() {
         sceneCommencee();
-        assumeTrue(!pres(JAUNE, vue(scene(null, boule(NOIR, NOIR, 1)), devant(), 0)),
-                "étape non commencée : getColor rend encore du jaune vif");
+        siCommencee(!pres(JAUNE, vue(scene(null, boule(NOIR, NOIR, 1)), devant(), 0)),
+                Objet3D.class, "getColor", "getColor rend encore du jaune vif");
     }
 
     @Nested @Order(1) @Tag("vecteurs") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
@@ -238,30 +236,30 @@ public class Tests extends Valeurs {
         private final Point p = new Point(a[0], a[1], a[2]);
         private final Point q = new Point(b[0], b[1], b[2]);
 
-        @Test @Order(1) @Tag("Vecteur") @DisplayName("new Vecteur(a, b) va de a à b")
+        @Test @Order(1) @Demande(classe = Vecteur.class, methodes = "Vecteur") @DisplayName("new Vecteur(a, b) va de a à b")
         void entreDeuxPointsUnVecteurVaDuPremierAuSecond() {
             verifier("le vecteur de a" + texte(a) + " à b" + texte(b) + " est b - a", somme(b, -1, a), new Vecteur(p, q));
         }
 
-        @Test @Order(2) @Tag("Vecteur") @DisplayName("u.sub(v) soustrait deux vecteurs")
+        @Test @Order(2) @Demande(classe = Vecteur.class, methodes = "sub") @DisplayName("u.sub(v) soustrait deux vecteurs")
         void unVecteurSeSoustrait() {
             verifier(texte(a) + " - " + texte(b), somme(a, -1, b), u.sub(v));
             verifier("Vecteur.sub(u, v) vaut u.sub(v)", somme(a, -1, b), Vecteur.sub(u, v));
         }
 
-        @Test @Order(3) @Tag("Point") @DisplayName("p.sub(v) translate le point de -v")
+        @Test @Order(3) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(v) translate le point de -v")
         void unPointMoinsUnVecteurEstUnPoint() {
             verifier("le point " + texte(a) + " translaté de -" + texte(b), somme(a, -1, b), p.sub(v));
             verifier("Point.sub(p, v) vaut p.sub(v)", somme(a, -1, b), Point.sub(p, v));
         }
 
-        @Test @Order(4) @Tag("Point") @DisplayName("p.sub(q) est le vecteur de q à p")
+        @Test @Order(4) @Demande(classe = Point.class, methodes = "sub") @DisplayName("p.sub(q) est le vecteur de q à p")
         void unPointMoinsUnPointEstUnVecteur() {
             verifier("p" + texte(a) + " - q" + texte(b) + ", le vecteur qui va de q à p", somme(a, -1, b), p.sub(q));
             verifier("Point.sub(p, q) vaut p.sub(q)", somme(a, -1, b), Point.sub(p, q));
         }
 
-        @Test @Order(5) @Tag("Vecteur") @DisplayName("u.dot(v) est le produit scalaire")
+        @Test @Order(5) @Demande(classe = Vecteur.class, methodes = "dot") @DisplayName("u.dot(v) est le produit scalaire")
         void leProduitScalaireAjouteLesProduitsDesComposantes() {
             verifier(texte(a) + "·" + texte(b) + " = " + nb(a[0] * b[0]) + plus(a[1] * b[1]) + plus(a[2] * b[2]),
                     produit(a, b), u.dot(v));
@@ -269,14 +267,14 @@ public class Tests extends Valeurs {
             verifier("Vecteur.dot(u, v) vaut u.dot(v)", produit(a, b), Vecteur.dot(u, v));
         }
 
-        @Test @Order(6) @Tag("Vecteur") @DisplayName("norme2 est le carré de la norme")
+        @Test @Order(6) @Demande(classe = Vecteur.class, methodes = "norme2") @DisplayName("norme2 est le carré de la norme")
         void laNormeAuCarreEstLeProduitScalaireDuVecteurParLuiMeme() {
             verifier("le carré de la norme de " + texte(a) + " : " + nb(a[0] * a[0]) + plus(a[1] * a[1]) + plus(a[2] * a[2]),
                     produit(a, a), u.norme2());
             verifier("la norme de " + texte(c), Math.sqrt(produit(c, c)), w.norme());
         }
 
-        @Test @Order(7) @Tag("Vecteur")
+        @Test @Order(7) @Demande(classe = Vecteur.class, methodes = "norme2")
         @DisplayName("les deux façons de normaliser donnent la longueur 1, sans changer la direction")
         void normaliseUnVecteurEstDeLongueurUnEtDeMemeDirection() {
             verifier("norme2, qui sert à normaliser : le carré de la norme de " + texte(c), produit(c, c), w.norme2());
@@ -284,7 +282,7 @@ public class Tests extends Valeurs {
             verifier(texte(c) + " normalisé par Vecteur.normalize", unitaire(c), Vecteur.normalize(w));
         }
 
-        @Test @Order(8) @Tag("Vecteur") @DisplayName("les opérations fournies marchent toujours")
+        @Test @Order(8) @Demande(classe = Vecteur.class) @DisplayName("les opérations fournies marchent toujours")
         void lesAutresOperationsSontIntactes() {
             verifier(texte(a) + " + " + texte(b), somme(a, 1, b), u.add(v));
             verifier(nb(k) + " " + texte(a), somme(a, k - 1, a), u.mul(k));
@@ -293,7 +291,8 @@ public class Tests extends Valeurs {
             verifier("le point " + texte(a) + " translaté de " + texte(b), somme(a, 1, b), p.add(v));
         }
 
-        @Test @Order(9) @Tag("Couleur") @DisplayName("getCode limite chaque composante d'une couleur à [0, 1]")
+        @Test @Order(9) @Demande(classe = Couleur.class, methodes = "getCode")
+        @DisplayName("getCode limite chaque composante d'une couleur à [0, 1]")
         void uneCouleurALEcranEstLimitee() {
             code("au-delà de 1, en dessous de 0, et NaN", 0xFF0000, new Couleur(1.5, -0.5, Double.NaN));
             code("entre 0 et 1", 0x3366CC, new Couleur(0.2, 0.4, 0.8));
@@ -306,7 +305,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(2) @Tag("rayons") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("2. Rayons et caméra")
+    @Demande(classe = Camera.class, methodes = "getRayon") @DisplayName("2. Rayons et caméra")
     class RayonsEtCamera {
 
         private final int L = 2 * entier(400, 150, 750);
@@ -331,7 +330,8 @@ public class Tests extends Valeurs {
             return " d'un écran " + largeur + " x " + hauteur;
         }
 
-        @Test @Order(1) @Tag("Rayon") @DisplayName("new Rayon(p1, p2) part de p1 vers p2, et son vecteur est normalisé")
+        @Test @Order(1) @Demande(classe = Rayon.class, methodes = "Rayon")
+        @DisplayName("new Rayon(p1, p2) part de p1 vers p2, et son vecteur est normalisé")
         void unRayonVaDUnPointVersUnAutre() {
             double[] q = somme(p, 1, v);
             String demande = "le rayon de " + texte(p) + " vers " + texte(q);
@@ -340,7 +340,8 @@ public class Tests extends Valeurs {
             verifier(demande + " a pour vecteur " + texte(v) + " normalisé", unitaire(v), rayon.getV());
         }
 
-        @Test @Order(2) @Tag("Rayon") @DisplayName("new Rayon(p, v) part de p, et son vecteur est normalisé")
+        @Test @Order(2) @Demande(classe = Rayon.class, methodes = "Rayon")
+        @DisplayName("new Rayon(p, v) part de p, et son vecteur est normalisé")
         void unRayonNormaliseSonVecteur() {
             double[] q = demis(1, 2, 3);
             double[] dix = somme(v, 9, v);
@@ -350,7 +351,7 @@ public class Tests extends Valeurs {
                     rayon.getV());
         }
 
-        @Test @Order(3) @Tag("Camera") @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
+        @Test @Order(3) @DisplayName("le pixel (0, 0) est en haut à gauche, à x = -ECHELLE/2")
         void leCoinEnHautAGaucheEstAMoinsUn() {
             int autreL = 2 * entier(640, 150, 750);
             int autreH = 2 * entier(512, 100, 550);
@@ -361,12 +362,12 @@ public class Tests extends Valeurs {
                     new Camera(autreL, autreH).getRayon(0, 0).getP());
         }
 
-        @Test @Order(4) @Tag("Camera") @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
+        @Test @Order(4) @DisplayName("le coin (L, H) est en bas à droite, à x = ECHELLE/2")
         void leCoinEnBasADroiteEstAPlusUn() {
             ecran("le coin (" + L + "," + H + ")" + ecran(L, H), L, H, L, H);
         }
 
-        @Test @Order(5) @Tag("Camera") @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
+        @Test @Order(5) @DisplayName("le cadrage ne dépend pas de la taille de l'écran")
         void leCadrageEstLeMemeAToutesLesTailles() {
             // loin du milieu de l'écran, où une image retournée a le même point
             int xe = entier(200, 20, 140);
@@ -375,7 +376,8 @@ public class Tests extends Valeurs {
             ecran("(" + 2 * xe + "," + 2 * ye + ")" + ecran(2 * L, 2 * H) + " : le même point", 2 * L, 2 * H, 2 * xe, 2 * ye);
         }
 
-        @Test @Order(6) @Tag("Camera") @DisplayName("au centre de l'écran, le rayon va droit devant")
+        @Test @Order(6) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
+        @DisplayName("au centre de l'écran, le rayon va droit devant")
         void auCentreLeRayonVaDroitDevant() {
             double d = decalage();
             Rayon rayon = camera.getRayon(L / 2.0 - d, H / 2.0 - d);
@@ -386,7 +388,8 @@ public class Tests extends Valeurs {
                     rayon.getV());
         }
 
-        @Test @Order(7) @Tag("Camera") @DisplayName("new Camera(L, H) : l'œil voit la largeur de l'écran sous 30° (distance focale)")
+        @Test @Order(7) @Demande(classe = Camera.class, methodes = "Camera")
+        @DisplayName("new Camera(L, H) : l'œil voit la largeur de l'écran sous 30° (distance focale)")
         void laLargeurDeLEcranEstVueSousTrenteDegres() {
             double d = decalage();
             double part = tirer(1, 0.4, 0.99);
@@ -397,7 +400,8 @@ public class Tests extends Valeurs {
                     Math.toDegrees(Math.asin(sinus)));
         }
 
-        @Test @Order(8) @Tag("Camera") @DisplayName("chaque rayon vient de l'œil")
+        @Test @Order(8) @Demande(classe = Camera.class, methodes = {"Camera", "getRayon"})
+        @DisplayName("chaque rayon vient de l'œil")
         void tousLesRayonsPassentParLOeil() {
             double focale = 1 / Math.tan(Math.toRadians(15));
             for (double[] pixel : new double[][] {{0, 0}, {L, H}, {entier(123, 0, L), entier(456, 0, H)}}) {
@@ -408,7 +412,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(9) @Tag("Camera") @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
+        @Test @Order(9) @DisplayName("rien n'est arrondi à l'entier : ni L/2, ni H/2, ni xe, ni ye")
         void uneTailleImpaireOuUnPointEntreDeuxPixelsNArronditRien() {
             int l = 2 * entier(40, 20, 100) + 1;
             int h = 2 * entier(30, 20, 100) + 1;
@@ -420,7 +424,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(3) @Tag("sphere") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("3. Intersection d'un rayon et d'une sphère")
+    @Demande(classe = Sphere.class, methodes = "getIntersectionDistance") @DisplayName("3. Intersection d'un rayon et d'une sphère")
     class UneSphere {
 
         /** Son rayon, et la distance de son centre. */
@@ -432,7 +436,7 @@ public class Tests extends Valeurs {
             verifier(demande, attendue, sphere.getIntersectionDistance(rayon));
         }
 
-        @Test @Order(1) @Tag("Sphere") @DisplayName("des deux points touchés, la distance est celle du plus proche")
+        @Test @Order(1) @DisplayName("des deux points touchés, la distance est celle du plus proche")
         void laDistanceEstCelleDuPlusProcheDesDeuxPoints() {
             distance("sphère de centre " + point(0, 0, D) + " et de rayon " + nb(r) + ", vue de " + point(0, 0, 0)
                     + " : points à " + nb(D - r) + " et " + nb(D + r), D - r, sphere, devant());
@@ -444,7 +448,7 @@ public class Tests extends Valeurs {
                     boule(1 + s * D, 0, -7 + c * D, R), rayon(1, 0, -7, v * s, 0, v * c));
         }
 
-        @Test @Order(2) @Tag("Sphere") @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
+        @Test @Order(2) @DisplayName("un rayon qui ne passe pas par le centre touche plus loin")
         void lEcartALAxeCompte() {
             distance("rayon de " + point(0, r * s, 0) + " vers " + vers(0, 0, 1) + " : demi-corde " + nb(r * c) + ", donc "
                     + nb(D) + " - " + nb(r * c), D - r * c, sphere, rayon(0, r * s, 0, 0, 0, 1));
@@ -455,35 +459,34 @@ public class Tests extends Valeurs {
                     rayon(0, y, 0, 0, 0, 1));
         }
 
-        @Test @Order(3) @Tag("Sphere") @DisplayName("sans intersection, la distance est +∞")
+        @Test @Order(3) @DisplayName("sans intersection, la distance est +∞")
         void aCoteLaDistanceEstInfinie() {
             double y = tirer(2, 1.7, 3);
             distance("rayon de " + point(0, y, 0) + " vers " + vers(0, 0, 1) + ", qui passe à " + nb(y) + " du centre",
                     Double.POSITIVE_INFINITY, sphere, rayon(0, y, 0, 0, 0, 1));
         }
 
-        @Test @Order(4) @Tag("Sphere") @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
+        @Test @Order(4) @DisplayName("une sphère dans le dos du rayon n'est pas touchée")
         void dansLeDosLaDistanceEstInfinie() {
             distance("rayon de " + point(0, 0, 0) + " vers " + vers(0, 0, -1) + " : la sphère est derrière, à " + nb(r - D)
                     + " et " + nb(-r - D), Double.POSITIVE_INFINITY, sphere, rayon(0, 0, 0, 0, 0, -1));
         }
 
-        @Test @Order(5) @Tag("Sphere") @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
+        @Test @Order(5) @DisplayName("de l'intérieur, la distance est celle de la sortie, jamais négative")
         void deLInterieurLaDistanceEstCelleDeLaSortie() {
             double e = tirer(0.5, 0.1, 0.5);
             distance("rayon parti de " + point(0, 0, D + e) + " vers " + vers(0, 0, -1) + " : points à " + nb(e - r)
                     + ", dans le dos, et à " + nb(e + r), e + r, sphere, rayon(0, 0, D + e, 0, 0, -1));
         }
 
-        @Test @Order(6) @Tag("Sphere") @DisplayName("la distance trouvée est aussi notée dans le rayon")
+        @Test @Order(6) @DisplayName("la distance trouvée est aussi notée dans le rayon")
         void laDistanceEstNoteeDansLeRayon() {
             Rayon rayon = devant();
             sphere.getIntersectionDistance(rayon);
             verifier("rayon.getDistance() après getIntersectionDistance", D - r, rayon.getDistance());
         }
 
-        @Test @Order(7) @Tag("Sphere")
-        @DisplayName("une sphère géante, comme le sol des scènes, est touchée au même endroit qu'une petite")
+        @Test @Order(7) @DisplayName("une sphère géante, comme le sol des scènes, est touchée au même endroit qu'une petite")
         void uneSphereGeanteEstToucheeSansGrain() {
             // trois : les arrondis d'une seule peuvent, par chance, ne rien changer
             for (double rayon : new double[] {9998.77, 9412.35, 10321.6}) {
@@ -496,7 +499,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(4) @Tag("scene") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("4. Scène de sphères")
+    @Demande(classe = Scene.class, methodes = "getClosestIntersection") @DisplayName("4. Scène de sphères")
     class UneScene {
 
         /** Le rayon de deux boules, et leurs distances. */
@@ -516,14 +519,15 @@ public class Tests extends Valeurs {
             return objet == pres ? "la boule proche" : objet == loin ? "la boule lointaine" : String.valueOf(objet);
         }
 
-        @Test @Order(1) @Tag("Rayon") @DisplayName("calcContact : le point P + distance V")
+        @Test @Order(1) @Demande(classe = Rayon.class, methodes = "calcContact")
+        @DisplayName("calcContact : le point P + distance V")
         void leContactEstSurLeRayonALaDistanceTrouvee() {
             double x = tirer(1, 0.5, 3);
             Rayon rayon = rayon(x, 0, 0, 0, 0, 1);
             Sphere sphere = boule(x, 0, d + r, r);
             sphere.getIntersectionDistance(rayon);
-            assumeTrue(Double.isInfinite(rayon.getDistance()) || rayon.calcContact() != null,
-                    "étape non commencée : calcContact ne rend encore rien");
+            siCommencee(Double.isInfinite(rayon.getDistance()) || rayon.calcContact() != null,
+                    Rayon.class, "calcContact", "calcContact ne rend encore rien");
             PointContact contact = rayon.calcContact();
             verifier("le contact du rayon de " + point(x, 0, 0) + " vers " + vers(0, 0, 1) + " avec la sphère de centre "
                     + point(x, 0, d + r) + " et de rayon " + nb(r), lieu(x, 0, d), contact);
@@ -531,13 +535,13 @@ public class Tests extends Valeurs {
             verifier("la distance que porte ce contact", d, contact.distance);
         }
 
-        @Test @Order(2) @Tag("Rayon") @DisplayName("calcContact : null si la distance est infinie")
+        @Test @Order(2) @Demande(classe = Rayon.class, methodes = "calcContact")
+        @DisplayName("calcContact : null si la distance est infinie")
         void sansDistanceIlNYAPasDeContact() {
             dire(devant.calcContact() == null, "calcContact d'un rayon qui n'a rien touché", null, "un contact");
         }
 
-        @Test @Order(3) @Tag("Scene")
-        @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
+        @Test @Order(3) @DisplayName("getClosestIntersection : la plus proche des sphères, quel que soit leur ordre")
         void laPlusProcheDesSpheresEstTrouvee() {
             sceneCommencee();
             plusProche("une seule boule", pres, scene(null, pres).getClosestIntersection(devant, null));
@@ -550,8 +554,7 @@ public class Tests extends Valeurs {
                     scene(null, pres, aCote).getClosestIntersection(devant, null));
         }
 
-        @Test @Order(4) @Tag("Scene")
-        @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
+        @Test @Order(4) @DisplayName("getClosestIntersection : le contact a la distance et la position de la plus proche")
         void leContactEstCeluiDeLaPlusProche() {
             sceneCommencee();
             PointContact contact = scene(null, pres, loin).getClosestIntersection(devant, null);
@@ -560,7 +563,7 @@ public class Tests extends Valeurs {
             verifier("le point de contact", lieu(0, 0, d), contact);
         }
 
-        @Test @Order(5) @Tag("Scene") @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
+        @Test @Order(5) @DisplayName("getClosestIntersection : la sphère à ignorer est ignorée")
         void laSphereAIgnorerEstIgnoree() {
             sceneCommencee();
             plusProche("sauf la boule proche", loin, scene(null, loin, pres).getClosestIntersection(devant, pres));
@@ -569,7 +572,7 @@ public class Tests extends Valeurs {
                     scene(null, pres, loin).getClosestIntersection(devant, pres));
         }
 
-        @Test @Order(6) @Tag("Scene") @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
+        @Test @Order(6) @DisplayName("getClosestIntersection : null où il n'y a rien, même derrière le rayon")
         void ouIlNYARienIlNYAPasDeContact() {
             sceneCommencee();
             Scene scene = scene(null, pres, loin);
@@ -583,7 +586,7 @@ public class Tests extends Valeurs {
         private Couleur pixel(Scene scene, Camera camera, double xe, double ye, int profondeur) {
             sceneCommencee();
             Couleur couleur = new Lancer(scene, camera).getCouleurPixel(xe, ye, profondeur);
-            assumeTrue(!pres(VERT, couleur), "étape non commencée : getCouleurPixel rend encore du vert");
+            siCommencee(!pres(VERT, couleur), Lancer.class, "getCouleurPixel", "getCouleurPixel rend encore du vert");
             return couleur;
         }
 
@@ -596,13 +599,13 @@ public class Tests extends Valeurs {
         /** La couleur que rend getColor ; qu'elle échoue n'est pas la faute de getCouleurPixel. */
         private Couleur selonGetColor(Scene scene, Camera camera, double xe, double ye, int profondeur) {
             sceneCommencee();
-            assumeTrue(scene.getClosestIntersection(camera.getRayon(xe, ye), null) != null,
-                    "étape non évaluable : le rayon de ce pixel, que donne la caméra, ne rencontre pas la boule qui est devant l'écran");
+            siEvaluable(scene.getClosestIntersection(camera.getRayon(xe, ye), null) != null,
+                    "le rayon de ce pixel, que donne la caméra, ne rencontre pas la boule qui est devant l'écran");
             try {
                 return vue(scene, camera.getRayon(xe, ye), profondeur);
             } catch (RuntimeException | StackOverflowError e) {
                 // à l'étape où getColor s'écrit de le dire
-                return abort("étape non évaluable : getColor, que les étapes suivantes vérifient, échoue");
+                throw new Demande.NonEvaluable("getColor, que les étapes suivantes vérifient, échoue");
             }
         }
 
@@ -614,7 +617,8 @@ public class Tests extends Valeurs {
             verifier(demande, pres(centre, pixel) ? centre : coin, pixel);
         }
 
-        @Test @Order(7) @Tag("Lancer") @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
+        @Test @Order(7) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @DisplayName("getCouleurPixel : la couleur du ciel où il n'y a rien")
         void unPixelVideALaCouleurDuCiel() {
             int L = entier(800, 300, 1500);
             int H = entier(600, 200, 1100);
@@ -627,7 +631,8 @@ public class Tests extends Valeurs {
                     + " d'une scène vide : getSkyColor du rayon", pres(centre, couleur) ? centre : ciel(L, H, xe, ye), couleur);
         }
 
-        @Test @Order(8) @Tag("Lancer") @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
+        @Test @Order(8) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @DisplayName("getCouleurPixel : la couleur de la sphère la plus proche")
         void unPixelALaCouleurDeLaPlusProcheSphere() {
             devantLaCamera();
             int L = entier(800, 300, 1500);
@@ -637,7 +642,8 @@ public class Tests extends Valeurs {
                     boule(0, 0, D + r, r, BLANC, NOIR, 1), rouge), new Camera(L, H), L / 2, H / 2, 1);
         }
 
-        @Test @Order(9) @Tag("Lancer") @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
+        @Test @Order(9) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @DisplayName("getCouleurPixel : transmet à getColor la profondeur qu'on lui donne")
         void unPixelALaProfondeurDemandee() {
             devantLaCamera();
             int L = entier(80, 60, 120);
@@ -651,7 +657,8 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(10) @Tag("Lancer") @DisplayName("getCouleurPixel : n'arrondit rien à l'entier, ni xe, ni ye")
+        @Test @Order(10) @Demande(classe = Lancer.class, methodes = "getCouleurPixel")
+        @DisplayName("getCouleurPixel : n'arrondit rien à l'entier, ni xe, ni ye")
         void unPointEntreDeuxPixelsASaCouleur() {
             devantLaCamera();
             int L = entier(8, 7, 20);
@@ -669,7 +676,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(5) @Tag("lambert") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("5. Éclairement diffus (Lambert)")
+    @Demande(classe = Objet3D.class, methodes = "getColor") @DisplayName("5. Éclairement diffus (Lambert)")
     class Lambert {
 
         private void eclairee(String demande, Couleur attendue, Lampe lampe, Sphere boule) {
@@ -682,7 +689,8 @@ public class Tests extends Valeurs {
             return lampe(s * distance, 0, 4 - c * distance, couleur);
         }
 
-        @Test @Order(1) @Tag("Sphere") @DisplayName("getNormale : vers l'extérieur, de longueur 1")
+        @Test @Order(1) @Demande(classe = Sphere.class, methodes = "getNormale")
+        @DisplayName("getNormale : vers l'extérieur, de longueur 1")
         void laNormaleEstVersLExterieurEtDeLongueurUn() {
             double R = tirer(2, 0.6, 3);
             double[] centre = lieu(0, 0, 5);
@@ -691,19 +699,20 @@ public class Tests extends Valeurs {
             for (double[] n : normales) {
                 double[] p = somme(centre, R, n);
                 Vecteur obtenue = sphere.getNormale(new Point(p[0], p[1], p[2]));
-                assumeTrue(!new Vecteur().equals(obtenue), "étape non commencée : getNormale rend encore le vecteur nul");
+                siCommencee(!new Vecteur().equals(obtenue), Sphere.class, "getNormale",
+                        "getNormale rend encore le vecteur nul");
                 verifier("la normale en " + texte(p) + (n == normales[0] ? " de la sphère de centre " + texte(centre)
                         + " et de rayon " + nb(R) : ""), n, obtenue);
             }
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("face à la lampe : Kd")
+        @Test @Order(2) @DisplayName("face à la lampe : Kd")
         void faceALaLampeLaCouleurEstKd() {
             Couleur Kd = teinte(0.5, 0.25, 0.75);
             eclairee("lampe blanche droit devant, N.L = 1 : Kd", Kd, lampe(0, 0, 3), boule(Kd, NOIR, 1));
         }
 
-        @Test @Order(3) @Tag("Objet3D") @DisplayName("de biais : Kd fois le cosinus N.L")
+        @Test @Order(3) @DisplayName("de biais : Kd fois le cosinus N.L")
         void deBiaisLaCouleurSuitLeCosinus() {
             Couleur Kd = teinte(0.75, 0.5, 0.25);
             eclairee("N.L = " + nb(c), Kd.mul(c), deBiais(1, BLANC), boule(Kd, NOIR, 1));
@@ -711,7 +720,7 @@ public class Tests extends Valeurs {
                     rayon(-3 * s, 0, 4 - 3 * c, s, 0, c), boule(Kd, NOIR, 1));
         }
 
-        @Test @Order(4) @Tag("Objet3D") @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
+        @Test @Order(4) @DisplayName("L est normalisé : l'éclairement ne dépend pas de la distance de la lampe")
         void laDistanceDeLaLampeNeChangeRien() {
             for (double k : new double[] {0.5, 1, 5}) {
                 double d = arrondi(k * tirer(1, 0.7, 1.3));
@@ -720,7 +729,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(5) @Tag("Objet3D") @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
+        @Test @Order(5) @DisplayName("N est normalisé : l'éclairement ne dépend pas du rayon de la sphère")
         void leRayonDeLaSphereNeChangeRien() {
             for (double k : new double[] {0.5, 1, 3}) {
                 double R = arrondi(k * tirer(1, 0.7, 1.3));
@@ -729,22 +738,22 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(6) @Tag("Objet3D") @DisplayName("dans le dos (N.L négatif), rien")
+        @Test @Order(6) @DisplayName("dans le dos (N.L négatif), rien")
         void dansLeDosIlFaitNoir() {
             couleurCommencee();
-            assumeTrue(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
-                    boule(gris, NOIR, 1))), "étape non évaluable : une boule face à une lampe reste noire");
+            siEvaluable(!pres(NOIR, apport(c -> !pres(NOIR, c), Collections.singletonList(lampe(0, 0, 3)), devant(),
+                    boule(gris, NOIR, 1))), "une boule face à une lampe reste noire");
             eclairee("lampe derrière la boule, N.L = -1", NOIR, lampe(0, 0, tirer(9, 7.5, 12)), boule(gris, NOIR, 1));
         }
 
-        @Test @Order(7) @Tag("Objet3D") @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
+        @Test @Order(7) @DisplayName("la couleur de la lampe multiplie Kd, composante par composante")
         void laCouleurDeLaLampeMultiplieKd() {
             Couleur Kd = teinte(0.5, 0.5, 0.8);
             eclairee("Kd " + texte(Kd) + ", lampe " + texte(couleurOrange) + ", N.L = 1", Kd.mul(couleurOrange),
                     orange(0, 0, 3), boule(Kd, NOIR, 1));
         }
 
-        @Test @Order(8) @Tag("Objet3D") @DisplayName("plusieurs lampes s'ajoutent")
+        @Test @Order(8) @DisplayName("plusieurs lampes s'ajoutent")
         void lesLampesSAjoutent() {
             couleurCommencee();
             verifierApport("une lampe blanche à N.L = 1, une " + texte(couleurOrange) + " à N.L = " + nb(c) + ", Kd = "
@@ -754,7 +763,7 @@ public class Tests extends Valeurs {
                     Arrays.asList(lampe(0, 0, 9), lampe(0, 0, 3)), devant(), boule(gris, NOIR, 1));
         }
 
-        @Test @Order(9) @Tag("Objet3D") @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
+        @Test @Order(9) @DisplayName("sans lampe, une boule mate est noire : rien d'autre ne s'ajoute")
         void sansLampeIlFaitNoir() {
             couleurCommencee();
             verifier("aucune lampe, Ks nul ; le cours n'a pas de couleur ambiante", NOIR,
@@ -763,14 +772,14 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(6) @Tag("phong") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("6. Éclairement spéculaire (Phong)")
+    @Demande(classe = Objet3D.class, methodes = "getColor") @DisplayName("6. Éclairement spéculaire (Phong)")
     class Phong {
 
         @BeforeEach
         void commencee() {
             couleurCommencee();
-            assumeTrue(!pres(NOIR, deFace()) || refletAilleurs() || matiereBrillante(),
-                    "étape non commencée : pour l'instant, Ks et ns ne changent encore aucune couleur");
+            siCommencee(!pres(NOIR, deFace()) || refletAilleurs() || matiereBrillante(),
+                    Objet3D.class, "getColor", "pour l'instant, Ks et ns ne changent encore aucune couleur");
         }
 
         private final double ns = tirer(8, 3, 40);
@@ -817,19 +826,19 @@ public class Tests extends Valeurs {
                     rayon(-sv, 0, 4 - cv, sv, 0, cv), boule(NOIR, gris, 1)));
         }
 
-        @Test @Order(1) @Tag("Objet3D") @DisplayName("face à la lampe et à l'œil : Ks")
+        @Test @Order(1) @DisplayName("face à la lampe et à l'œil : Ks")
         void faceALaLampeEtALOeilLeRefletEstKs() {
             Couleur Ks = teinte(0.5, 0.25, 0.125);
             reflet("L, N et -V confondus : R.-V = 1, donc Ks", Ks, Ks, ns, 0, 1, 0, -1);
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("dans la direction du miroir : Ks")
+        @Test @Order(2) @DisplayName("dans la direction du miroir : Ks")
         void dansLaDirectionDuMiroirLeRefletEstKs() {
             reflet("V " + vers(s, 0, c) + ", N " + texte(direction(0, 0, -1)) + ", L " + vers(s, 0, -c)
                     + " : l'œil est sur le miroir de L, R.-V = 1", gris, gris, ns, s, c, s, -c);
         }
 
-        @Test @Order(3) @Tag("Objet3D") @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
+        @Test @Order(3) @DisplayName("hors du miroir : Ks fois le cosinus R.-V à la puissance ns")
         void leRefletEstUnePuissanceDuCosinus() {
             for (double n : new double[] {1, tirer(2.5, 1.5, 4)}) {
                 reflet("R.-V = " + nb(c) + ", ns = " + nb(n) + ", Ks = " + texte(gris), gris.mul(Math.pow(c, n)), gris, n,
@@ -844,20 +853,20 @@ public class Tests extends Valeurs {
                     + ", Ks = " + texte(gris), gris.mul(Math.pow(cosinus, n)), gris, n, s, c, lx, -lz);
         }
 
-        @Test @Order(4) @Tag("Objet3D") @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
+        @Test @Order(4) @DisplayName("un cosinus négatif ne donne pas de reflet, même élevé au carré")
         void unCosinusNegatifNeDonneRien() {
             refletDeFace();
             reflet("V " + vers(sv, 0, cv) + ", L " + vers(-sr, 0, -cr) + " : R.-V = " + nb(cv * cr - sv * sr) + ", ns = 2",
                     NOIR, gris, 2, sv, cv, -sr, -cr);
         }
 
-        @Test @Order(5) @Tag("Objet3D") @DisplayName("une lampe derrière la surface ne s'y reflète pas")
+        @Test @Order(5) @DisplayName("une lampe derrière la surface ne s'y reflète pas")
         void uneLampeDerriereNeSeRefletePas() {
             refletDeFace();
             reflet("N.L = " + nb(-cr) + " et R.-V = " + nb(sv * sr - cv * cr), NOIR, gris, 1, sv, cv, sr, cr);
         }
 
-        @Test @Order(6) @Tag("Objet3D") @DisplayName("le reflet s'ajoute à l'éclairement diffus")
+        @Test @Order(6) @DisplayName("le reflet s'ajoute à l'éclairement diffus")
         void leRefletSAjouteAuDiffus() {
             List<Lampe> lampe = Collections.singletonList(lampe(0, 0, 3));
             Couleur Kd = teinte(0.3, 0.25, 0.125);
@@ -868,7 +877,7 @@ public class Tests extends Valeurs {
                     mate.add(noire), lampe, devant(), boule(Kd, Ks, ns));
         }
 
-        @Test @Order(7) @Tag("Objet3D") @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
+        @Test @Order(7) @DisplayName("la couleur de chaque lampe multiplie Ks, composante par composante")
         void laCouleurDesLampesMultiplieKs() {
             Couleur Ks = teinte(0.3, 0.2, 0.4);
             verifierApport("L, N et -V confondus, lampes " + texte(couleurOrange) + " et blanche : Ks " + texte(couleurOrange)
@@ -878,7 +887,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(7) @Tag("ombres") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("7. Ombres portées")
+    @Demande(classe = Objet3D.class, methodes = "getColor") @DisplayName("7. Ombres portées")
     class Ombres {
 
         private final Sphere boule = boule(gris, teinte(0.25, 0.25, 0.25), 1);
@@ -926,44 +935,44 @@ public class Tests extends Valeurs {
             for (eclairee = couleur(lampe, boule); ou < ESSAIS && pres(eclairee, eteinte); eclairee = couleur(lampe, boule)) {
                 ou++;
             }
-            assumeTrue(!pres(eclairee, eteinte) || ombreDeSoi() != null,
-                    "étape non évaluable : une boule seule, face à une lampe, n'en est pas éclairée");
+            siEvaluable(!pres(eclairee, eteinte) || ombreDeSoi() != null,
+                    "une boule seule, face à une lampe, n'en est pas éclairée");
             List<Rayon> lances = lances(Collections.singletonList(lampe), aCote(devant(), ou), sansReflet, boule);
             // un reflet n'est pas d'une ombre
             lances.removeIf(r -> va(r, lieu(0, 0, 4), direction(0, 0, -1)));
             autreRayon = lances.isEmpty() || lances.stream().anyMatch(this::joint) ? ""
                     : " ; getColor lance " + vers(lances.get(0)) + ", qui ne joint pas la lampe " + point(s * D, 0, 4 - c * D)
                     + " et le contact " + point(0, 0, 4);
-            assumeTrue(Stream.of(aMiChemin(), surLeChemin(0.8, 0), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
+            siCommencee(Stream.of(aMiChemin(), surLeChemin(0.8, 0), surLeChemin(2, 0), surLeChemin(-1, 0), surLeChemin(0.5, 3))
                     .anyMatch(autre -> !pres(eclairee, couleur(lampe, boule, autre))
                     || !pres(eclairee, couleur(lampe, autre, boule))) || ombreDeSoi() != null || !lances.isEmpty(),
-                    "étape non commencée : pour l'instant, une boule entre la lampe et le contact ne change encore rien");
+                    Objet3D.class, "getColor", "pour l'instant, une boule entre la lampe et le contact ne change encore rien");
         }
 
-        @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
+        @Test @Order(1) @DisplayName("une boule entre la lampe et le contact le met à l'ombre")
         void unObstacleMetALOmbre() {
             verifier("une boule à mi-chemin de la lampe : comme si la lampe était éteinte" + autreRayon, eteinte,
                     couleur(lampe, boule, aMiChemin()));
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("un obstacle est un obstacle, où qu'il soit dans la liste")
+        @Test @Order(2) @DisplayName("un obstacle est un obstacle, où qu'il soit dans la liste")
         void lOrdreDesBoulesNeComptePas() {
             verifier("la boule qui cache est la première de la scène", eteinte, couleur(lampe, aMiChemin(), boule));
         }
 
-        @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
+        @Test @Order(3) @DisplayName("une boule derrière la lampe ne fait pas d'ombre")
         void derriereLaLampeRienNeCache() {
             verifier("une boule au-delà de la lampe : rien ne change", eclairee, couleur(lampe, boule, surLeChemin(2, 0)));
         }
 
-        @Test @Order(4) @Tag("Objet3D") @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
+        @Test @Order(4) @DisplayName("une boule à côté, ou de l'autre côté, ne fait pas d'ombre")
         void aCoteRienNeCache() {
             verifier("une boule à côté du chemin de la lumière", eclairee, couleur(lampe, boule, surLeChemin(0.5, tirer(3, 2, 4))));
             verifier("une boule derrière la boule éclairée, dans le prolongement", eclairee,
                     couleur(lampe, boule, surLeChemin(-1, 0)));
         }
 
-        @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule seule n'est pas dans sa propre ombre")
+        @Test @Order(5) @DisplayName("une boule seule n'est pas dans sa propre ombre")
         void uneBouleNeSeCachePasElleMeme() {
             String ombre = ombreDeSoi();
             if (ombre != null) {
@@ -971,7 +980,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(6) @Tag("Objet3D") @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
+        @Test @Order(6) @DisplayName("l'ombre d'une lampe n'enlève rien aux autres")
         void lesAutresLampesRestent() {
             List<Sphere> boules = Arrays.asList(boule, aMiChemin());
             Lampe autre = lampe(-s * D, 0, 4 - c * D);
@@ -983,7 +992,7 @@ public class Tests extends Valeurs {
     }
 
     @Nested @Order(8) @Tag("reflets") @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-    @DisplayName("8. Reflets des objets")
+    @Demande(classe = Objet3D.class, methodes = "getColor") @DisplayName("8. Reflets des objets")
     class Reflets {
 
         private final Couleur Ks = teinte(0.5, 0.25, 0.75);
@@ -1002,9 +1011,9 @@ public class Tests extends Valeurs {
             couleurCommencee();
             try {
                 lances = lances(Collections.<Lampe>emptyList(), devant(), 1, miroir(NOIR, Ks));
-                assumeTrue(!pres(NOIR, reflet(NOIR, c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
+                siCommencee(!pres(NOIR, reflet(NOIR, c -> !pres(NOIR, c), Collections.singletonList(lampe), 1)) || profondeurVue()
                         || !lances.isEmpty(),
-                        "étape non commencée : pour l'instant, la profondeur ne change encore aucune couleur");
+                        Objet3D.class, "getColor", "pour l'instant, la profondeur ne change encore aucune couleur");
             } catch (StackOverflowError e) {
                 // commencée, et sans fin : la vérification le dira mieux
             }
@@ -1046,14 +1055,14 @@ public class Tests extends Valeurs {
                     .anyMatch(scene -> !pres(vue(scene, devant()), vue(scene, devant(), 2))));
         }
 
-        @Test @Order(1) @Tag("Objet3D") @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
+        @Test @Order(1) @DisplayName("une boule seule reflète le ciel, multiplié par Ks")
         void uneBouleRefleteLeCiel() {
             verifierReflet("Ks = " + texte(Ks) + " fois le ciel dans la direction du miroir, " + vers(0, ry, rz)
                     + (lances.isEmpty() ? "" : " ; getColor lance " + vers(lances.get(0))), Ks.mul(ciel),
                     Collections.singletonList(lampe), 1);
         }
 
-        @Test @Order(2) @Tag("Objet3D") @DisplayName("le ciel reflété s'ajoute à l'éclairement, une fois quel que soit le nombre de lampes")
+        @Test @Order(2) @DisplayName("le ciel reflété s'ajoute à l'éclairement, une fois quel que soit le nombre de lampes")
         void unRefletNeSAjouteQuUneFois() {
             verifierReflet("sans aucune lampe", Ks.mul(ciel), Collections.<Lampe>emptyList(), 1);
             List<Lampe> lampes = new ArrayList<>(Arrays.asList(lampe, lampe(-s, 0, z - c), lampe(0, 0, z - 1)));
@@ -1063,7 +1072,7 @@ public class Tests extends Valeurs {
                     reflet(gris, c -> pres(Ks.mul(ciel), c), Collections.singletonList(lampe), 1));
         }
 
-        @Test @Order(3) @Tag("Objet3D") @DisplayName("une boule mate (Ks nul) ne reflète rien")
+        @Test @Order(3) @DisplayName("une boule mate (Ks nul) ne reflète rien")
         void sansKsIlNYAPasDeReflet() {
             for (Lampe eclaire : new Lampe[] {null, lampe(0, 0, 3)}) {
                 Scene mate = scene(eclaire, boule(gris, NOIR, 1));
@@ -1073,7 +1082,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(4) @Tag("Objet3D") @DisplayName("une boule reflète les autres boules")
+        @Test @Order(4) @DisplayName("une boule reflète les autres boules")
         void uneBouleRefleteUneAutreBoule() {
             // sur le chemin du rayon réfléchi, suivi un peu plus loin
             double D = tirer(5, 4.5, 6);
@@ -1082,14 +1091,14 @@ public class Tests extends Valeurs {
             Scene scene = scene(derriere, miroir(NOIR, Ks), mate);
             Couleur reflechie = aCote(reflechi(1), c -> !pres(NOIR, c), r -> vue(scene, r, 1));
             for (double t = 0.25; t < 2; t += 0.25) {
-                assumeTrue(!pres(NOIR, reflechie) && pres(reflechie, aCote(reflechi(t), c -> pres(reflechie, c),
-                        r -> vue(scene, r, 1))), "étape non évaluable : la boule à refléter n'est pas éclairée, ou pas toujours de même");
+                siEvaluable(!pres(NOIR, reflechie) && pres(reflechie, aCote(reflechi(t), c -> pres(reflechie, c),
+                        r -> vue(scene, r, 1))), "la boule à refléter n'est pas éclairée, ou pas toujours de même");
             }
             verifierReflet("à la profondeur 2, Ks fois la couleur de la boule reflétée", Ks.mul(reflechie),
                     Collections.singletonList(derriere), 2, mate);
         }
 
-        @Test @Order(5) @Tag("Objet3D") @DisplayName("une boule ne se reflète pas elle-même")
+        @Test @Order(5) @DisplayName("une boule ne se reflète pas elle-même")
         void uneBouleNeSeRefletePasElleMeme() {
             Sphere miroir = boule(NOIR, gris, 1e5);
             Scene seule = scene(null, miroir);
@@ -1102,7 +1111,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(6) @Tag("Objet3D") @DisplayName("à profondeur 0, pas de reflet")
+        @Test @Order(6) @DisplayName("à profondeur 0, pas de reflet")
         void aProfondeurZeroIlNYAPasDeReflet() {
             verifierReflet("une boule noire et brillante, à profondeur 0 : ce que Ks y ajoute", NOIR,
                     Collections.singletonList(lampe), 0);
@@ -1122,8 +1131,7 @@ public class Tests extends Valeurs {
                     rayon(0, 0, 4, 0, 0, 1), profondeur);
         }
 
-        @Test @Order(7) @Tag("Objet3D")
-        @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
+        @Test @Order(7) @DisplayName("deux miroirs face à face : un reflet de plus à chaque niveau de profondeur")
         void deuxMiroirsSeRenvoientLaLumiere() {
             try {
                 devantLaCamera();
@@ -1141,7 +1149,7 @@ public class Tests extends Valeurs {
             }
         }
 
-        @Test @Order(8) @Tag("Objet3D") @DisplayName("deux miroirs face à face : la récursion s'arrête")
+        @Test @Order(8) @DisplayName("deux miroirs face à face : la récursion s'arrête")
         void laRecursionSArrete() {
             try {
                 int p = entier(19, 17, 24);

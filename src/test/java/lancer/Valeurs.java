@@ -116,6 +116,20 @@ abstract class Valeurs {
         return Math.abs(a - b) <= PRES_COULEUR || Double.compare(a, b) == 0;
     }
 
+    /** Abandonne la vérification si cette méthode n'est pas commencée. */
+    static void siCommencee(boolean commencee, Class<?> classe, String methode, String sinon) {
+        if (!commencee) {
+            throw new Demande.NonCommencee(classe, methode, sinon);
+        }
+    }
+
+    /** Abandonne la vérification si elle ne peut juger de rien. */
+    static void siEvaluable(boolean evaluable, String sinon) {
+        if (!evaluable) {
+            throw new Demande.NonEvaluable(sinon);
+        }
+    }
+
     static void verifier(String demande, double attendu, double obtenu) {
         dire(pres(attendu, obtenu), demande, arrondi(attendu), arrondi(obtenu));
     }

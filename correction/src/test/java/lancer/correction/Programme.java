@@ -19,9 +19,9 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lancer.correction.enfant.Execution;
+import lancer.correction.jugement.Verification;
 import lancer.correction.modele.SourcesDuCours;
 import org.junit.platform.engine.TestExecutionResult;
-import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.discovery.DiscoverySelectors;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestExecutionListener;
@@ -166,9 +166,7 @@ final class Programme {
         @Override
         public void executionFinished(TestIdentifier qui, TestExecutionResult resultat) {
             if (qui.isTest() && resultat.getStatus() != TestExecutionResult.Status.SUCCESSFUL) {
-                String classe = qui.getTags().stream().map(TestTag::getName).filter(SourcesDuCours.classes()::contains)
-                        .findFirst().get();
-                pourquoi.put(classe + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
+                pourquoi.put(Verification.demandee(qui) + "." + ((MethodSource) qui.getSource().get()).getMethodName(),
                         String.valueOf(resultat.getThrowable().get()));
             }
         }

@@ -51,7 +51,7 @@ final class Contenu {
     private static final Set<String> DOSSIERS_OUTILS =
             Set.of(".idea", ".settings", ".metadata", ".vscode", "target", "bin", "build", "out");
     /** Fichiers qui ne sont pas jugés : les tests qui notent sont ceux de la correction. */
-    private static final Pattern DE_TEST = Pattern.compile("(?is)(?:^|.*/)(?:src/test/.*|(?:Tests|Causes|Repetition|Valeurs|Etapes"
+    private static final Pattern DE_TEST = Pattern.compile("(?is)(?:^|.*/)(?:src/test/.*|(?:Tests|Demande|Causes|Repetition|Valeurs|Etapes"
             + "|module-info|package-info)\\.java)");
     private static final Pattern OUTIL = Pattern.compile("(?s)\\.classpath|\\.project|.*\\.iml|.*\\.class");
 

@@ -1,7 +1,9 @@
 package lancer.correction.jugement;
 
-import lancer.correction.modele.SourcesDuCours;
-import org.junit.platform.engine.TestTag;
+import java.lang.annotation.Annotation;
+import java.lang.reflect.Method;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestIdentifier;
 
@@ -18,6 +20,8 @@ public final class Verification {
     public final String titre;
     /** La classe du cours visée, vide s'il n'y en a pas. */
     public final String classe;
+    /** Celles des méthodes à compléter de cette classe qu'elle demande ; aucune, si toutes peuvent être en cause. */
+    transient List<String> methodes = List.of();
     /** Faux si le projet à compléter réussit déjà ce critère, qui ne rapporte alors rien. */
     public boolean compte = true;
     /** La classe de {@code lancer.Tests} qui contient la vérification, {@code null} pour un autre critère. */
@@ -32,8 +36,9 @@ public final class Verification {
     }
 
     Verification(String titreEtape, TestIdentifier test) {
-        this(etiquette(test, false), titreEtape.replaceFirst("^\\d+\\. ", ""), source(test).getMethodName(), etiquette(test, true),
-                test.getDisplayName());
+        this(test.getTags().iterator().next().getName(), titreEtape.replaceFirst("^\\d+\\. ", ""), source(test).getMethodName(),
+                demandee(test), test.getDisplayName());
+        methodes = List.of((String[]) demande(test, "methodes"));
         classeJava = source(test).getClassName();
     }
 
@@ -41,10 +46,21 @@ public final class Verification {
         return (MethodSource) test.getSource().get();
     }
 
-    /** La première étiquette qui est le nom d'une classe du cours, ou qui ne l'est pas. */
-    private static String etiquette(TestIdentifier test, boolean duCours) {
-        return test.getTags().stream().map(TestTag::getName).filter(e -> SourcesDuCours.classes().contains(e) == duCours)
-                .sorted().findFirst().orElse("");
+    /** La classe du cours que demande une vérification. */
+    public static String demandee(TestIdentifier test) {
+        return ((Class<?>) demande(test, "classe")).getSimpleName();
+    }
+
+    /** Ce que dit l'annotation d'une vérification, ou à défaut celle de son étape ; une autre machine virtuelle la compile. */
+    private static Object demande(TestIdentifier test, String quoi) {
+        Method methode = source(test).getJavaMethod();
+        Annotation demande = Stream.of(methode, methode.getDeclaringClass()).flatMap(e -> Stream.of(e.getAnnotations()))
+                .filter(a -> a.annotationType().getName().equals("lancer.Demande")).findFirst().get();
+        try {
+            return demande.annotationType().getMethod(quoi).invoke(demande);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     public String id() {

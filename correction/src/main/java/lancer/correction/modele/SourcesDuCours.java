@@ -41,8 +41,9 @@ public final class SourcesDuCours {
     /** Les extensions, dans l'ordre du cours. */
     public static final List<String> VARIANTES = List.of("brume", "antialias", "blinn");
 
-    /** Ce qui vérifie un projet : les vérifications et leurs valeurs, l'ordre des causes de leurs échecs, les réponses qui changent. */
-    public static final List<String> VERIFICATIONS = List.of("lancer/Tests", "lancer/Valeurs", "lancer/Causes", "lancer/Repetition");
+    /** Ce qui vérifie un projet : les vérifications, ce qu'elles demandent, leurs valeurs, l'ordre des causes, les réponses qui changent. */
+    public static final List<String> VERIFICATIONS =
+            List.of("lancer/Tests", "lancer/Demande", "lancer/Valeurs", "lancer/Causes", "lancer/Repetition");
 
     private static final List<String> SCENES = List.of("scene1", "diffus", "ombres", "miroirs", "bowling", "brume",
             "tournesol");

@@ -18,7 +18,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.TestExecutionResult.Status;
-import org.junit.platform.engine.TestTag;
 import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
@@ -119,12 +118,11 @@ public class Etapes implements TestExecutionListener {
             while (cause.getCause() != null) {
                 cause = cause.getCause();
             }
-            String classe = qui.getTags().stream().map(TestTag::getName).filter(t -> Files.exists(Lieu.fichier(t)))
-                    .findFirst().orElse("");
+            String classe = Causes.demande(((MethodSource) qui.getSource().get()).getJavaMethod()).classe().getSimpleName();
             Lieu lieu;
             String message;
             if (abandonnee || cause instanceof AssertionError) {
-                message = String.valueOf(cause.getMessage()).replaceFirst("^Assumption failed: (étape non commencée : )?", "");
+                message = String.valueOf(cause.getMessage()).replaceFirst("^étape non commencée : ", "");
                 lieu = Lieu.nomme(classe, intitule + " : " + message);
             } else if (cause instanceof StackOverflowError && premiere(cause, p -> p.getMethodName().equals("getColor")).isPresent()) {
                 // en haut de la pile, la dernière méthode appelée, qui n'y est pour rien
@@ -141,12 +139,12 @@ public class Etapes implements TestExecutionListener {
                 lieu = premiere(cause, Causes::deLEtudiant).filter(p -> !enRond).map(Lieu::new)
                         .orElse(Lieu.nomme(classe, intitule));
             }
-            boolean expliquee = abandonnee && message.startsWith("étape non évaluable");
+            boolean expliquee = cause instanceof Demande.NonEvaluable;
             nonEvaluable = expliquee && !lieu.aEcrire;
             Lieu perdu = nonEvaluable ? null : lieu.perdu();
             boolean memeMethode = etape.getTags().stream().anyMatch(t -> DANS_LA_MEME_METHODE.contains(t.getName()));
             aCommencer = perdu == null && !nonEvaluable
-                    && (lieu.aEcrire || memeMethode && abandonnee && cause.getMessage().contains("étape non commencée"));
+                    && (lieu.aEcrire || memeMethode && cause instanceof Demande.NonCommencee);
             rang = nonEvaluable ? 2 : aCommencer ? 1 : 0;
             titre = aCommencer && abandonnee && !expliquee ? message : intitule;
             dit = perdu == null ? message : "rien ne garde le résultat de « " + perdu.texte.trim() + " » ; " + message;
