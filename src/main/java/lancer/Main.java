@@ -12,6 +12,7 @@ import lancer.dessin.Dessin;
 import lancer.dessin.Programme;
 import lancer.dessin.SansFenetre;
 import lancer.fenetre.Ouverture;
+import lancer.systeme.Console;
 
 /** Le programme (cours, « Bilan intermédiaire ») : dessine une scène dans une fenêtre, ou dans un fichier. */
 public class Main implements Toile {
@@ -32,8 +33,8 @@ public class Main implements Toile {
 
     /** @param args voir {@code --aide} */
     public static void main(String[] args) {
-        int statut = executer(args, Messages.avecAccents(System.out, "stdout.encoding"),
-                Messages.avecAccents(System.err, "stderr.encoding"));
+        int statut = executer(args, Console.avecAccents(System.out, "stdout.encoding"),
+                Console.avecAccents(System.err, "stderr.encoding"));
         if (statut != 0) {
             System.exit(statut);
         }

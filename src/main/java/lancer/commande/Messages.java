@@ -2,9 +2,8 @@ package lancer.commande;
 
 import java.io.File;
 import java.io.PrintStream;
-import java.io.UnsupportedEncodingException;
-import java.nio.charset.Charset;
 import lancer.SceneFautive;
+import lancer.systeme.Console;
 import lancer.systeme.Echec;
 import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
@@ -13,26 +12,6 @@ import lancer.texte.Texte;
 public final class Messages {
 
     private Messages() {
-    }
-
-    /**
-     * Ce flux, ou le même en UTF-8 si le codage de la langue du système n'a pas d'accents (C, POSIX).
-     *
-     * @param propriete celle où Java 18 et suivants nomment son codage, {@code stdout.encoding} ou
-     *                  {@code stderr.encoding} ; avant, c'est celui de la langue
-     */
-    public static PrintStream avecAccents(PrintStream flux, String propriete) {
-        Charset codage = Charset.forName(System.getProperty(propriete, Charset.defaultCharset().name()));
-        return codage.newEncoder().canEncode('é') ? flux : enUtf8(flux);
-    }
-
-    /** Le même flux, en UTF-8 quel que soit le codage de la console. */
-    public static PrintStream enUtf8(PrintStream flux) {
-        try {
-            return new PrintStream(flux, true, "UTF-8");
-        } catch (UnsupportedEncodingException e) {
-            throw new IllegalStateException(e);
-        }
     }
 
     /** Écrit cet échec en une ligne. @return le statut de sortie */
@@ -74,11 +53,7 @@ public final class Messages {
     public static String commande(String options, String scene) {
         String chemin = System.getProperty("java.class.path");
         String programme = chemin.endsWith(".jar") && !chemin.contains(File.pathSeparator)
-                ? "java -jar " + motDeCommande(chemin) : "java -cp " + motDeCommande(chemin) + " lancer.Main";
-        return programme + options + ' ' + motDeCommande(scene);
-    }
-
-    private static String motDeCommande(String mot) {
-        return mot.matches("[\\w./:+-]+") ? mot : "'" + mot.replace("'", "'\\''") + "'";
+                ? "java -jar " + Console.mot(chemin) : "java -cp " + Console.mot(chemin) + " lancer.Main";
+        return programme + options + ' ' + Console.mot(scene);
     }
 }

@@ -18,6 +18,7 @@ import lancer.image.LectureImage;
 import lancer.inspection.Inspection;
 import lancer.inspection.Recit;
 import lancer.scene.LecteurScene;
+import lancer.systeme.Console;
 import lancer.systeme.Ecriture;
 
 /** Écrit une image, explique un pixel ou compare deux images. Les fichiers sont vérifiés avant le dessin. */
@@ -110,7 +111,7 @@ public final class SansFenetre {
             throw demande.nommer(pixel.getFaute());
         }
         List<String> lignes = new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
-        Messages.repondre(String.join(System.lineSeparator(), lignes), Messages.enUtf8(sortie));
+        Messages.repondre(Console.recit(String.join(System.lineSeparator(), lignes)), Console.pourUnRecit(sortie));
         demande.lue.avertissements.forEach(ligne -> Messages.avertir(ligne, erreur));
     }
 

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
+import java.io.IOError;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -36,8 +37,8 @@ public final class LectureImage {
         try {
             byte[] octets = Files.readAllBytes(Paths.get(nom));
             return Texte.minuscules(nom).endsWith(".png") ? lirePng(octets) : lirePfm(octets);
-        } catch (IOException | InvalidPathException e) {
-            throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + ErreurSysteme.raison(e)
+        } catch (IOException | InvalidPathException | IOError e) {
+            throw Echec.demande(Texte.echappe(nom) + " : image illisible : " + ErreurSysteme.raison(e, nom)
                     + ErreurSysteme.horsLangue(nom) + " ; attendu : un PNG ou un PFM");
         }
     }

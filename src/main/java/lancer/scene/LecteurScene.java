@@ -103,7 +103,7 @@ public final class LecteurScene {
             throw refus("octets qui ne sont pas de l'UTF-8 : " + Texte.cite(lignes.getTexte().trim()),
                     "un fichier enregistré en UTF-8");
         } catch (IOException e) {
-            String faute = "lecture impossible (" + ErreurSysteme.raison(e) + ")";
+            String faute = "lecture impossible (" + ErreurSysteme.raison(e, fichier) + ")";
             throw lignes == null ? inutilisable(fichier, faute, e) : refus(faute, "un fichier de scène");
         }
     }

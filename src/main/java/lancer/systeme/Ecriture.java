@@ -1,5 +1,6 @@
 package lancer.systeme;
 
+import java.io.IOError;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AccessDeniedException;
@@ -57,7 +58,7 @@ public final class Ecriture<T> {
             if (Files.exists(cible) && !Files.isWritable(cible)) {
                 throw new AccessDeniedException(nom);
             }
-        } catch (IOException | InvalidPathException e) {
+        } catch (IOException | InvalidPathException | IOError e) {
             throw impossible(e);
         }
     }
@@ -142,8 +143,8 @@ public final class Ecriture<T> {
         }
     }
 
-    private Echec impossible(Exception e) {
-        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e);
+    private Echec impossible(Throwable e) {
+        String raison = e instanceof NoSuchFileException ? "le dossier n'existe pas" : ErreurSysteme.raison(e, nom);
         return Echec.machine(Texte.echappe(nom) + " : écriture impossible, " + raison + ErreurSysteme.horsLangue(nom));
     }
 }

@@ -24,6 +24,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import lancer.essai.EssaiProcessus;
 import lancer.essai.Ressources;
+import lancer.systeme.Console;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -174,9 +175,9 @@ class ProcessusTest extends EssaiProcessus {
         for (String codage : new String[] {"ISO-8859-1", "IBM850", "UTF-8", "US-ASCII"}) {
             System.setProperty("essai.encoding", codage);
             PrintStream flux = new PrintStream(ecrit, true, codage);
-            assertEquals(codage.equals("US-ASCII"), Messages.avecAccents(flux, "essai.encoding") != flux, codage);
+            assertEquals(codage.equals("US-ASCII"), Console.avecAccents(flux, "essai.encoding") != flux, codage);
         }
-        Messages.avecAccents(new PrintStream(ecrit, true, "US-ASCII"), "essai.encoding").print("« déjà »");
+        Console.avecAccents(new PrintStream(ecrit, true, "US-ASCII"), "essai.encoding").print("« déjà »");
         assertEquals("« déjà »", ecrit.toString("UTF-8"));
         System.clearProperty("essai.encoding");
     }

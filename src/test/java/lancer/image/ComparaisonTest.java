@@ -176,7 +176,7 @@ class ComparaisonTest extends EssaiCommande {
         verifierDemandeFausse("tailles différentes", comparer(a, png));
         verifierDemandeFausse("--comparer ne va pas avec --taille", comparer(a, SCENE, "--taille", "7x5"));
         verifierDemandeFausse("fichier introuvable", comparer(dossier.resolve("absent.png"), SCENE));
-        verifierDemandeFausse("Is a directory", comparer(Files.createDirectory(dossier.resolve("dossier.png")), SCENE));
+        verifierDemandeFausse("c'est un dossier", comparer(Files.createDirectory(dossier.resolve("dossier.png")), SCENE));
         verifierDemandeFausse("--comparer", comparer(SCENE, a));
         verifierDemandeFausse("--tolerance", comparer(a, a, "--tolerance", "-1"));
         verifierDemandeFausse("--tolerance", Essai.executer("--tolerance", "1", SCENE));

@@ -79,7 +79,7 @@ public final class Juge {
             erreurs.println("Juge : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            String raison = e instanceof FileSystemException ? " : " + ErreurSysteme.raison((FileSystemException) e) : "";
+            String raison = e instanceof FileSystemException ? " : " + ErreurSysteme.raison(e, ((FileSystemException) e).getFile()) : "";
             erreurs.println("Juge : " + Texte.echappe(e.getMessage() + raison));
             return 1;
         } catch (RuntimeException e) {

@@ -63,7 +63,8 @@ public final class Vitesse {
             erreurs.println("Vitesse : " + e.getMessage());
             return 2;
         } catch (IOException e) {
-            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException ? " : " + ErreurSysteme.raison(e) : ""));
+            erreurs.println("Vitesse : " + e.getMessage() + (e instanceof FileSystemException
+                    ? " : " + ErreurSysteme.raison(e, ((FileSystemException) e).getFile()) : ""));
             return 1;
         } catch (RuntimeException | OutOfMemoryError e) {
             erreurs.println("Vitesse : " + Messages.message(e));
