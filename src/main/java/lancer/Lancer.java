@@ -77,7 +77,12 @@ public final class Lancer {
 
     /** Dessine tous les pixels, selon l'échantillonnage de la scène. */
     public void TracerPixels(Toile toile, int profondeur, int fils) {
-        Tracer(scene.getModele().getEchantillonnage(), toile, profondeur, fils);
+        Tracer(getEchantillonnage(), toile, profondeur, fils);
+    }
+
+    /** L'échantillonnage de la scène : celui qu'une variante a choisi ou, à défaut, la double boucle du cours. */
+    public Echantillonnage getEchantillonnage() {
+        return scene.getModele().getEchantillonnage().orElse(Lancer::TracerPave);
     }
 
     /** Dessine l'image selon cet échantillonnage. */

@@ -8,7 +8,6 @@ import lancer.Constantes;
 import lancer.commande.Etape;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Variante;
 
 /** Les réglages que l'on essaie pour une scène, du moins cher au plus juste. */
@@ -47,8 +46,8 @@ public final class Echelle {
     /** Texte d'un échelon : la section à écrire dans la scène, et les options. */
     public static String dire(Reglages echelon) {
         Variante essayee = echelon.getEssayee();
-        String deLaScene = echelon.getModele().getEchantillonnage() == Echantillonnage.CENTRES ? "un rayon par pixel"
-                : "l'échantillonnage de la scène";
+        String deLaScene = echelon.getModele().getEchantillonnage().isPresent()
+                ? "l'échantillonnage de la scène" : "un rayon par pixel";
         String choisi = essayee != null ? echelon.getSection(essayee).toString() : deLaScene;
         return choisi + ", --reflets " + echelon.getProfondeur() + " --seuil "
                 + BigDecimal.valueOf(echelon.get(Option.SEUIL)).toPlainString();

@@ -163,10 +163,10 @@ public final class Reglages {
      * @throws lancer.SceneFautive si une section est refusée
      */
     public Modele getModele() {
-        Modele modele = new Modele();
+        Modele.Construction modele = new Modele.Construction();
         modele.setSeuil(get(Option.SEUIL));
         for (Variante variante : sections.keySet()) {
-            variante.installer(getSection(variante), estBranchee(variante) ? modele : new Modele());
+            variante.installer(getSection(variante), estBranchee(variante) ? modele : new Modele.Construction());
             getSection(variante).verifierCles();
         }
         if (get(Option.ETAPE) == Etape.LAMBERT) {
@@ -175,7 +175,7 @@ public final class Reglages {
         if (get(Option.ETAPE).compareTo(Etape.OMBRES) < 0) {
             modele.oterOmbres();
         }
-        return modele;
+        return modele.construire();
     }
 
     /** Deux réglages égaux donnent la même image d'une même scène. */

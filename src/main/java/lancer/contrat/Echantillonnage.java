@@ -1,15 +1,10 @@
 package lancer.contrat;
 
-import lancer.Lancer;
-
 /**
  * Choix des points de l'écran qui donnent les couleurs d'un pavé, au lieu du seul centre de chaque pixel. Les pixels
  * voisins d'un pavé partagent des points. Tous les fils appellent le même objet, qui n'a pas d'état.
  */
 public interface Echantillonnage {
-
-    /** Celui de la base : un rayon au centre de chaque pixel. */
-    Echantillonnage CENTRES = Lancer::TracerPave;
 
     /**
      * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue.

@@ -1,58 +1,57 @@
 package lancer.contrat;
 
+import java.util.Optional;
 import lancer.Constantes;
 import lancer.SceneFautive;
 
-/** Façon de dessiner une scène : air, reflet, échantillonnage, que des variantes changent, étape du cours et seuil. */
+/**
+ * Façon de dessiner une scène : air, reflet, échantillonnage, que des variantes changent, étape du cours et seuil.
+ * Immuable.
+ */
 public final class Modele {
 
-    private Atmosphere atmosphere = Atmosphere.CLAIRE;
-    private Specularite specularite = Specularite.PHONG;
-    private Echantillonnage echantillonnage = Echantillonnage.CENTRES;
-    private double seuil = Constantes.SEUIL;
-    private boolean ombres = true;
+    private final Atmosphere atmosphere;
+    private final Specularite specularite;
+    /** {@code null} si rien n'est choisi. */
+    private final Echantillonnage echantillonnage;
+    private final double seuil;
+    private final boolean ombres;
 
-    /** Le modèle de la base : un rayon au centre de chaque pixel. */
+    /** Le modèle de la base. */
     public Modele() {
+        this(Atmosphere.CLAIRE, Specularite.PHONG, null, Constantes.SEUIL, true);
     }
 
-    private Modele(Modele autre) {
-        atmosphere = autre.atmosphere;
-        specularite = autre.specularite;
-        echantillonnage = autre.echantillonnage;
-        seuil = autre.seuil;
-        ombres = autre.ombres;
+    private Modele(Atmosphere atmosphere, Specularite specularite, Echantillonnage echantillonnage, double seuil,
+            boolean ombres) {
+        this.atmosphere = atmosphere;
+        this.specularite = specularite;
+        this.echantillonnage = echantillonnage;
+        this.seuil = seuil;
+        this.ombres = ombres;
     }
 
-    /** Modèle identique, sauf l'échantillonnage et le seuil ({@link #setSeuil}). */
-    public Modele avec(Echantillonnage echantillonnage, double seuil) {
-        Modele autre = new Modele(this);
-        autre.echantillonnage = echantillonnage;
-        autre.seuil = seuil;
-        return autre;
+    /** Modèle identique, sauf l'échantillonnage et le seuil ({@link #getSeuil}). */
+    public Modele avec(Echantillonnage autre, double autreSeuil) {
+        return new Modele(atmosphere, specularite, autre, autreSeuil, ombres);
+    }
+
+    /** Modèle identique, sauf le seuil. @param autre fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
+    public Modele avecSeuil(double autre) {
+        return new Modele(atmosphere, specularite, echantillonnage, autre, ombres);
     }
 
     public Atmosphere getAtmosphere() {
         return atmosphere;
     }
 
-    /** @throws SceneFautive si une autre variante a déjà changé l'air */
-    public void setAtmosphere(Atmosphere atmosphere) {
-        this.atmosphere = libre(this.atmosphere, Atmosphere.CLAIRE, atmosphere, "l'air");
-    }
-
     public Specularite getSpecularite() {
         return specularite;
     }
 
-    /** @throws SceneFautive si une autre variante a déjà changé le reflet des lampes */
-    public void setSpecularite(Specularite specularite) {
-        this.specularite = libre(this.specularite, Specularite.PHONG, specularite, "le reflet des lampes");
-    }
-
-    /** Ne laisse que l'éclairement de Lambert. */
-    public void oterSpecularite() {
-        specularite = (V, N, L, R, ns) -> 0;
+    /** L'échantillonnage qu'une variante a choisi ; sans lui, un rayon passe par le centre de chaque pixel. */
+    public Optional<Echantillonnage> getEchantillonnage() {
+        return Optional.ofNullable(echantillonnage);
     }
 
     /** Dit si un objet peut cacher une lampe. */
@@ -60,43 +59,73 @@ public final class Modele {
         return ombres;
     }
 
-    public void oterOmbres() {
-        ombres = false;
-    }
-
-    public Echantillonnage getEchantillonnage() {
-        return echantillonnage;
-    }
-
-    /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
-    public void setEchantillonnage(Echantillonnage echantillonnage) {
-        this.echantillonnage = libre(this.echantillonnage, Echantillonnage.CENTRES, echantillonnage,
-                "l'échantillonnage");
-    }
-
     /** Un rayon réfléchi est lancé si la plus grande composante du produit des Ks atteint ce seuil. */
     public double getSeuil() {
         return seuil;
     }
 
-    /** @param seuil fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
-    public void setSeuil(double seuil) {
-        this.seuil = seuil;
-    }
+    /**
+     * Les choix dont un modèle est fait, dans un ordre quelconque ; ceux de la base là où personne n'a choisi. Une
+     * variante choisit l'air, le reflet des lampes ou l'échantillonnage, que nulle autre ne peut alors choisir.
+     */
+    public static final class Construction {
 
-    private static <T> T libre(T present, T defaut, T nouveau, String quoi) {
-        if (nouveau == null) {
-            throw new IllegalArgumentException("une variante a changé " + quoi + " en null");
-        }
-        if (present != defaut) {
-            throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et "
-                    + nom(nouveau) + " ; attendu : une seule des deux dans le chemin des classes");
-        }
-        return nouveau;
-    }
+        private Atmosphere atmosphere;
+        private Specularite specularite;
+        private Echantillonnage echantillonnage;
+        private double seuil = Constantes.SEUIL;
+        private boolean reflets = true;
+        private boolean ombres = true;
 
-    /** Le nom de la classe, sans le suffixe que Java donne à une lambda. */
-    public static String nom(Object contrat) {
-        return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
+        /** @throws SceneFautive si une autre variante a déjà changé l'air */
+        public void setAtmosphere(Atmosphere choisie) {
+            atmosphere = libre(atmosphere, choisie, "l'air");
+        }
+
+        /** @throws SceneFautive si une autre variante a déjà changé le reflet des lampes */
+        public void setSpecularite(Specularite choisie) {
+            specularite = libre(specularite, choisie, "le reflet des lampes");
+        }
+
+        /** @throws SceneFautive si une autre variante a déjà changé l'échantillonnage */
+        public void setEchantillonnage(Echantillonnage choisi) {
+            echantillonnage = libre(echantillonnage, choisi, "l'échantillonnage");
+        }
+
+        /** @param choisi fini, positif ou nul ; 0 : chaque rayon réfléchi est lancé */
+        public void setSeuil(double choisi) {
+            seuil = choisi;
+        }
+
+        /** Ne laisse que l'éclairement de Lambert. */
+        public void oterSpecularite() {
+            reflets = false;
+        }
+
+        public void oterOmbres() {
+            ombres = false;
+        }
+
+        public Modele construire() {
+            Specularite choisie = specularite == null ? Specularite.PHONG : specularite;
+            return new Modele(atmosphere == null ? Atmosphere.CLAIRE : atmosphere,
+                    reflets ? choisie : (V, N, L, R, ns) -> 0, echantillonnage, seuil, ombres);
+        }
+
+        private static <T> T libre(T present, T nouveau, String quoi) {
+            if (nouveau == null) {
+                throw new IllegalArgumentException("une variante a changé " + quoi + " en null");
+            }
+            if (present != null) {
+                throw new SceneFautive("deux variantes veulent changer " + quoi + " : " + nom(present) + " et "
+                        + nom(nouveau) + " ; attendu : une seule des deux dans le chemin des classes");
+            }
+            return nouveau;
+        }
+
+        /** Le nom de la classe, sans le suffixe que Java donne à une lambda. */
+        private static String nom(Object contrat) {
+            return contrat.getClass().getName().replaceAll("\\$\\$Lambda.*", "");
+        }
     }
 }

@@ -15,14 +15,14 @@ public interface Variante {
     String getSection();
 
     /**
-     * Applique la variante à un modèle.
+     * Choisit ce que la variante change dans le modèle.
      *
      * @param valeurs sa section, vide si la scène n'en a pas : chaque clé a donc une valeur par défaut. Une clé que
      *     cette méthode ne lit pas est refusée comme inconnue.
-     * @param modele celui d'une scène qui vient d'être lue
+     * @param modele les choix dont sera fait celui d'une scène qui vient d'être lue
      * @throws lancer.SceneFautive si une valeur est refusée
      */
-    void installer(Section valeurs, Modele modele);
+    void installer(Section valeurs, Modele.Construction modele);
 
     /** Les clés que la fenêtre peut régler. Même sans clé, la fenêtre peut brancher et débrancher la variante. */
     default List<Parametre> getParametres() {

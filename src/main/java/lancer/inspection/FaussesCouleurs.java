@@ -177,8 +177,7 @@ public final class FaussesCouleurs {
             rayons[((int) ye - pave.j0) * large + (int) xe - pave.i0] += vue.compteurs().rayons() - avant;
             return couleur;
         };
-        Echantillonnage choisi = lancer.getScene().getModele().getEchantillonnage();
-        int raffines = choisi.tracer(pave, voulus, comptee, (c, i, j) -> { });
+        int raffines = lancer.getEchantillonnage().tracer(pave, voulus, comptee, (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }

@@ -14,7 +14,6 @@ import lancer.Lampe;
 import lancer.Lancer;
 import lancer.Point;
 import lancer.Scene;
-import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
 import lancer.fils.Equipe;
@@ -82,9 +81,8 @@ public final class Inspection {
     }
 
     private void dessiner() {
-        Echantillonnage echantillonnage = scene.getModele().getEchantillonnage();
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        echantillonnage.tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
+        lancer.getEchantillonnage().tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
                 (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
     }
 

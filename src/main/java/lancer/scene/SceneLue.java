@@ -166,12 +166,12 @@ public final class SceneLue {
 
     /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */
     public Modele getModele() {
-        Modele modele = new Modele();
+        Modele.Construction modele = new Modele.Construction();
         variantes.forEach((variante, section) -> {
             variante.installer(section, modele);
             section.verifierCles();
         });
-        return modele;
+        return modele.construire();
     }
 
     /** L'heure et la taille du fichier qui contient cette scène, ou la scène dont elle vient. */

@@ -179,7 +179,7 @@ class AutoTest {
         Lancer prepare = Dessin.lancer(CIEL, 100, 80, false);
         Variante trompeuse = new GrilleDEssai(null) {
             @Override
-            public void installer(Section valeurs, Modele modele) {
+            public void installer(Section valeurs, Modele.Construction modele) {
                 modele.setEchantillonnage((pave, voulus, vue, toile) -> {
                     Couleur ecart = new Couleur(voulus == pave ? 0.1 : 0);
                     return grille(1).tracer(pave, voulus, (xe, ye) -> vue.couleur(xe, ye).add(ecart), toile);
@@ -269,8 +269,8 @@ class AutoTest {
     }
 
     /** L'erreur vraie, sans biais ni limite : chaque pixel contre deux fois 25 rayons, chacun au hasard dans une case du pixel. */
-    private static double vraie(Lancer lancer, Couleur[] image) {
-        lancer.getScene().getModele().setSeuil(0);
+    private static double vraie(Lancer dessine, Couleur[] image) {
+        Lancer lancer = dessine.avec(dessine.getScene().getModele().avecSeuil(0));
         int largeur = lancer.getCamera().getLargeur();
         SplittableRandom hasard = new SplittableRandom(9);
         double somme = 0;

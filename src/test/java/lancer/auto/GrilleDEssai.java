@@ -39,7 +39,7 @@ class GrilleDEssai implements Variante {
     }
 
     @Override
-    public void installer(Section valeurs, Modele modele) {
+    public void installer(Section valeurs, Modele.Construction modele) {
         modele.setEchantillonnage(grille(valeurs.entier("n", 2, 1, 16)));
     }
 

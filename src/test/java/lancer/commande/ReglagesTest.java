@@ -23,7 +23,7 @@ class ReglagesTest {
         }
 
         @Override
-        public void installer(Section valeurs, Modele modele) {
+        public void installer(Section valeurs, Modele.Construction modele) {
             valeurs.reel("part", 1, 0, 1);
         }
     }
@@ -87,7 +87,7 @@ class ReglagesTest {
             }
 
             @Override
-            public void installer(Section valeurs, Modele modele) {
+            public void installer(Section valeurs, Modele.Construction modele) {
             }
 
             @Override

@@ -293,7 +293,7 @@ class FormesTest {
                 "package exo;",
                 "public class Autre implements lancer.contrat.Variante {",
                 "    public String getSection() { return \"Panneau\"; }",
-                "    public void installer(lancer.contrat.Section valeurs, lancer.contrat.Modele modele) { }",
+                "    public void installer(lancer.contrat.Section valeurs, lancer.contrat.Modele.Construction modele) { }",
                 "}"));
         refuser(String.format(message, "exo.Autre"), executer(classes, "[Lampe 1]", "position=3 0 1", "couleur=1 1 1"));
     }

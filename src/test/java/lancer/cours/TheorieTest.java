@@ -21,6 +21,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.essai.Ressources;
 import org.junit.jupiter.api.Test;
@@ -67,8 +68,7 @@ class TheorieTest {
         Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
         double limite = 2 * 0.8;
         for (double seuil : new double[] {0.5, 0.1, 1.0 / 1024, 1e-9}) {
-            scene.getModele().setSeuil(seuil);
-            double oubli = limite - scene.getCouleurVue(DEVANT, null, 1000).r;
+            double oubli = limite - scene.avec(new Modele().avecSeuil(seuil)).getCouleurVue(DEVANT, null, 1000).r;
             assertTrue(oubli > 0 && oubli <= seuil * limite, "seuil " + seuil + ", oubli " + oubli);
         }
     }
@@ -79,15 +79,13 @@ class TheorieTest {
         Sphere face = boule(0, 0, -5, 1, 0.01, 0, 1);
         fond.setKs(new Couleur(1, 0.1, 0));
         face.setKs(new Couleur(1, 0, 0.1));
-        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1)));
-        scene.getModele().setSeuil(1);
+        Scene scene = scene(Arrays.asList(fond, face), new Lampe(new Point(0, 3, 0), new Couleur(1))).avec(new Modele().avecSeuil(1));
         scene.getCouleurVue(DEVANT, null, 40);
         assertEquals(40, scene.getCompteurs().reflechis, "le rouge continue");
         // égal au seuil : encore suivi
         fond.setKs(new Couleur(0.5));
         face.setKs(new Couleur(0.5));
-        Scene demi = scene(Arrays.asList(fond, face), scene.getLampes().get(0));
-        demi.getModele().setSeuil(0.125);
+        Scene demi = scene(Arrays.asList(fond, face), scene.getLampes().get(0)).avec(new Modele().avecSeuil(0.125));
         demi.getCouleurVue(DEVANT, null, 40);
         assertEquals(3, demi.getCompteurs().reflechis);
     }

@@ -64,10 +64,10 @@ class DiagnosticTest {
     }
 
     /** Ce que dit l'échec d'un dessin, sans le nom de cette classe-ci ni le numéro de la ligne. */
-    private static String dit(Objet3D objet, Consumer<Modele> variante) {
-        Modele modele = new Modele();
+    private static String dit(Objet3D objet, Consumer<Modele.Construction> variante) {
+        Modele.Construction modele = new Modele.Construction();
         variante.accept(modele);
-        Scene scene = scene(objet).avec(modele);
+        Scene scene = scene(objet).avec(modele.construire());
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
         return ErreurSysteme.cause(panne).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");

@@ -269,8 +269,7 @@ public final class Defauts {
     }
 
     private void noter(String nom, Scene scene, int reflets, Couleur[] naive, Vue juste) {
-        scene.getModele().setSeuil(0);
-        defauts.add(new Defaut(nom, camera.getLargeur(), image(juste), naive, image(scene, reflets)));
+        defauts.add(new Defaut(nom, camera.getLargeur(), image(juste), naive, image(scene.avec(scene.getModele().avecSeuil(0)), reflets)));
     }
 
     private Couleur[] image(Scene scene, int reflets) {

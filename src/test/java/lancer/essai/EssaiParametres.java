@@ -28,7 +28,7 @@ public final class EssaiParametres {
             assertTrue(p.defaut == null || valeurs.contains(p.defaut), "une valeur est celle par défaut");
             for (String valeur : valeurs.subList(0, dernier + 1)) {
                 Section section = new SectionLue(variante.getSection(), p.cle, valeur);
-                variante.installer(section, new Modele());
+                variante.installer(section, new Modele.Construction());
                 section.verifierCles();
             }
         }

@@ -16,6 +16,7 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Sphere;
+import lancer.contrat.Modele;
 import lancer.contrat.Toile;
 
 /** Les fichiers des tests, de quoi composer une scène, et une image dessinée en couleurs non limitées. */
@@ -97,9 +98,7 @@ public final class Ressources {
     }
 
     public static Scene scene(List<? extends Objet3D> objets, Lampe... lampes) {
-        Scene scene = new Scene(objets, Arrays.asList(lampes));
-        scene.getModele().setSeuil(0);
-        return scene;
+        return new Scene(objets, Arrays.asList(lampes)).avec(new Modele().avecSeuil(0));
     }
 
     public static Image image(Scene scene, int largeur, int hauteur, int reflets, int fils) {

@@ -69,14 +69,14 @@ class FautesTest {
     @Test
     void niUnArretNiLeManqueDeMemoireNEstUnEchecDuPixel() {
         for (Throwable arret : new Throwable[] {new CancellationException(), new OutOfMemoryError()}) {
-            Modele modele = new Modele();
+            Modele.Construction modele = new Modele.Construction();
             modele.setAtmosphere((vue, distance) -> {
                 if (arret instanceof Error) {
                     throw (Error) arret;
                 }
                 throw (RuntimeException) arret;
             });
-            Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele),
+            Lancer lancer = new Lancer(new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList()).avec(modele.construire()),
                     new Camera(4, 3));
             lancer.getAtelier().getFautes().tolerer();
             assertSame(arret, assertThrows(arret.getClass(), () -> lancer.TracerPixels((couleur, i, j) -> { }, 0, 2)));

@@ -41,12 +41,12 @@ class PixelTest extends EssaiCommande {
     @Test
     void ilNeCouteQueSonRayonPourSaCouleurPuisPourSaChaine() {
         int[] rayons = new int[1];
-        Modele modele = new Modele();
+        Modele.Construction modele = new Modele.Construction();
         modele.setAtmosphere((vue, distance) -> {
             rayons[0]++;
             return vue;
         });
-        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele);
+        Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele.construire());
         new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire();
         assertEquals(2, rayons[0]);
     }

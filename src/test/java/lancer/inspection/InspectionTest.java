@@ -12,8 +12,10 @@ import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import lancer.Camera;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Point;
 import lancer.PointContact;
 import lancer.Rayon;
@@ -60,8 +62,7 @@ class InspectionTest {
     void chaqueTermeEstCeluiDesEquationsEtChaqueSommeSeFerme(String nom, int reflets, double seuil, String arret) {
         String fichier = Ressources.chemin("reference/" + nom + ".ini");
         SceneLue lue = LecteurScene.lire(fichier, part -> { });
-        Scene scene = new Scene(lue.objets, lue.lampes);
-        scene.getModele().setSeuil(seuil);
+        Scene scene = new Scene(lue.objets, lue.lampes).avec(new Modele().avecSeuil(seuil));
         Function<Object, String> origines = lue::getOrigine;
         EssaiRecit recit = new EssaiRecit(scene, origines, 80, 60, reflets, null, null, 0);
         Random hasard = new Random(5);
@@ -170,10 +171,8 @@ class InspectionTest {
 
     /** Le récit d'une sphère qui se colore à sa façon, selon cet échantillonnage. */
     private static List<String> recitDUneForme(Sphere sphere, Echantillonnage echantillonnage) {
-        Modele modele = new Modele();
-        modele.setEchantillonnage(echantillonnage);
         Scene scene = new Scene(Collections.singletonList(sphere),
-                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(modele);
+                Collections.singletonList(new Lampe(new Point(0, 0, -5), new Couleur(1)))).avec(new Modele().avec(echantillonnage, Constantes.SEUIL));
         return recitDe(auMilieu(scene)).raconter().lignes();
     }
 
@@ -220,7 +219,7 @@ class InspectionTest {
             public Vecteur getNormale(Point contact) {
                 throw new IllegalStateException("pas encore écrite");
             }
-        }, Echantillonnage.CENTRES);
+        }, Lancer::TracerPave);
         assertEquals(Arrays.asList("1  objet 1  0.5 0.5 0.5 = autre", "  autre = 0.5 0.5 0.5 (que le récit ne connaît pas)"),
                 lignes.subList(1, 3));
         assertTrue(lignes.get(lignes.size() - 2).startsWith("échec : java.lang.IllegalStateException: pas encore écrite ("),

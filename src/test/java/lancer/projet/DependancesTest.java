@@ -110,8 +110,7 @@ class DependancesTest {
 
     /**
      * Ceux du cours : une scène a des objets, qui se colorent dans une scène, par des contrats qui parlent d'objets ; un rayon retient
-     * l'objet qu'il touche, et la double boucle de Lancer est l'échantillonnage de la base. Un travail de la fenêtre dit à son contrôleur
-     * ce qui est fait.
+     * l'objet qu'il touche.
      */
     @Test
     void aucunCercleNeRelieLesClassesQueCeuxDuCours() {
@@ -127,11 +126,8 @@ class DependancesTest {
             }
         };
         DescribedPredicate<JavaClass> duCours = describe("d'un cercle du cours", classe -> nom(classe)
-                .matches("lancer\\.(Camera|Lancer|Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
-        DescribedPredicate<JavaClass> travail = describe("le travail", classe -> nom(classe).equals("lancer.fenetre.Travail"));
-        DescribedPredicate<JavaClass> controleur = describe("le contrôleur", classe -> nom(classe).equals("lancer.fenetre.Controleur"));
+                .matches("lancer\\.(Camera|Objet3D|Point|PointContact|Rayon|Scene|Sphere|Vecteur)"));
         slices().assignedFrom(chacune).should().beFreeOfCycles()
-                .ignoreDependency(duCours.or(resideInAPackage("lancer.contrat")), duCours)
-                .ignoreDependency(travail, controleur).check(CLASSES);
+                .ignoreDependency(duCours.or(resideInAPackage("lancer.contrat")), duCours).check(CLASSES);
     }
 }

@@ -141,9 +141,9 @@ class ComptesTest {
     }
 
     /** @param points par côté de chaque pixel */
-    private static void essayer(String nom, Scene scene, int largeur, int hauteur, int profondeur, int points, boolean avecBoucles) {
+    private static void essayer(String nom, Scene lue, int largeur, int hauteur, int profondeur, int points, boolean avecBoucles) {
         Camera camera = new Camera(largeur, hauteur);
-        scene.getModele().setSeuil(0);
+        Scene scene = lue.avec(lue.getModele().avecSeuil(0));
         Compteurs arbre = compter(scene.avec(new ArbreSimple(scene.getObjets(), new Compteurs())), camera, profondeur, points);
         Compteurs rapide = compter(Preparation.preparer(scene, camera), camera, profondeur, points);
         long autres = avecBoucles ? cout(compter(scene, camera, profondeur, points)) : Long.MAX_VALUE;

@@ -111,8 +111,7 @@ class IdentiteTest {
 
     @Test
     void reflexionsSansFin() {
-        Scene scene = ScenesDEssai.toutes(FOULE).get("tout dans une sphère");
-        scene.getModele().setSeuil(0);
+        Scene scene = ScenesDEssai.toutes(FOULE).get("tout dans une sphère").avec(new Modele().avecSeuil(0));
         comparer("mille réflexions", scene, 1000);
         comparer("aucune réflexion", scene, 0);
     }
@@ -139,10 +138,10 @@ class IdentiteTest {
     @Test
     void autresContrats() {
         Scene foule = ScenesDEssai.toutes(FOULE).get("foule");
-        Modele modele = new Modele();
+        Modele.Construction modele = new Modele.Construction();
         modele.setAtmosphere(new Voile());
         modele.setSpecularite((V, N, L, R, ns) -> Specularite.puissance(N.dot(L.sub(V).normalized()), ns / 2));
-        comparer("voile et autre reflet", foule.avec(modele), 5);
+        comparer("voile et autre reflet", foule.avec(modele.construire()), 5);
     }
 
     /** Une atmosphère qui ne commute avec rien. */

@@ -41,7 +41,7 @@ public final class Antialias implements Variante {
     }
 
     @Override
-    public void installer(Section valeurs, Modele modele) {
+    public void installer(Section valeurs, Modele.Construction modele) {
         int n = valeurs.entier("n", N, 1, N_MAX);
         double seuil = valeurs.reel("seuil", SEUIL, 0, Double.MAX_VALUE);
         String methode = valeurs.mot("methode", "coins");

@@ -132,9 +132,9 @@ class CasesTest {
         assertEquals("[Antialias] n=1 methode=coins seuil=0", sections.get(0).toString(), "un rayon d'abord");
         double seuil = 1;
         for (Section section : sections) {
-            Modele modele = new Modele();
+            Modele.Construction modele = new Modele.Construction();
             antialias.installer(section, modele);
-            assertNotNull(modele.getEchantillonnage(), section.toString());
+            assertTrue(modele.construire().getEchantillonnage().isPresent(), section.toString());
             assertTrue(proposees.get(section) <= seuil, "de moins cher en plus juste");
             seuil = proposees.get(section);
         }

@@ -33,7 +33,7 @@ public final class Blinn implements Variante, Specularite {
     }
 
     @Override
-    public void installer(Section valeurs, Modele modele) {
+    public void installer(Section valeurs, Modele.Construction modele) {
         modele.setSpecularite(new Blinn(valeurs.reel("facteur", FACTEUR, Double.MIN_VALUE, Double.MAX_VALUE)));
     }
 

@@ -51,7 +51,7 @@ public final class Brume implements Variante, Atmosphere {
     }
 
     @Override
-    public void installer(Section valeurs, Modele modele) {
+    public void installer(Section valeurs, Modele.Construction modele) {
         Couleur sienne = valeurs.couleur("couleur", COULEUR, COULEUR_MAX);
         double de = valeurs.reel("debut", DEBUT, 0, Double.MAX_VALUE);
         boolean repartie = valeurs.contient("densite");

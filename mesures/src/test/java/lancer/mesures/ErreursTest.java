@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import lancer.Camera;
 import lancer.Couleur;
 import lancer.Lampe;
+import lancer.Lancer;
 import lancer.Objet3D;
 import lancer.Point;
 import lancer.Rayon;
@@ -179,7 +180,7 @@ class ErreursTest {
         "bowling, 2, -1, 5, 1024", "bowling, 3, 0.05, 5, 1024"})
     void uneErreurPublieeEstCelleDeLaBoucleLaPlusPlate(String nom, int n, double contraste, int reflets, double parties) {
         Scene scene = lire(nom);
-        Echantillonnage grille = n == 1 ? Echantillonnage.CENTRES : Antialias.coins(n, Math.max(0, contraste));
+        Echantillonnage grille = n == 1 ? Lancer::TracerPave : Antialias.coins(n, Math.max(0, contraste));
         Gabarit gabarit = new Gabarit(scene, L, H, 1, Gabarit.COTE, (i, j) -> true);
         ImageLineaire image = ImageLineaire.de(Dessin.lancer(scene.avec(scene.getModele().avec(grille, 1 / parties)), L, H,
                 false), reflets, 2);

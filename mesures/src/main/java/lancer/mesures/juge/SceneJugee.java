@@ -26,17 +26,15 @@ public final class SceneJugee {
 
     /**
      * @param nom celui des fichiers de POV-Ray
-     * @param scene son seuil est mis à 0 si un Ks est coloré
+     * @param donnee son seuil est mis à 0 si un Ks est coloré
      * @throws lancer.systeme.Echec si POV-Ray ne peut faire le même calcul
      */
-    public SceneJugee(PovRay povray, String nom, Scene scene, int reflets, int largeur, int hauteur) throws IOException {
+    public SceneJugee(PovRay povray, String nom, Scene donnee, int reflets, int largeur, int hauteur) throws IOException {
         this.povray = povray;
-        noms = TraductionPov.estGrise(scene) ? new String[] {nom} : new String[] {nom + "-rouge", nom + "-verte", nom + "-bleue"};
+        noms = TraductionPov.estGrise(donnee) ? new String[] {nom} : new String[] {nom + "-rouge", nom + "-verte", nom + "-bleue"};
         dessins = noms.length;
-        if (dessins > 1) {
-            // POV-Ray multiplie les plus grandes composantes des Ks ; ce programme prend la plus grande du produit
-            scene.getModele().setSeuil(0);
-        }
+        // POV-Ray multiplie les plus grandes composantes des Ks ; ce programme prend la plus grande du produit
+        Scene scene = dessins > 1 ? donnee.avec(donnee.getModele().avecSeuil(0)) : donnee;
         lancer = Dessin.lancer(scene, largeur, hauteur, false);
         camera = lancer.getCamera();
         TraductionPov traduction = new TraductionPov(scene, reflets, camera);

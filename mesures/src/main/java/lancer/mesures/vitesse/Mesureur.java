@@ -127,7 +127,7 @@ final class Mesureur {
 
     private ImageLineaire dessiner(Lancer lancer, int profondeur) {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
-        Echantillonnage entier = lancer.getScene().getModele().getEchantillonnage();
+        Echantillonnage entier = lancer.getEchantillonnage();
         lancer.Tracer((pave, voulus, vue, toile) -> Gabarit.dunPaveSurQuatre(pave.i0, pave.j0)
                 ? entier.tracer(pave, voulus, vue, toile) : 0, image, profondeur, taille.fils);
         return image;

@@ -44,7 +44,7 @@ final class Reglage {
     final List<String> options;
 
     Reglage(String methode, String parametres, String module, String section, String... options) {
-        this(methode, parametres, Echantillonnage.CENTRES, module, section, options);
+        this(methode, parametres, Lancer::TracerPave, module, section, options);
     }
 
     private Reglage(String methode, String parametres, Echantillonnage echantillonnage, String module, String section,

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.Scene;
+import lancer.contrat.Modele;
 import lancer.mesures.scenes.Scenes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,8 +48,7 @@ class JugeTest {
 
     /** Par une commande qui dessine toujours {@code dessinee}, comme nous, avec {@code ecart} niveaux de plus au rouge d'un pixel. */
     private int comparer(Path dessinee, double seuil, int ecart, String... args) throws IOException {
-        Scene scene = Scenes.lire(dessinee);
-        scene.getModele().setSeuil(seuil);
+        Scene scene = Scenes.lire(dessinee).avec(new Modele().avecSeuil(seuil));
         WritableRaster image = ScenesJugees.image(scene);
         image.setSample(5, 5, 0, image.getSample(5, 5, 0) + ecart);
         ScenesJugees.preparer(dossier, 0, image);

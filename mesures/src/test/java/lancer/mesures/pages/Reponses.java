@@ -23,6 +23,7 @@ import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Modele;
 import lancer.contrat.Specularite;
 import lancer.image.FichierPng;
 import lancer.image.ImageMemoire;
@@ -159,13 +160,14 @@ public final class Reponses {
         ImageMemoire image = blanche(5 * LARGEUR + 4 * 4, HAUTEUR);
         Camera camera = new Camera(LARGEUR, HAUTEUR);
         for (int etape = 0; etape < 5; etape++) {
-            Scene scene = scene();
+            Modele.Construction modele = new Modele.Construction();
             if (etape < 2) {
-                scene.getModele().oterSpecularite();
+                modele.oterSpecularite();
             }
             if (etape < 3) {
-                scene.getModele().oterOmbres();
+                modele.oterOmbres();
             }
+            Scene scene = scene().avec(modele.construire());
             for (int p = 0; p < LARGEUR * HAUTEUR; p++) {
                 image.drawPixel(moyenne(etape, scene, camera, p % LARGEUR, p / LARGEUR, FINESSE), etape * (LARGEUR + 4) + p % LARGEUR,
                         p / LARGEUR);
