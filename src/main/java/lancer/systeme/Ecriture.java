@@ -14,6 +14,8 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import lancer.texte.Texte;
 
 /**
@@ -28,6 +30,13 @@ public final class Ecriture<T> {
 
     public interface Format<T> {
         void ecrire(T contenu, OutputStream sortie) throws IOException;
+    }
+
+    /** Tenu pendant la création d'un fichier provisoire ; l'arrêt du programme le garde : ensuite, aucun n'est créé. */
+    private static final Lock CREATION = new ReentrantLock();
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread(CREATION::lock));
     }
 
     private final String nom;
@@ -50,7 +59,7 @@ public final class Ecriture<T> {
             // un nom court : celui de la cible peut avoir la longueur maximale
             provisoire = cible.resolveSibling(".lancer-" + Long.toHexString(System.nanoTime()) + ".tmp");
             if (!directe) {
-                Files.delete(Files.createFile(provisoire));
+                creer(() -> Files.delete(Files.createFile(provisoire)));
             }
             if (Files.isDirectory(cible)) {
                 throw new FileSystemException(nom, null, "c'est un dossier");
@@ -117,19 +126,35 @@ public final class Ecriture<T> {
         if (directe) {
             return Files.newOutputStream(cible);
         }
-        if (Files.exists(cible)) {
-            // pour ses permissions et, si le système le permet, son propriétaire
-            Files.copy(cible, provisoire, StandardCopyOption.COPY_ATTRIBUTES);
-            surPlace = cible.getFileSystem().supportedFileAttributeViews().contains("unix")
-                    && ((int) Files.getAttribute(cible, "unix:nlink") > 1
-                    || !Files.getOwner(provisoire).equals(Files.getOwner(cible)));
-        } else {
-            Files.createFile(provisoire);
-        }
-        // il disparaît même si Ctrl+C interrompt l'écriture ; demandé avant sa création, il lui survivrait
-        provisoire.toFile().deleteOnExit();
+        boolean remplace = Files.exists(cible);
+        creer(() -> {
+            if (remplace) {
+                // pour ses permissions et, si le système le permet, son propriétaire
+                Files.copy(cible, provisoire, StandardCopyOption.COPY_ATTRIBUTES);
+            } else {
+                Files.createFile(provisoire);
+            }
+            // il disparaît même si Ctrl+C interrompt l'écriture
+            provisoire.toFile().deleteOnExit();
+        });
+        surPlace = remplace && cible.getFileSystem().supportedFileAttributeViews().contains("unix")
+                && ((int) Files.getAttribute(cible, "unix:nlink") > 1
+                || !Files.getOwner(provisoire).equals(Files.getOwner(cible)));
         // sans CREATE : effacé par l'arrêt du programme, il ne renaît pas
         return Files.newOutputStream(provisoire, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
+    }
+
+    private interface Creation {
+        void faire() throws IOException;
+    }
+
+    private static void creer(Creation creation) throws IOException {
+        CREATION.lock();
+        try {
+            creation.faire();
+        } finally {
+            CREATION.unlock();
+        }
     }
 
     private void remplacer() throws IOException {

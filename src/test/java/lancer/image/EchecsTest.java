@@ -9,10 +9,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -177,5 +180,21 @@ class EchecsTest extends EssaiProcessus {
             // l'image était déjà finie
             assertEquals("PF\n2500 2000\n-1.0\n".length() + 12L * 2500 * 2000, Files.size(pfm));
         }
+    }
+
+    @Test
+    void ctrlCPendantLaCreationDuFichierProvisoireNEnLaisseAucun() throws Exception {
+        supposerUnix();
+        // une ancienne image si grande que sa copie, qui garde ses permissions, est encore en cours
+        long taille = 300_000_000;
+        try (FileChannel ancienne = FileChannel.open(dossier.resolve("a.pfm"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+            ancienne.write(ByteBuffer.wrap(AVANT), taille - AVANT.length);
+        }
+        int pid = demarrerInterruptible(Ressources.chemin("valides/vide.ini"), "--lineaire=a.pfm", "--taille=4x4");
+        attendre(() -> dossier.toFile().list((ou, nom) -> nom.endsWith(".tmp") && new File(ou, nom).length() > 0).length > 0
+                || !processus.isAlive());
+        interrompre(pid);
+        processus.waitFor();
+        verifierDossier("a.pfm");
     }
 }
