@@ -167,11 +167,17 @@ final class PanneauImage extends JPanel {
         // d'une image très réduite, il reste une ligne
         double l = pixel * Math.max(getReduction(), 1.0 / image.largeur);
         double h = pixel * Math.max(getReduction(), 1.0 / image.hauteur);
-        double x = loupe > 0 ? Math.min(image.largeur, milieu.getX()) : image.largeur / 2.0;
-        double y = loupe > 0 ? Math.min(image.hauteur, milieu.getY()) : image.hauteur / 2.0;
+        Point2D vu = getMilieu();
         // le coin de l'image est celui d'un pixel de l'écran
-        return new AffineTransform(l, 0, 0, h, pixel * Math.rint((getWidth() / 2.0 - l * x) / pixel),
-                pixel * Math.rint((getHeight() / 2.0 - h * y) / pixel));
+        return new AffineTransform(l, 0, 0, h, pixel * Math.rint((getWidth() / 2.0 - l * vu.getX()) / pixel),
+                pixel * Math.rint((getHeight() / 2.0 - h * vu.getY()) / pixel));
+    }
+
+    /** Le point de l'image qui est au milieu du panneau, à l'arrondi de la vue près. */
+    private Point2D getMilieu() {
+        ImageMemoire image = getVisible();
+        return loupe == 0 ? new Point2D.Double(image.largeur / 2.0, image.hauteur / 2.0)
+                : new Point2D.Double(Math.min(image.largeur, milieu.getX()), Math.min(image.hauteur, milieu.getY()));
     }
 
     /** La place de ce point de l'image. */
@@ -223,6 +229,13 @@ final class PanneauImage extends JPanel {
             return;
         }
         Point2D vise = pointDe(ici);
+        if (loupe > 0) {
+            // celui que la vue n'arrondit pas : chaque doublement doublerait son écart
+            Point2D vu = getMilieu();
+            double fois = loupe * getPixel();
+            vise = new Point2D.Double(vu.getX() + (ici.getX() - getCentre().getX()) / fois,
+                    vu.getY() + (ici.getY() - getCentre().getY()) / fois);
+        }
         // une image réduite passe d'abord à sa taille, un pixel pour un pixel
         int premiere = getRapport(montree.largeur, montree.hauteur) < 1 ? 1 : 2;
         int moins = loupe <= premiere ? 0 : loupe / 2;

@@ -4,14 +4,18 @@ import static lancer.fenetre.BancFenetre.attendre;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -83,6 +87,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
     void surUnEcranDenseUnPixelEnEstUnEtLAnneauEntoureLePixelCliqueLoupeComprise() throws Exception {
         BancFenetre.exigerEcran();
         int[] attendue = attendue(L, H);
+        assertTrue(IntStream.range(0, L * H).allMatch(k -> Math.hypot(k % L - 150, k / L - 110) > 22 || plusSombre(attendue[k]) < 200),
+                "rien de clair, là où se verra l'anneau");
         programme = BancFenetre.processus(dossier.resolve("dit.txt"), "-Dsun.java2d.uiScale=2", "lancer.Main", TAILLE,
                 scene.toString()).start();
         Robot robot = new Robot();
@@ -109,7 +115,8 @@ class FenetreFiguresTest extends EssaiInspecteur {
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
         robot.mouseWheel(-1);
-        // le milieu du pixel reste où il est
+        attendre("l'image est grossie huit fois, et le milieu du pixel reste où il est",
+                () -> estGrossie(robot, attendue, coin.x + 150, coin.y + 110));
         attendre("l'anneau, à la loupe", () -> estEntoure(robot, coin.x + 150.5, coin.y + 110.5));
         attendre("Ctrl+Q termine le programme", () -> {
             robot.keyPress(KeyEvent.VK_CONTROL);
@@ -130,11 +137,36 @@ class FenetreFiguresTest extends EssaiInspecteur {
             for (double rayon = 16; rayon <= 20; rayon += 0.5) {
                 Color vu = robot.getPixelColor((int) (x + rayon * Math.cos(k * Math.PI / 8)),
                         (int) (y + rayon * Math.sin(k * Math.PI / 8)));
-                plusClair = Math.max(plusClair, Math.min(vu.getRed(), Math.min(vu.getGreen(), vu.getBlue())));
+                plusClair = Math.max(plusClair, plusSombre(vu.getRGB()));
             }
             blancs += plusClair > 200 ? 1 : 0;
         }
         // les traits qui partent de là le recouvrent
         return blancs >= 12;
+    }
+
+    private static int plusSombre(int code) {
+        return Math.min(code & 0xFF, Math.min(code >> 8 & 0xFF, code >> 16 & 0xFF));
+    }
+
+    /**
+     * Vrai si l'on voit, hors de l'anneau et des traits, les pixels des environs huit fois plus grands, à un pixel de l'écran près,
+     * celui du clic autour de ce point.
+     */
+    private static boolean estGrossie(Robot robot, int[] attendue, int x, int y) {
+        BufferedImage vue = robot.createScreenCapture(new Rectangle(x - 100, y - 100, 200, 200));
+        int vus = 0;
+        int cherches = 0;
+        for (int dx = -11; dx <= 11; dx++) {
+            for (int dy = -11; dy <= 11; dy++) {
+                if (Math.hypot(dx, dy) > 4) {
+                    int code = attendue[(110 + dy) * L + 150 + dx];
+                    cherches++;
+                    // presque aux deux coins opposés de son carré
+                    vus += vue.getRGB(97 + 8 * dx, 97 + 8 * dy) == code && vue.getRGB(103 + 8 * dx, 103 + 8 * dy) == code ? 1 : 0;
+                }
+            }
+        }
+        return vus > 0.8 * cherches;
     }
 }
