@@ -147,9 +147,12 @@ final class Controleur {
     }
 
     private Etat aLaTaille(Etat celui) {
+        if (celui.demande == null) {
+            return celui;
+        }
         Dimension place = taille.get();
-        Demande voulue = celui.demande == null ? null : celui.demande.avecTaille(place.width, place.height);
-        return voulue == celui.demande ? celui : celui.avec(voulue);
+        Demande voulue = celui.demande.avecTaille(place.width, place.height);
+        return voulue.equals(celui.demande) ? celui : celui.avec(voulue);
     }
 
     void arreter() {

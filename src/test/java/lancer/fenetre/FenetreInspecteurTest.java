@@ -119,12 +119,16 @@ class FenetreInspecteurTest extends EssaiInspecteur {
             recit.addPropertyChangeListener(JTree.TREE_MODEL_PROPERTY, e -> expliques.incrementAndGet());
         });
         banc.frapper(KeyEvent.VK_ADD);
-        banc.attendreCodes("dix réflexions", attendue("--reflets=10"));
+        attendre("dix réflexions", () -> {
+            Etat etat = banc.controleur.getEtat();
+            return !etat.enCours && etat.montre.entier && etat.montre.dessin.demande.reglages.get(Option.REFLETS) == 10;
+        });
         attendreVerdict("Au bit près");
         attendre("expliqué", () -> expliques.get() > 0);
         banc.robot.waitForIdle();
         assertEquals(1, expliques.get());
-        assertEquals(3, publies.size(), "demandé, brouillon, achevé");
+        faire(banc.controleur::ajuster);
+        assertEquals(3, publies.size(), "demandé, brouillon, achevé ; et rien pour une taille qui ne change pas");
         assertEquals(3, new HashSet<>(publies).size());
         assertSame(publies.get(0).demande.getScene().getModele(),
                 publies.get(2).montre.dessin.demande.getScene().getModele(), "un seul modèle");
