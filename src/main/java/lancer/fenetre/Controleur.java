@@ -83,7 +83,7 @@ final class Controleur {
     }
 
     /** Le fichier de ce nom est à cette version. Celle que cette fenêtre a lue ou écrite ne lui apprend rien. */
-    private void observer(String fichier, String version) {
+    void observer(String fichier, String version) {
         String connue = etat.getVersion();
         if (!fichier.equals(etat.source.fichier) || connue == null || connue.equals(version)) {
             return;

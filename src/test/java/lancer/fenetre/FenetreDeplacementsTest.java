@@ -20,13 +20,11 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JOptionPane;
 import lancer.Sphere;
 import lancer.fenetre.figures.Figure;
+import lancer.scene.Surveillance;
 import org.junit.jupiter.api.Test;
 
 /** Ce qui est tiré n'est jamais perdu sans être dit ou demandé, quoi qui se lise ou s'écrive pendant ce temps. */
 class FenetreDeplacementsTest extends EssaiFenetre {
-
-    /** Plus que deux observations du fichier. */
-    private static final int OBSERVE_MS = 900;
 
     private final AtomicInteger lectures = new AtomicInteger();
 
@@ -86,6 +84,15 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         attendre("écrit", () -> !banc.controleur.getEtat().estDeplace());
     }
 
+    /** L'observation du fichier, tel qu'il est à présent. */
+    private void observer() throws Exception {
+        faire(() -> banc.controleur.observer(scene.toString(), version()));
+    }
+
+    private String version() {
+        return Surveillance.version(scene.toString());
+    }
+
     private void repondre(String reponse) throws Exception {
         JOptionPane question = composant(null, JOptionPane.class);
         assertEquals("Ce qui est déplacé dans « boule.ini » n'y est pas écrit.", question.getMessage());
@@ -101,14 +108,16 @@ class FenetreDeplacementsTest extends EssaiFenetre {
         Travail dernier = banc.controleur.getEtat().travail;
         banc.frapperCtrl('e');
         attendreEcrit();
-        Thread.sleep(OBSERVE_MS);
+        observer();
         assertSame(dernier, banc.controleur.getEtat().travail, "rien ne se redessine");
         Point de = place();
         tirer(0, -10);
+        String avant = version();
         banc.frapperCtrl('e');
         saisir();
         mener(de, 0, -30);
-        Thread.sleep(OBSERVE_MS);
+        attendre("écrit pendant le geste", () -> !version().equals(avant) && version().equals(banc.controleur.getEtat().getVersion()));
+        observer();
         mener(de, 0, -50);
         lacher();
         String ecrit = fichier();

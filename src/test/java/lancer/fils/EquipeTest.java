@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -34,20 +35,19 @@ class EquipeTest {
     @Test
     void unFilAbandonneNePrendPlusDeTache() throws InterruptedException {
         CountDownLatch fin = new CountDownLatch(1);
-        CountDownLatch rendue = new CountDownLatch(1);
+        AtomicReference<Thread> abandonne = new AtomicReference<>();
         AtomicInteger prises = new AtomicInteger();
         Thread appelant = Thread.currentThread();
         Equipe equipe = new Equipe();
         assertThrows(CancellationException.class, () -> equipe.faire(3, Collections.singletonList(k -> {
             prises.incrementAndGet();
+            abandonne.set(Thread.currentThread());
             appelant.interrupt();
             attendreSourd(fin);
-            rendue.countDown();
         })));
         assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         fin.countDown();
-        rendue.await();
-        LockSupport.parkNanos(50_000_000);
+        abandonne.get().join();
         assertEquals(1, prises.get());
         assertThrows(CancellationException.class, equipe::obeir, "le fil abandonné s'arrête à sa prochaine lecture");
     }

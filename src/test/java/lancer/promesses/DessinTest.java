@@ -139,7 +139,10 @@ class DessinTest {
         assertThrows(CancellationException.class, () -> lancer.TracerPixels((coul, xe, ye) -> {
             pixels[0]++;
             appelant.interrupt();
-            LockSupport.parkNanos(200_000_000);
+            // ce fil est interrompu quand son équipe est arrêtée
+            while (!Thread.currentThread().isInterrupted()) {
+                LockSupport.parkNanos(1_000_000);
+            }
         }, 5, 1));
         assertTrue(Thread.interrupted(), "l'interruption reste à voir");
         assertEquals(1, pixels[0], "l'arrêt agit au pixel suivant");

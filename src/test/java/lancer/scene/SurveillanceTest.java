@@ -84,7 +84,9 @@ class SurveillanceTest {
         attendre(autre);
         ecrire("un", 2);
         Files.delete(fichier);
-        Thread.sleep(800);
+        for (int observations = 0; observations < 3; observations++) {
+            veille.run();
+        }
         assertTrue(dites.stream().allMatch(dite -> dite.startsWith(autre + " ")), dites.toString());
         Files.delete(autre);
         attendre(autre);
