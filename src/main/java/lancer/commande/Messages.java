@@ -3,9 +3,9 @@ package lancer.commande;
 import java.io.File;
 import java.io.PrintStream;
 import lancer.SceneFautive;
+import lancer.contrat.Cause;
 import lancer.systeme.Console;
 import lancer.systeme.Echec;
-import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /** Messages et statuts de sortie. Chaque message tient en une ligne, quel que soit son contenu. */
@@ -33,7 +33,7 @@ public final class Messages {
                     ? "trop de fils d'exécution pour cette machine ; en demander moins, par exemple --fils 2"
                     : "mémoire épuisée ; donner plus à Java, par exemple java -Xmx2g -jar …";
         }
-        return "échec du programme : " + ErreurSysteme.cause(echec);
+        return "échec du programme : " + Cause.dire(echec);
     }
 
     public static void avertir(String ligne, PrintStream erreur) {

@@ -6,11 +6,11 @@ import lancer.SceneFautive;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
+import lancer.contrat.Cause;
 import lancer.contrat.PixelFautif;
 import lancer.scene.LecteurSections;
 import lancer.scene.SceneLue;
 import lancer.systeme.Echec;
-import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -85,7 +85,7 @@ public final class Demande {
     /** L'échec qui nomme un pixel dont le calcul a échoué, et la commande qui l'explique. */
     public Echec nommer(PixelFautif faute) {
         return Echec.machine("pixel " + faute.x + ", " + faute.y + " de " + Texte.echappe(lue.nom) + " : "
-                + ErreurSysteme.cause(faute) + " ; pour le revoir : "
+                + Cause.dire(faute) + " ; pour le revoir : "
                 + getCommande(" --pixel " + faute.x + "," + faute.y));
     }
 

@@ -11,12 +11,12 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import lancer.commande.Messages;
 import lancer.commande.Reglages;
+import lancer.contrat.Cause;
 import lancer.dessin.Demande;
 import lancer.dessin.Programme;
 import lancer.scene.LecteurSections;
 import lancer.scene.Surveillance;
 import lancer.systeme.Echec;
-import lancer.systeme.ErreurSysteme;
 
 /** Ouverture de la fenêtre : lecture de la première scène, vérification de l'écran, début du dessin. */
 public final class Ouverture {
@@ -66,7 +66,7 @@ public final class Ouverture {
                 ouverte[0].montrer(premier);
             });
         } catch (ExecutionException e) {
-            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + ErreurSysteme.cause(e)
+            throw Echec.machine("pas de polices pour ouvrir une fenêtre : " + Cause.dire(e)
                     + " ; attendu : les paquets fontconfig et fonts-dejavu-core, ou --image FICHIER.png");
         } catch (InvocationTargetException | InterruptedException e) {
             throw Echec.machine(Messages.message(e));
@@ -95,7 +95,7 @@ public final class Ouverture {
                     : "ce Java n'en ouvre pas, " + System.getProperty("java.home");
         } catch (Error e) {
             // DISPLAY sans serveur, Java sans bibliothèques graphiques, classe d'accessibilité qui manque
-            pourquoi = ErreurSysteme.cause(e);
+            pourquoi = Cause.dire(e);
         }
         return "impossible d'ouvrir une fenêtre : " + pourquoi
                 + " ; attendu : un écran, et un JDK complet, par exemple le paquet default-jdk";

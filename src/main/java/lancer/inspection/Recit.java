@@ -11,8 +11,8 @@ import lancer.Couleur;
 import lancer.Objet3D;
 import lancer.Tuple;
 import lancer.contrat.Atmosphere;
+import lancer.contrat.Cause;
 import lancer.inspection.Segment.Eclairage;
-import lancer.systeme.ErreurSysteme;
 import lancer.texte.Nombre;
 
 /** Explication d'un pixel en arbre : les contacts, du dernier au premier, leurs termes, les facteurs des termes. */
@@ -43,7 +43,7 @@ public final class Recit {
             lignes.add(direLeSegment(segments.get(k)));
         }
         if (pixel.echec != null) {
-            lignes.add(ligne("échec : %s", ErreurSysteme.cause(pixel.echec)));
+            lignes.add(ligne("échec : %s", Cause.dire(pixel.echec)));
         }
         if (pixel.getFaute() == null) {
             direLAutre(lignes, pixel.autre);

@@ -20,9 +20,9 @@ import lancer.Point;
 import lancer.SceneFautive;
 import lancer.Sphere;
 import lancer.Vecteur;
+import lancer.contrat.Cause;
 import lancer.contrat.Forme;
 import lancer.contrat.Variante;
-import lancer.systeme.ErreurSysteme;
 import lancer.texte.Texte;
 
 /**
@@ -173,7 +173,7 @@ public final class LecteurSections {
             throw e;
         } catch (RuntimeException e) {
             throw section.fautive(section.ligne, null, "section que " + forme.getClass().getName()
-                    + " ne sait pas lire : " + ErreurSysteme.cause(e), "des valeurs qui lui conviennent");
+                    + " ne sait pas lire : " + Cause.dire(e), "des valeurs qui lui conviennent");
         }
     }
 

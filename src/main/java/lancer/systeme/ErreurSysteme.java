@@ -7,15 +7,10 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
-import java.util.Arrays;
 import lancer.texte.Texte;
 
-/** Erreurs de Java et du système, dites en une ligne. */
+/** Erreurs de fichier, dites en une ligne. */
 public final class ErreurSysteme {
-
-    /** Les classes où un échec n'est pas situé : c'est leur appelant qui s'est trompé. */
-    private static final String APPELEES = "(java|javax|jdk|sun)\\..*"
-            + "|lancer\\.(Tuple|Vecteur|Point|Couleur|contrat\\..*|image\\.ImageMemoire|scene\\.SectionLue)";
 
     private ErreurSysteme() {
     }
@@ -57,16 +52,5 @@ public final class ErreurSysteme {
         }
         String dit = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : e.getMessage();
         return Texte.abrege(dit == null ? e.toString() : dit);
-    }
-
-    /** La première cause d'un échec, et la première ligne de sa pile qui le situe. */
-    public static String cause(Throwable echec) {
-        Throwable cause = echec;
-        while (cause.getCause() != null) {
-            cause = cause.getCause();
-        }
-        return Texte.echappe(cause.toString()) + Arrays.stream(cause.getStackTrace())
-                .filter(pas -> !pas.getClassName().matches(APPELEES)).findFirst().map(pas -> " (" + pas.getClassName()
-                + "." + pas.getMethodName() + ", " + pas.getFileName() + ":" + pas.getLineNumber() + ")").orElse("");
     }
 }

@@ -20,12 +20,13 @@ import lancer.Objet3D;
 import lancer.Point;
 import lancer.Scene;
 import lancer.Vecteur;
+import lancer.contrat.Cause;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import lancer.essai.Plan;
-import lancer.systeme.ErreurSysteme;
+import lancer.image.ImageMemoire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -69,7 +70,7 @@ class DiagnosticTest {
         variante.accept(modele);
         Scene scene = scene(objet).avec(modele.construire());
         PixelFautif panne = assertThrows(PixelFautif.class, () -> new Lancer(scene, CAMERA).TracerPixels((c, i, j) -> { }, 2, 1));
-        return ErreurSysteme.cause(panne).replace(DiagnosticTest.class.getName(), "")
+        return Cause.dire(panne).replace(DiagnosticTest.class.getName(), "")
                 .replaceAll("java:\\d+", "java");
     }
 
@@ -100,9 +101,18 @@ class DiagnosticTest {
     }
 
     @Test
+    void uneCouleurNulleQueRecoitUneImageEstSitueeLaOuElleEstDessinee() {
+        String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
+            new ImageMemoire(4, 3, false).drawPixel(null, 2, 1);
+            return 0;
+        }));
+        assertTrue(dit.contains(" : null (.lambda$"), dit);
+    }
+
+    @Test
     void unEchecDitSaPremiereCause() {
         PixelFautif panne = new PixelFautif(1.5, 1.5, new IllegalStateException("une fois"));
-        String dit = ErreurSysteme.cause(panne);
+        String dit = Cause.dire(panne);
         assertTrue(dit.startsWith("java.lang.IllegalStateException: une fois (" + DiagnosticTest.class.getName()), dit);
     }
 
