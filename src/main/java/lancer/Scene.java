@@ -3,6 +3,8 @@ package lancer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.BiFunction;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Modele;
@@ -46,7 +48,7 @@ public final class Scene {
     /** Une scène sans fichier, dessinée selon ce modèle. @param cadrage voir {@link #getCamera} */
     public Scene(List<? extends Objet3D> objets, List<Lampe> lampes, BiFunction<Integer, Integer, Camera> cadrage,
             Modele modele) {
-        this.objets = Collections.unmodifiableList(SceneLue.sansConfondues(objets));
+        this.objets = Collections.unmodifiableList(sansConfondues(objets));
         this.lampes = Collections.unmodifiableList(new ArrayList<>(lampes));
         this.cadrage = cadrage;
         this.modele = modele;
@@ -59,6 +61,26 @@ public final class Scene {
         cadrage = scene.cadrage;
         this.modele = modele;
         this.recherche = recherche.pourUnFil(compteurs);
+    }
+
+    /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
+    private static List<Objet3D> sansConfondues(List<? extends Objet3D> objets) {
+        List<Objet3D> gardes = new ArrayList<>(objets.size());
+        Set<Sphere> vues = new TreeSet<>(Scene::comparer);
+        for (Objet3D objet : objets) {
+            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
+                gardes.add(objet);
+            }
+        }
+        return gardes;
+    }
+
+    /** L'ordre des sphères par centre, puis par rayon ; + 0.0 : −0.0 et 0.0 désignent la même position. */
+    private static int comparer(Sphere a, Sphere b) {
+        int ordre = Double.compare(a.getCentre().x + 0.0, b.getCentre().x + 0.0);
+        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().y + 0.0, b.getCentre().y + 0.0);
+        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().z + 0.0, b.getCentre().z + 0.0);
+        return ordre != 0 ? ordre : Double.compare(a.getRayon(), b.getRayon());
     }
 
     /** La même scène pour un autre fil d'exécution, avec ses propres compteurs. */
@@ -94,6 +116,7 @@ public final class Scene {
      * @return {@code null} si le rayon ne rencontre rien
      */
     public PointContact getClosestIntersection(Rayon incident, Objet3D saufLui) {
+        compteurs.compter(saufLui);
         Objet3D plusProche = null;
         double distance = Constantes.INFINI;
         for (Objet3D objet : recherche.candidats(incident, saufLui, Constantes.INFINI)) {
@@ -124,6 +147,7 @@ public final class Scene {
         if (!modele.aDesOmbres()) {
             return false;
         }
+        compteurs.ombre++;
         Rayon deLaLampe = Rayon.unitaire(lampe.getPosition(), L.neg());
         if (!estLointaine(lampe, contact)) {
             return estArrete(deLaLampe, distance, objet);

@@ -1,9 +1,6 @@
 package lancer.contrat;
 
-import lancer.Constantes;
 import lancer.Objet3D;
-import lancer.PointContact;
-import lancer.Rayon;
 
 /** Compteurs d'un fil. Ceux de tous les fils sont additionnés à la fin du dessin. */
 public final class Compteurs {
@@ -20,11 +17,9 @@ public final class Compteurs {
     public long noeudsVisites;
     public long pixelsRaffines;
 
-    /** Compte ce rayon. D'une lampe lointaine, le second rayon d'ombre, qui part du contact, n'est pas compté. */
-    public void compter(Rayon rayon, Objet3D depart, double portee) {
-        if (portee < Constantes.INFINI) {
-            ombre += rayon.getP() instanceof PointContact ? 0 : 1;
-        } else if (depart == null) {
+    /** Compte un rayon qui cherche ce qu'il voit. @param depart l'objet qui l'a réfléchi, {@code null} sans lui */
+    public void compter(Objet3D depart) {
+        if (depart == null) {
             primaires++;
         } else {
             reflechis++;

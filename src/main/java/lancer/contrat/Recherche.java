@@ -30,7 +30,7 @@ public interface Recherche {
     /** De cet objet et de ceux qui ont été proposés à la même distance, le premier dans l'ordre de la scène. */
     Objet3D aEgalite(Objet3D plusProche);
 
-    /** La même recherche pour un autre fil, qui compte les rayons et les examens dans {@code compteurs}. */
+    /** La même recherche pour un autre fil, qui compte les examens dans {@code compteurs}. */
     Recherche pourUnFil(Compteurs compteurs);
 
     /**

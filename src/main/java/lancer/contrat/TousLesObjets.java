@@ -24,7 +24,6 @@ public final class TousLesObjets implements Recherche {
     @Override
     public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
         Recherche.obeir();
-        compteurs.compter(rayon, depart, portee);
         return new Passage(rayon, depart);
     }
 

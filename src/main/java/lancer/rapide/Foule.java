@@ -32,7 +32,6 @@ final class Foule implements Recherche {
     @Override
     public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
         Recherche.obeir();
-        compteurs.compter(rayon, depart, portee);
         // une boucle interrompue pourrait continuer : sa question n'est pas reprise
         enCours = enCours.estFinie() ? enCours : new Question(suivi, structures, compteurs);
         boolean connu = contact >= 0 && structures.enveloppes.objets[contact] == depart;

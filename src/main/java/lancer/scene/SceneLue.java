@@ -11,8 +11,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.BiFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -142,26 +140,6 @@ public final class SceneLue {
     /** Cette place, comme dans un fichier. */
     public static String ecrire(Point p) {
         return Nombre.ecrire(p.x) + " " + Nombre.ecrire(p.y) + " " + Nombre.ecrire(p.z);
-    }
-
-    /** Les objets, dans le même ordre, sans les sphères de mêmes centre et rayon qu'une précédente. */
-    public static List<Objet3D> sansConfondues(List<? extends Objet3D> objets) {
-        List<Objet3D> gardes = new ArrayList<>(objets.size());
-        Set<Sphere> vues = new TreeSet<>(SceneLue::comparer);
-        for (Objet3D objet : objets) {
-            if (objet.getClass() != Sphere.class || vues.add((Sphere) objet)) {
-                gardes.add(objet);
-            }
-        }
-        return gardes;
-    }
-
-    /** L'ordre des sphères par centre, puis par rayon ; + 0.0 : −0.0 et 0.0 désignent la même position. */
-    private static int comparer(Sphere a, Sphere b) {
-        int ordre = Double.compare(a.getCentre().x + 0.0, b.getCentre().x + 0.0);
-        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().y + 0.0, b.getCentre().y + 0.0);
-        ordre = ordre != 0 ? ordre : Double.compare(a.getCentre().z + 0.0, b.getCentre().z + 0.0);
-        return ordre != 0 ? ordre : Double.compare(a.getRayon(), b.getRayon());
     }
 
     /** Modèle où chaque variante est installée. @throws SceneFautive si une section est refusée */

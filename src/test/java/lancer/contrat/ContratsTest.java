@@ -10,10 +10,12 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import lancer.Constantes;
 import lancer.Couleur;
 import lancer.Lampe;
 import lancer.Objet3D;
 import lancer.Point;
+import lancer.PointContact;
 import lancer.Rayon;
 import lancer.Scene;
 import lancer.Sphere;
@@ -60,6 +62,18 @@ class ContratsTest {
         // une lampe derrière tout : seul le premier objet trouvé est essayé
         assertTrue(scene.estCachee(lampe, new Point(0, 0, 4), new Vecteur(0, 0, 1), 36, objets.get(0)));
         assertEquals(6, compteurs.testsSpheres);
+    }
+
+    @Test
+    void unRayonDOmbreEnDeuxMoitiesEstCompteUneFois() {
+        Scene scene = new Scene(Collections.singletonList(boule(5)), Collections.emptyList());
+        double loin = 2 * Constantes.LOINTAINE * 4;
+        Lampe lampe = new Lampe(new Point(0, 0, -loin), new Couleur(1));
+        Point contact = new PointContact(new Point(0, 0, 4), scene.getObjets().get(0), 4);
+        assertTrue(Scene.estLointaine(lampe, contact));
+        assertFalse(scene.estCachee(lampe, contact, new Vecteur(0, 0, -1), loin + 4, null));
+        assertEquals(1, scene.getCompteurs().ombre);
+        assertEquals(2, scene.getCompteurs().testsSpheres);
     }
 
     /** Strictement entre les deux : deux boules qui se touchent là où l'on regarde ne s'y font pas d'ombre. */

@@ -188,7 +188,6 @@ final class ArbreSimple implements Recherche {
     /** Ne propose que la réponse, déjà comptée. */
     @Override
     public Iterable<Objet3D> candidats(Rayon rayon, Objet3D depart, double portee) {
-        compteurs.compter(rayon, depart, portee);
         distance = portee;
         trouve = Integer.MAX_VALUE;
         if (racine != null) {
