@@ -171,7 +171,7 @@ public final class Essai {
 
     /** Le texte d'un fichier du dépôt, dont git a pu changer les fins de ligne. */
     public static String texte(String fichier) throws IOException {
-        return new String(Files.readAllBytes(Paths.get(fichier)), StandardCharsets.UTF_8).replace("\r\n", "\n");
+        return Files.readString(Path.of(fichier)).replace("\r\n", "\n");
     }
 
     /** Une ressource d'essai de la classe, en texte. */
@@ -185,12 +185,7 @@ public final class Essai {
             if (entree == null) {
                 throw new AssertionError("ressource absente : " + nom);
             }
-            ByteArrayOutputStream tout = new ByteArrayOutputStream();
-            byte[] morceau = new byte[1 << 16];
-            for (int lus = entree.read(morceau); lus >= 0; lus = entree.read(morceau)) {
-                tout.write(morceau, 0, lus);
-            }
-            return tout.toByteArray();
+            return entree.readAllBytes();
         }
     }
 

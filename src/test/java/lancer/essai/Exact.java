@@ -1,7 +1,6 @@
 package lancer.essai;
 
 import java.math.BigDecimal;
-import java.math.BigInteger;
 import java.math.MathContext;
 import lancer.Point;
 import lancer.Tuple;
@@ -13,8 +12,7 @@ import lancer.Vecteur;
  */
 public final class Exact {
 
-    private static final int CHIFFRES = 60;
-    private static final MathContext PRECIS = new MathContext(CHIFFRES);
+    private static final MathContext PRECIS = new MathContext(60);
     private static final double U = 0x1p-53;
 
     /** La distance exacte, arrondie au double le plus proche ; +∞ s'il n'y a pas de contact. */
@@ -50,9 +48,9 @@ public final class Exact {
         BigDecimal b = scalaire(f, d);
         BigDecimal c = scalaire(f, f).subtract(r.multiply(r));
         BigDecimal discriminant = b.multiply(b).subtract(a.multiply(c));
-        BigDecimal l = racine(scalaire(f, f).multiply(a).subtract(b.multiply(b)).divide(a, PRECIS));
+        BigDecimal l = scalaire(f, f).multiply(a).subtract(b.multiply(b)).divide(a, PRECIS).sqrt(PRECIS);
         enfoncement = reel(r.subtract(l), e);
-        BigDecimal norme = racine(a);
+        BigDecimal norme = a.sqrt(PRECIS);
         BigDecimal douteux = r.multiply(b.abs()).multiply(norme).multiply(new BigDecimal(16 * U));
         ambigu = c.signum() > 0 && b.signum() > 0 && discriminant.abs().compareTo(douteux) <= 0;
         if (discriminant.signum() < 0) {
@@ -62,7 +60,7 @@ public final class Exact {
             exacte = null;
             return;
         }
-        BigDecimal racine = racine(discriminant);
+        BigDecimal racine = discriminant.sqrt(PRECIS);
         demiCorde = reel(racine.divide(norme, PRECIS), e);
         BigDecimal t = null;
         if (c.signum() > 0) {
@@ -93,13 +91,13 @@ public final class Exact {
     /** La distance d'un point à la surface d'une sphère. */
     public static double ecartALaSurface(Point x, Point centre, double rayon) {
         BigDecimal[] n = difference(centre, x, 0);
-        return racine(scalaire(n, n)).subtract(new BigDecimal(rayon)).abs().doubleValue();
+        return scalaire(n, n).sqrt(PRECIS).subtract(new BigDecimal(rayon)).abs().doubleValue();
     }
 
     /** La longueur d'un vecteur, moins 1. */
     public static double ecartALUnite(Vecteur v) {
         BigDecimal[] n = difference(new Point(), new Point(v.x, v.y, v.z), 0);
-        return racine(scalaire(n, n)).subtract(BigDecimal.ONE).doubleValue();
+        return scalaire(n, n).sqrt(PRECIS).subtract(BigDecimal.ONE).doubleValue();
     }
 
     private static double norme(Tuple t) {
@@ -128,20 +126,5 @@ public final class Exact {
 
     private static BigDecimal scalaire(BigDecimal[] u, BigDecimal[] v) {
         return u[0].multiply(v[0]).add(u[1].multiply(v[1])).add(u[2].multiply(v[2]));
-    }
-
-    /** La racine carrée, à {@link #CHIFFRES} chiffres ; Java 8 n'en a pas. */
-    private static BigDecimal racine(BigDecimal x) {
-        if (x.signum() == 0) {
-            return x;
-        }
-        int exposant = x.precision() - x.scale();
-        int k = CHIFFRES + 5 - exposant / 2;
-        BigInteger n = x.scaleByPowerOfTen(2 * k).toBigInteger();
-        BigInteger s = BigInteger.ONE.shiftLeft(n.bitLength() / 2 + 1);
-        for (BigInteger t = s.add(n.divide(s)).shiftRight(1); t.compareTo(s) < 0; t = s.add(n.divide(s)).shiftRight(1)) {
-            s = t;
-        }
-        return new BigDecimal(s).scaleByPowerOfTen(-k);
     }
 }

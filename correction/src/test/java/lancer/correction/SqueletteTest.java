@@ -88,6 +88,8 @@ class SqueletteTest extends ClasseEssai {
         Path projet = dossier.resolve("projet");
         assertEquals(0, executer("--squelette", projet).code);
         assertEquals("", compiler(projet.resolve("src/main/java"), dossier.resolve("classes")));
+        assertEquals("", compiler(projet.resolve("src/test/java"), dossier.resolve("tests"), dossier.resolve("classes") + File.pathSeparator
+                + System.getProperty("java.class.path"), "--release", "8", "-proc:none"));
         BufferedImage image = dessiner(dossier.resolve("classes"), projet.resolve("scenes/scene1.ini"));
         assertTrue(Arrays.stream(image.getRGB(0, 0, 800, 600, null, 0, 800)).allMatch(c -> c == 0xFF00FF00));
         String java = Paths.get(System.getProperty("java.home"), "bin", "java").toString();
