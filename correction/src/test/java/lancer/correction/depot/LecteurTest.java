@@ -29,14 +29,17 @@ class LecteurTest {
 
     @Test
     void uneFauteDitEnFrancaisCeQuIlFaut() {
-        int ici = Runtime.version().feature();
-        for (String[] une : new String[][] {{"Syntax error, insert \"}\" to complete ClassBody", "il manque « } »"},
-            {"The Java feature 'Record Pattern' is only available with source level 21 and above", "il faut Java 21, "
-                    + "et ici juge Java " + ici},
-            {"The method clamp(double, int, int) is undefined for the type java.lang.Math",
-                "clamp n'est pas dans Java " + ici + ", qui juge ici : est-elle d'une version plus récente ?"}}) {
-            assertEquals("A.java:3 : " + une[1] + " ; le compilateur dit « " + une[0] + " »", new Faute("lancer/A.java", 3,
-                    une[0]).toString());
+        String ici = "Java " + Runtime.version().feature();
+        String ailleurs = " n'est pas dans " + ici + ", qui juge ici : est-elle d'une version plus récente ? ; ";
+        for (String[] une : new String[][] {{"Syntax error, insert \"}\" to complete ClassBody", "il manque « } » ; "},
+            {"Syntax error, insert \";\" to complete Statement", "il manque « ; » ; "},
+            {"The Java feature 'Record Pattern' is only available with source level 21 and above", "il faut Java 21, et ici juge "
+                    + ici + " ; "},
+            {"The method clamp(double, int, int) is undefined for the type java.lang.Math", "clamp" + ailleurs},
+            {"The method clamp(double, int, int) is undefined for the type Math", "clamp" + ailleurs},
+            {"The method getFirst() is undefined for the type List<Lampe>", "getFirst" + ailleurs},
+            {"The method norm() is undefined for the type lancer.Vecteur", ""}}) {
+            assertEquals("A.java:3 : " + une[1] + "le compilateur dit « " + une[0] + " »", new Faute("lancer/A.java", 3, une[0]).toString());
         }
     }
 
