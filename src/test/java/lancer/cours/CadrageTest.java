@@ -2,15 +2,8 @@ package lancer.cours;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Collections;
-import java.util.HashSet;
-import java.util.Set;
 import lancer.Camera;
-import lancer.Lampe;
-import lancer.Lancer;
-import lancer.Objet3D;
 import lancer.Rayon;
-import lancer.Scene;
 import lancer.Vecteur;
 import org.junit.jupiter.api.Test;
 
@@ -39,28 +32,5 @@ class CadrageTest {
                 }
             }
         }
-    }
-
-    /** Prise en son coin, chaque couleur de l'image serait décalée d'un demi-pixel. */
-    @Test
-    void unPixelEstVuEnSonCentre() {
-        Set<String> vus = new HashSet<>();
-        Camera camera = new Camera(4, 3);
-        Scene ciel = new Scene(Collections.<Objet3D>emptyList(), Collections.<Lampe>emptyList());
-        new Lancer(ciel, camera).TracerPixels((couleur, i, j) -> {
-            assertEquals(camera.getRayon(i + 0.5, j + 0.5).getSkyColor(), couleur);
-            vus.add(i + " " + j);
-        }, 0, 1);
-        assertEquals(4 * 3, vus.size());
-    }
-
-    /** Une colonne d'un pixel est large de 2 : ses bouts sont vus presque d'à-plomb, sans que rien déborde. */
-    @Test
-    void lesBoutsDUneColonneDUnPixelSontVusPresqueDAplomb() {
-        Camera camera = new Camera(1, 16384);
-        Vecteur haut = camera.getRayon(0.5, 0.5).getV();
-        assertEquals(16383, camera.getY(0.5), 0);
-        assertEquals(1, haut.norme(), 4 * 0x1p-53);
-        assertEquals(Camera.FOCALE / Math.hypot(16383, Camera.FOCALE), haut.z, 1e-18);
     }
 }
