@@ -6,6 +6,7 @@ import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.fils.Atelier;
@@ -94,18 +95,18 @@ public final class Lancer {
      * Dessine chaque pixel de la couleur de son centre : c'est la double boucle du cours, sur la partie voulue d'un
      * pavé, et l'échantillonnage d'une scène sans anticrénelage.
      *
-     * @return 0 : aucun pixel n'a plusieurs rayons
+     * @return {@link Releve#RIEN} : aucun pixel n'a plusieurs rayons
      */
-    public static int TracerPave(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    public static Releve TracerPave(Pave pave, Pave voulus, Vue vue, Toile toile) {
         for (int ye = voulus.j0; ye < voulus.j1; ye++) {
             for (int xe = voulus.i0; xe < voulus.i1; xe++) {
                 toile.drawPixel(vue.couleur(xe + 0.5, ye + 0.5), xe, ye);
             }
         }
-        return 0;
+        return Releve.RIEN;
     }
 
-    private static int TracerCarres(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    private static Releve TracerCarres(Pave pave, Pave voulus, Vue vue, Toile toile) {
         for (int ye = pave.j0; ye < pave.j1; ye += Constantes.PAS_BROUILLON) {
             for (int xe = pave.i0; xe < pave.i1; xe += Constantes.PAS_BROUILLON) {
                 int yFin = Math.min(ye + Constantes.PAS_BROUILLON, pave.j1);
@@ -118,7 +119,12 @@ public final class Lancer {
                 }
             }
         }
-        return 0;
+        return Releve.RIEN;
+    }
+
+    /** Regarde l'image une première fois, sans rien peindre. @return {@link Atelier#seRegardeDeuxFois} */
+    public boolean regarder(int profondeur, int fils) {
+        return atelier.regarder(getEchantillonnage(), () -> getVueDUnFil(profondeur), fils);
     }
 
     /** La vue d'un fil, par son propre lancer. */

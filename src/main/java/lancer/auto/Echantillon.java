@@ -11,6 +11,7 @@ import lancer.Lancer;
 import lancer.commande.Reglages;
 import lancer.contrat.Modele;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Vue;
 
 /**
@@ -97,7 +98,7 @@ public final class Echantillon {
                     }
                 }
             }
-            return 0;
+            return Releve.RIEN;
         }, SANS_LIMITE), Echelle.PROFONDEUR);
     }
 
@@ -123,7 +124,7 @@ public final class Echantillon {
         lancer.Tracer((pave, voulus, vue, toile) -> {
             int[] siens = Arrays.stream(rangs).filter(p -> estDans(pave, p)).toArray();
             IntSummaryStatistics x = Arrays.stream(siens).map(p -> p % largeur).summaryStatistics();
-            return siens.length == 0 ? 0 : lancer.getEchantillonnage().tracer(pave, new Pave(x.getMin(),
+            return siens.length == 0 ? Releve.RIEN : lancer.getEchantillonnage().tracer(pave, new Pave(x.getMin(),
                     siens[0] / largeur, x.getMax() + 1, siens[siens.length - 1] / largeur + 1), vue,
                     (couleur, i, j) -> {
                         int place = place(i, j);

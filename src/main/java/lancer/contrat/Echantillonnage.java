@@ -7,10 +7,11 @@ package lancer.contrat;
 public interface Echantillonnage {
 
     /**
-     * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue.
+     * Dessine au moins les pixels voulus du pavé, chacun une fois. Leur couleur ne dépend que du pavé et de la vue, qui
+     * dit si c'est un second regard ({@link Vue#estSeconde}).
      *
      * @param voulus une partie du pavé, ou tout le pavé
-     * @return le nombre de pixels raffinés, 0 si l'échantillonnage n'en raffine pas
+     * @return {@link Releve#RIEN} si l'échantillonnage ne raffine aucun pixel
      */
-    int tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
+    Releve tracer(Pave pave, Pave voulus, Vue vue, Toile toile);
 }

@@ -12,4 +12,30 @@ public interface Vue {
     default Compteurs compteurs() {
         return new Compteurs();
     }
+
+    /** Vrai au second regard sur une image, dont le premier a laissé craindre des détails que personne n'a vus. */
+    default boolean estSeconde() {
+        return false;
+    }
+
+    /** Cette vue, au second regard. */
+    default Vue seconde() {
+        Vue premiere = this;
+        return new Vue() {
+            @Override
+            public Couleur couleur(double xe, double ye) {
+                return premiere.couleur(xe, ye);
+            }
+
+            @Override
+            public Compteurs compteurs() {
+                return premiere.compteurs();
+            }
+
+            @Override
+            public boolean estSeconde() {
+                return true;
+            }
+        };
+    }
 }

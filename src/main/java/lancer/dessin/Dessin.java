@@ -15,6 +15,7 @@ import lancer.commande.Reglages;
 import lancer.contrat.Compteurs;
 import lancer.contrat.PixelFautif;
 import lancer.contrat.Toile;
+import lancer.fils.Atelier;
 import lancer.image.ImageMemoire;
 import lancer.inspection.FaussesCouleurs;
 import lancer.rapide.Preparation;
@@ -134,6 +135,16 @@ public final class Dessin {
         do {
             tracer(auto.getChoisi(), auto.getLancer(), toile);
         } while (!auto.controler(image::getCouleur));
+    }
+
+    /** Voir {@link Atelier#seRegardeDeuxFois}. Une image qui n'est pas celle dessinée est regardée une première fois. */
+    public boolean seRegardeDeuxFois() {
+        if (tracesNs != null && demande.vue == null) {
+            return dernier.getAtelier().seRegardeDeuxFois();
+        }
+        Lancer autre = lancer.avec(demande.reglages.getModele());
+        autre.getAtelier().getFautes().tolerer();
+        return autre.regarder(demande.reglages.getProfondeur(), demande.reglages.get(Option.FILS));
     }
 
     /** La part dessinée de l'image en cours, de 0 à 1. */

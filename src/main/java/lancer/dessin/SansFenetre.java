@@ -106,7 +106,7 @@ public final class SansFenetre {
         Option.Couple ou = options.get(Option.PIXEL);
         Inspection pixel = new Inspection(scene, demande.lue::getOrigine,
                 scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), ou.x, ou.y);
-        pixel.faire();
+        pixel.faire(() -> new Dessin(demande).seRegardeDeuxFois());
         if (pixel.getFaute() != null) {
             throw demande.nommer(pixel.getFaute());
         }

@@ -131,6 +131,7 @@ final class Inspecteur extends JPanel {
     private final class Explication extends SwingWorker<Noeud, Void> {
 
         private final Inspection nouvelle;
+        private final Dessin expliquee = dessin;
 
         Explication(Inspection nouvelle) {
             this.nouvelle = nouvelle;
@@ -138,7 +139,7 @@ final class Inspecteur extends JPanel {
 
         @Override
         protected Noeud doInBackground() {
-            nouvelle.faire();
+            nouvelle.faire(expliquee::seRegardeDeuxFois);
             return new Recit(nouvelle, Nombre::arrondir, Nombre::arrondirComposante).raconter();
         }
 

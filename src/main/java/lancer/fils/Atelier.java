@@ -1,15 +1,20 @@
 package lancer.fils;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lancer.Couleur;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
@@ -23,6 +28,8 @@ public final class Atelier {
     private final int hauteur;
     private final Equipe equipe = new Equipe();
     private final Fautes fautes;
+    /** Le dernier relevé de chaque pavé, du dessin en cours ou du dernier ; {@code null} s'il n'est pas encore vu. */
+    private volatile AtomicReferenceArray<Releve> releves = new AtomicReferenceArray<>(1);
     private Compteurs compteurs = new Compteurs();
     private long dureeNs;
 
@@ -34,7 +41,7 @@ public final class Atelier {
     }
 
     /**
-     * Dessine tous les pixels de l'image.
+     * Dessine tous les pixels de l'image. Si elle se regarde deux fois, dessine de nouveau les pavés qu'il faut revoir.
      *
      * @param vues rend la vue de chaque fil
      * @param fils nombre de fils d'exécution, au moins 1
@@ -43,22 +50,50 @@ public final class Atelier {
      */
     public void dessiner(Echantillonnage echantillonnage, Supplier<Vue> vues, Toile toile, int fils) {
         long debut = System.nanoTime();
-        List<Pave> paves = Pave.battus(largeur, hauteur);
-        List<Compteurs> comptes = new ArrayList<>();
-        List<IntConsumer> travaux = new ArrayList<>();
-        for (int fil = 0; fil < Math.min(fils, paves.size()); fil++) {
-            Vue vue = vues.get();
-            comptes.add(vue.compteurs());
-            travaux.add(rang -> {
-                Pave pave = paves.get(rang);
-                vue.compteurs().pixelsRaffines += echantillonnage.tracer(pave, pave, vue, toile);
-                fautes.peindre(pave, toile);
-            });
+        List<Vue> siennes = Stream.generate(vues).limit(fils).collect(Collectors.toList());
+        regarder(echantillonnage, siennes, toile);
+        if (seRegardeDeuxFois()) {
+            regarder(echantillonnage, siennes.stream().map(Vue::seconde).collect(Collectors.toList()), toile);
         }
-        equipe.faire(paves.size(), travaux);
-        compteurs = new Compteurs();
-        comptes.forEach(compteurs::ajouter);
+        Compteurs comptes = new Compteurs();
+        siennes.forEach(vue -> comptes.ajouter(vue.compteurs()));
+        comptes.pixelsRaffines = vus().mapToLong(releve -> releve.raffines).sum();
+        compteurs = comptes;
         dureeNs = System.nanoTime() - debut;
+    }
+
+    /**
+     * Regarde l'image une première fois, sans rien peindre.
+     *
+     * @return {@link #seRegardeDeuxFois}
+     */
+    public boolean regarder(Echantillonnage echantillonnage, Supplier<Vue> vues, int fils) {
+        regarder(echantillonnage, Stream.generate(vues).limit(fils).collect(Collectors.toList()), (couleur, i, j) -> { });
+        return seRegardeDeuxFois();
+    }
+
+    /** Dessine tous les pavés, ou ceux que les secondes vues revoient. @param vues une par fil */
+    private void regarder(Echantillonnage echantillonnage, List<Vue> vues, Toile toile) {
+        List<Pave> paves = Pave.battus(largeur, hauteur);
+        boolean seconde = vues.get(0).estSeconde();
+        AtomicReferenceArray<Releve> neufs = seconde ? releves : new AtomicReferenceArray<>(paves.size());
+        releves = neufs;
+        int[] rangs = IntStream.range(0, paves.size()).filter(k -> !seconde || neufs.get(k).aRevoir).toArray();
+        equipe.faire(rangs.length, vues.stream().map(vue -> (IntConsumer) tache -> {
+            Pave pave = paves.get(rangs[tache]);
+            neufs.set(rangs[tache], echantillonnage.tracer(pave, pave, vue, toile));
+            fautes.peindre(pave, toile);
+        }).collect(Collectors.toList()));
+    }
+
+    private Stream<Releve> vus() {
+        AtomicReferenceArray<Releve> ceux = releves;
+        return IntStream.range(0, ceux.length()).mapToObj(ceux::get).filter(Objects::nonNull);
+    }
+
+    /** Dit si ce qui est dessiné de l'image laisse craindre des détails que personne n'a vus ({@link Releve#soupcon}). */
+    public boolean seRegardeDeuxFois() {
+        return vus().mapToDouble(releve -> releve.soupcon).sum() > 0;
     }
 
     /**
@@ -84,9 +119,10 @@ public final class Atelier {
         return fautes.noter(echec, xe, ye);
     }
 
-    /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1. */
+    /** La part dessinée de l'image (ou du brouillon) en cours, de 0 à 1 ; un pavé à revoir ne compte que pour moitié. */
     public double getAvancement() {
-        return equipe.getAvancement();
+        double entier = seRegardeDeuxFois() ? 0.5 : 1;
+        return vus().mapToDouble(releve -> releve.aRevoir ? entier : 1).sum() / releves.length();
     }
 
     /** Les pixels dont le calcul a échoué, s'ils sont tolérés. */

@@ -17,6 +17,7 @@ import lancer.Scene;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 import lancer.image.ImageMemoire;
@@ -126,10 +127,10 @@ public final class FaussesCouleurs {
         image.echelle = legende;
     }
 
-    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs. */
+    /** Les nombres, un par pixel, que cet échantillonnage donne comme couleurs ; la somme, si un pixel est vu deux fois. */
     private double[] nombrer(Echantillonnage echantillonnage) {
         double[] nombres = new double[image.largeur * image.hauteur];
-        lancer.Tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] = n.r, profondeur, fils);
+        lancer.Tracer(echantillonnage, (n, x, y) -> nombres[y * image.largeur + x] += n.r, profondeur, fils);
         return nombres;
     }
 
@@ -152,7 +153,7 @@ public final class FaussesCouleurs {
                 }
             }, toile);
             vue.compteurs().ajouter(scene.getCompteurs());
-            return 0;
+            return Releve.RIEN;
         };
     }
 
@@ -168,7 +169,7 @@ public final class FaussesCouleurs {
     }
 
     /** Compte les rayons de toutes sortes de chaque pixel d'un pavé, dessiné selon l'échantillonnage de la scène. */
-    private int compterLesRayons(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    private Releve compterLesRayons(Pave pave, Pave voulus, Vue vue, Toile toile) {
         int large = pave.i1 - pave.i0;
         long[] rayons = new long[large * (pave.j1 - pave.j0)];
         Vue comptee = (xe, ye) -> {
@@ -177,11 +178,12 @@ public final class FaussesCouleurs {
             rayons[((int) ye - pave.j0) * large + (int) xe - pave.i0] += vue.compteurs().rayons() - avant;
             return couleur;
         };
-        int raffines = lancer.getEchantillonnage().tracer(pave, voulus, comptee, (c, i, j) -> { });
+        Releve releve = lancer.getEchantillonnage().tracer(pave, voulus, vue.estSeconde() ? comptee.seconde() : comptee,
+                (c, i, j) -> { });
         for (int k = 0; k < rayons.length; k++) {
             toile.drawPixel(new Couleur(rayons[k]), pave.i0 + k % large, pave.j0 + k / large);
         }
-        return raffines;
+        return releve;
     }
 
     /** Le nombre de décimales que peut perdre la direction du rayon de ce point, de 0 à 11. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import lancer.Camera;
 import lancer.Couleur;
@@ -16,6 +17,8 @@ import lancer.Point;
 import lancer.Scene;
 import lancer.contrat.Pave;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Releve;
+import lancer.contrat.Vue;
 import lancer.fils.Equipe;
 
 /**
@@ -63,13 +66,14 @@ public final class Inspection {
     /**
      * Explique l'échantillon le plus proche du centre. Si son calcul échoue, la faute et ce qui la précède sont gardés.
      *
+     * @param deuxFois dit si l'image se regarde deux fois : n'est demandé que si ce pixel peut en dépendre
      * @throws CancellationException si ce fil est interrompu
      */
-    public void faire() {
+    public void faire(BooleanSupplier deuxFois) {
         // un fil d'une équipe a une pile assez grande pour les réflexions permises
         equipe.faire(() -> {
             try {
-                dessiner();
+                dessiner(deuxFois);
                 expliquer();
             } catch (PixelFautif e) {
                 faute = e;
@@ -80,9 +84,18 @@ public final class Inspection {
         });
     }
 
-    private void dessiner() {
+    private void dessiner(BooleanSupplier deuxFois) {
+        Vue vue = this::voir;
+        if (dessiner(vue).aRevoir && deuxFois.getAsBoolean()) {
+            couleur = null;
+            echantillons.clear();
+            dessiner(vue.seconde());
+        }
+    }
+
+    private Releve dessiner(Vue vue) {
         Pave pave = Pave.autour(x, y, camera.getLargeur(), camera.getHauteur());
-        lancer.getEchantillonnage().tracer(pave, new Pave(x, y, x + 1, y + 1), this::voir,
+        return lancer.getEchantillonnage().tracer(pave, new Pave(x, y, x + 1, y + 1), vue,
                 (coul, i, j) -> couleur = i == x && j == y ? coul : couleur);
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Releve;
 import lancer.contrat.Section;
 import lancer.contrat.Variante;
 import lancer.scene.SectionLue;
@@ -59,7 +60,7 @@ class GrilleDEssai implements Variante {
                     toile.drawPixel(somme.div(n * n), i, j);
                 }
             }
-            return 0;
+            return Releve.RIEN;
         };
     }
 }

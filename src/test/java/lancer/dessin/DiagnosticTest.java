@@ -23,6 +23,7 @@ import lancer.Vecteur;
 import lancer.contrat.Cause;
 import lancer.contrat.Modele;
 import lancer.contrat.PixelFautif;
+import lancer.contrat.Releve;
 import lancer.essai.Essai;
 import lancer.essai.Modification;
 import lancer.essai.Plan;
@@ -93,7 +94,7 @@ class DiagnosticTest {
         for (Couleur fausse : new Couleur[] {null, new Couleur(1, Double.NaN, 1), new Couleur(1 / 0.0)}) {
             String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
                 PixelFautif.exigerFinie(fausse, 2.5, 1.5);
-                return 0;
+                return Releve.RIEN;
             }));
             assertTrue(dit.startsWith("java.lang.ArithmeticException: ce n'est pas une couleur aux composantes finies : " + fausse
                     + " (.lambda$"), dit);

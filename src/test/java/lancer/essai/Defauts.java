@@ -18,6 +18,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Releve;
 import lancer.contrat.Vue;
 import lancer.essai.TraceurNaif.Ombre;
 import lancer.image.FichierPng;
@@ -89,7 +90,7 @@ public final class Defauts {
                 toile.drawPixel(moyenne(vue, i + 0.5, j + 0.5, Double.MAX_VALUE), i, j);
             }
         }
-        return 0;
+        return Releve.RIEN;
     };
 
     /** Les défauts que la page montre, par le nom de leur image ; côté d'un pixel agrandi, et blanc entre les deux images. */

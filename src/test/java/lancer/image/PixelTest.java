@@ -17,6 +17,7 @@ import lancer.Couleur;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Releve;
 import lancer.essai.Essai;
 import lancer.essai.EssaiCommande;
 import lancer.essai.EssaiPixel;
@@ -47,7 +48,7 @@ class PixelTest extends EssaiCommande {
             return vue;
         });
         Scene vide = new Scene(Collections.emptyList(), Collections.emptyList()).avec(modele.construire());
-        new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire();
+        new Inspection(vide, chose -> null, new Camera(40, 70), 5, 31, 31).faire(() -> false);
         assertEquals(2, rayons[0]);
     }
 
@@ -60,7 +61,7 @@ class PixelTest extends EssaiCommande {
                     toile.drawPixel(new Couleur((pave.i1 - pave.i0) * (pave.j1 - pave.j0)), i, j);
                 }
             }
-            return 0;
+            return Releve.RIEN;
         };
         Scene lue = new Scene(SCENE);
         Scene scene = lue.avec(lue.getModele().avec(voisins, 0));
@@ -71,7 +72,7 @@ class PixelTest extends EssaiCommande {
 
     private static List<String> recit(Scene scene, Camera camera, int x, int y) {
         Inspection pixel = new Inspection(scene, chose -> null, camera, 5, x, y);
-        pixel.faire();
+        pixel.faire(() -> false);
         return new Recit(pixel, Double::toString, Double::toString).raconter().lignes();
     }
 

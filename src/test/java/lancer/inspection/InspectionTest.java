@@ -24,6 +24,7 @@ import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Modele;
+import lancer.contrat.Releve;
 import lancer.essai.Essai;
 import lancer.essai.EssaiRecit;
 import lancer.essai.Ressources;
@@ -43,7 +44,7 @@ class InspectionTest {
     /** Le pixel de cette scène, inspecté. */
     private static Inspection inspecter(Scene scene, Function<Object, String> origines, Camera camera, int reflets, int x, int y) {
         Inspection pixel = new Inspection(scene, origines, camera, reflets, x, y);
-        pixel.faire();
+        pixel.faire(() -> false);
         return pixel;
     }
 
@@ -151,7 +152,7 @@ class InspectionTest {
         };
         Inspection pixel = new Inspection(new Scene(Collections.emptyList(), Collections.emptyList()), chose -> null,
                 camera, 5, 4, 4);
-        pixel.faire();
+        pixel.faire(() -> false);
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals("pixel 4, 4", lignes.get(0));
         assertTrue(lignes.get(1).startsWith("échec : java.lang.IllegalStateException: pas encore écrit ("), lignes.toString());
@@ -184,7 +185,7 @@ class InspectionTest {
                 somme = somme.add(vue.couleur(4 + (k % 3 + 0.5) / 3, 4 + (k / 3 + 0.5) / 3));
             }
             toile.drawPixel(somme.div(diviseur), 4, 4);
-            return 0;
+            return Releve.RIEN;
         };
     }
 
@@ -239,7 +240,7 @@ class InspectionTest {
         };
         Inspection pixel = new Inspection(new Scene(Arrays.asList(miroir, derriere), Collections.emptyList()), chose -> null,
                 new Camera(9, 9), 5, 4, 4);
-        pixel.faire();
+        pixel.faire(() -> false);
         assertEquals("boum", pixel.getFaute().getCause().getMessage());
         List<String> lignes = recitDe(pixel).raconter().lignes();
         assertEquals(Arrays.asList("2  objet 2", "1  objet 1"),

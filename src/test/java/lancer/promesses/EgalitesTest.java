@@ -29,6 +29,7 @@ import lancer.Scene;
 import lancer.Sphere;
 import lancer.Vecteur;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.essai.Ressources;
 import lancer.essai.Tirages;
 import org.junit.jupiter.api.Test;
@@ -178,7 +179,7 @@ class EgalitesTest {
                         }
                     }
                 }
-                return 0;
+                return Releve.RIEN;
             }, Constantes.SEUIL));
             assertTrue(memesBits(attendue, imageRapide(scene, new Camera(90, 70), 5)), Arrays.toString(pas));
         }

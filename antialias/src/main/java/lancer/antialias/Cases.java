@@ -3,6 +3,7 @@ package lancer.antialias;
 import java.util.Arrays;
 import lancer.Couleur;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
@@ -21,6 +22,7 @@ final class Cases {
     private final int n;
     private final double seuil;
     private final Pave pave;
+    private final boolean seconde;
     private final SousPixels sousPixels;
     /** Les bords des cases de tout le pavé, en sous-pixels. */
     private int[] bordsX;
@@ -34,6 +36,7 @@ final class Cases {
         this.n = n;
         this.seuil = seuil;
         this.pave = pave;
+        seconde = vue.estSeconde();
         sousPixels = new SousPixels(n, pave, vue);
         bordsX = bords(pave.i1 - pave.i0);
         bordsY = bords(pave.j1 - pave.j0);
@@ -45,17 +48,23 @@ final class Cases {
         return bords;
     }
 
-    /** Dessine ces pixels du pavé. @return le nombre de pixels dont la case a été divisée */
-    int tracer(Pave voulus, Toile toile) {
+    /** Dessine ces pixels du pavé. @return avec le nombre de pixels dont la case a été divisée */
+    Releve tracer(Pave voulus, Toile toile) {
         int[] departsX = bordsX;
         int[] departsY = bordsY;
+        double limite = SURPRISE * seuil;
+        Surprise premiere = surprendre();
+        boolean surpris = premiere.depasse(limite);
+        double soupcon = premiere.getSoupcon(limite);
         int divisions = 0;
-        // quatre fois plus de points divisent par deux l'erreur d'un pixel
-        for (double limite = SURPRISE * seuil; divisions < DIVISIONS && 1 << divisions < n
-                && surprise() > limite * limite; limite *= 2) {
+        // au second regard, un pavé où rien n'a surpris se cherche lui aussi
+        for (boolean cherche = surpris || seconde; cherche; cherche = divisions < DIVISIONS && 1 << divisions < n
+                && surprendre().depasse(limite)) {
             bordsX = couper(bordsX);
             bordsY = couper(bordsY);
             divisions++;
+            // quatre fois plus de points divisent par deux l'erreur d'un pixel
+            limite *= 2;
         }
         int raffines = 0;
         for (int j = voulus.j0 - pave.j0; j < voulus.j1 - pave.j0; j++) {
@@ -68,7 +77,7 @@ final class Cases {
             }
             sousPixels.oublier(j);
         }
-        return raffines;
+        return new Releve(raffines, soupcon, !surpris && !seconde);
     }
 
     /** Ces bords et les milieux, là où il reste des sous-pixels entre deux. */
@@ -85,14 +94,9 @@ final class Cases {
         return Arrays.copyOf(coupes, nombre);
     }
 
-    /**
-     * Le carré moyen de ce dont une couleur sort de l'étendue de quatre autres : un coin, de ses quatre voisins ; le
-     * milieu d'une case sur deux, de ses coins. Un bord ou un dégradé, même courbe, n'y est presque rien ; un détail
-     * plus petit qu'une case surprend, et en laisse deviner d'autres, que personne n'a vus.
-     */
-    private double surprise() {
-        double carres = 0;
-        int nombre = 0;
+    /** Compare les couleurs vues : un coin à ses quatre voisins ; le milieu d'une case sur deux à ses coins. */
+    private Surprise surprendre() {
+        Surprise surprise = new Surprise();
         for (int j = 0; j + 1 < bordsY.length; j++) {
             for (int i = 0; i + 1 < bordsX.length; i++) {
                 int x0 = bordsX[i];
@@ -100,30 +104,16 @@ final class Cases {
                 int x1 = bordsX[i + 1];
                 int y1 = bordsY[j + 1];
                 if (i > 0 && j > 0) {
-                    carres += surprise(voir(x0, y0), voir(bordsX[i - 1], y0), voir(x1, y0), voir(x0, bordsY[j - 1]),
+                    surprise.comparer(voir(x0, y0), voir(bordsX[i - 1], y0), voir(x1, y0), voir(x0, bordsY[j - 1]),
                             voir(x0, y1));
-                    nombre++;
                 }
                 if ((i + j) % 2 == 0 && Math.max(x1 - x0, y1 - y0) > 1) {
-                    carres += surprise(voir((x0 + x1) / 2, (y0 + y1) / 2), voir(x0, y0), voir(x1, y0), voir(x0, y1),
+                    surprise.comparer(voir((x0 + x1) / 2, (y0 + y1) / 2), voir(x0, y0), voir(x1, y0), voir(x0, y1),
                             voir(x1, y1));
-                    nombre++;
                 }
             }
         }
-        return carres / Math.max(1, nombre);
-    }
-
-    private static double surprise(Couleur vue, Couleur a, Couleur b, Couleur c, Couleur d) {
-        return (carre(vue.r, a.r, b.r, c.r, d.r) + carre(vue.v, a.v, b.v, c.v, d.v)
-                + carre(vue.b, a.b, b.b, c.b, d.b)) / 3;
-    }
-
-    private static double carre(double vue, double a, double b, double c, double d) {
-        double min = Math.min(Math.min(a, b), Math.min(c, d));
-        double max = Math.max(Math.max(a, b), Math.max(c, d));
-        double dehors = Coins.limite(vue) - Coins.limite(Math.max(min, Math.min(max, vue)));
-        return dehors * dehors;
+        return surprise;
     }
 
     private Couleur voir(int x, int y) {

@@ -3,6 +3,7 @@ package lancer.antialias;
 import lancer.Couleur;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
@@ -21,9 +22,9 @@ final class Coins implements Echantillonnage {
         this.seuil = seuil;
     }
 
-    /** @return le nombre de pixels qui ont tous leurs sous-pixels */
+    /** @return avec le nombre de pixels qui ont tous leurs sous-pixels */
     @Override
-    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    public Releve tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         SousPixels sousPixels = new SousPixels(n, voulus, vue);
         int dernier = n - 1;
         int raffines = 0;
@@ -49,7 +50,7 @@ final class Coins implements Echantillonnage {
             }
             sousPixels.oublier(j);
         }
-        return raffines;
+        return new Releve(raffines);
     }
 
     /** Le plus grand écart entre quatre couleurs limitées à [0, 1], sur une composante. */

@@ -2,6 +2,7 @@ package lancer.antialias;
 
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Toile;
 import lancer.contrat.Vue;
 
@@ -23,9 +24,9 @@ final class Partage implements Echantillonnage {
         this.seuil = seuil;
     }
 
-    /** @return le nombre de pixels dont une case a été divisée */
+    /** @return avec le nombre de pixels dont une case a été divisée */
     @Override
-    public int tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
+    public Releve tracer(Pave pave, Pave voulus, Vue vue, Toile toile) {
         return new Cases(n, seuil, pave, vue).tracer(voulus, toile);
     }
 }

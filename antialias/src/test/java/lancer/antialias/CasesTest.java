@@ -62,7 +62,7 @@ class CasesTest {
         Pave seize = new Pave(0, 0, 16, 16);
         for (double gris : new double[] {0.249, 0.251}) {
             Vue vue = (xe, ye) -> new Couleur((int) (2 * xe) == 16 && (int) (2 * ye) == 16 ? gris : 0);
-            assertEquals(gris > 0.25 ? 4 : 0, new Partage(4, 0.25).tracer(seize, seize, vue, SANS_TOILE), "contraste " + gris);
+            assertEquals(gris > 0.25 ? 4 : 0, new Partage(4, 0.25).tracer(seize, seize, vue, SANS_TOILE).raffines, "contraste " + gris);
         }
     }
 
@@ -73,7 +73,7 @@ class CasesTest {
             for (int hauteur = 1; hauteur <= 4; hauteur++) {
                 Pave pave = new Pave(7, 9, 7 + largeur, 9 + hauteur);
                 Vue vue = comptee((xe, ye) -> new Couleur(Math.sin(xe * ye)));
-                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE), largeur + " × " + hauteur);
+                assertEquals(largeur * hauteur - 1, new Partage(2, 1e-3).tracer(pave, pave, vue, SANS_TOILE).raffines, largeur + " × " + hauteur);
                 assertEquals(4 * largeur * hauteur, rayons, largeur + " × " + hauteur);
             }
         }
@@ -83,7 +83,7 @@ class CasesTest {
     @Test
     void deDeuxSurDeuxUnPixelCoupeCouteTroisRayonsDePlus() {
         Vue vue = comptee((xe, ye) -> new Couleur(xe >= 16 && xe < 19 && ye >= 16 && ye < 19 ? 1 : 0));
-        int coupes = new Partage(2, 0.1).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE);
+        int coupes = new Partage(2, 0.1).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE).raffines;
         assertEquals(12, coupes, "les cases que le bord du carré clair traverse");
         // un milieu par case coupée sur deux est un de ses trois rayons ; la dernière case, d'un seul sous-pixel, n'a pas de milieu
         assertEquals(33 * 33 + 511 + 3 * coupes - coupes / 2, rayons);
@@ -99,7 +99,7 @@ class CasesTest {
                 for (double gris : new double[] {0.99 * juste, 1.01 * juste}) {
                     Vue vue = comptee((xe, ye) -> new Couleur((int) xe == 16 && (int) ye == 16 && xe < 16 + 1.0 / n && ye < 16 + 1.0 / n
                             ? gris : 0));
-                    int coupes = new Partage(n, seuil).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE);
+                    int coupes = new Partage(n, seuil).tracer(TRENTE_DEUX, TRENTE_DEUX, vue, SANS_TOILE).raffines;
                     assertEquals(gris > juste ? 32 * 32 : 4, coupes, n + ", " + seuil + ", " + gris);
                 }
             }

@@ -10,6 +10,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Echantillonnage;
 import lancer.contrat.Pave;
+import lancer.contrat.Releve;
 import lancer.contrat.Vue;
 import lancer.dessin.Dessin;
 
@@ -87,7 +88,7 @@ public final class Gabarit {
                     }
                 }
             }
-            return 0;
+            return Releve.RIEN;
         };
         Lancer lancer = Dessin.lancer(scene.avec(scene.getModele().avec(auHasard, 0)), largeur, hauteur, false);
         return ImageLineaire.de(lancer, PROFONDEUR, Runtime.getRuntime().availableProcessors());

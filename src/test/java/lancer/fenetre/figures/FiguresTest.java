@@ -37,7 +37,7 @@ class FiguresTest {
         boule.setKd(new Couleur(0.8));
         Inspection pixel = new Inspection(new Scene(Collections.singletonList(boule),
                 Collections.singletonList(new Lampe(new Point(0.5, 0.5, 1), new Couleur(1)))), chose -> null, camera, 0, x, y);
-        pixel.faire();
+        pixel.faire(() -> false);
         assertTrue(pixel.getSegments().get(0).contact != null && pixel.getSegments().get(0).eclairages.get(0).eclaire());
         return pixel;
     }
@@ -123,7 +123,7 @@ class FiguresTest {
         double z = 4;
         Scene scene = new Scene(Collections.singletonList(new Sphere(new Point(0, sommet - rayon, z), rayon)), Collections.emptyList());
         Inspection pixel = new Inspection(scene, chose -> null, new Camera(40, 40), 0, 20, 23);
-        pixel.faire();
+        pixel.faire(() -> false);
         assertTrue(pixel.getSegments().get(0).contact != null);
         VueDeCote vue = new VueDeCote();
         vue.setSize(500, 180);

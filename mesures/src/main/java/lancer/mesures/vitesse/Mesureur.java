@@ -19,6 +19,7 @@ import lancer.Lancer;
 import lancer.Scene;
 import lancer.contrat.Compteurs;
 import lancer.contrat.Echantillonnage;
+import lancer.contrat.Releve;
 import lancer.dessin.Dessin;
 import lancer.mesures.Circonstances;
 import lancer.mesures.Gabarit;
@@ -129,7 +130,7 @@ final class Mesureur {
         ImageLineaire image = new ImageLineaire(taille.largeur, taille.hauteur);
         Echantillonnage entier = lancer.getEchantillonnage();
         lancer.Tracer((pave, voulus, vue, toile) -> Gabarit.dunPaveSurQuatre(pave.i0, pave.j0)
-                ? entier.tracer(pave, voulus, vue, toile) : 0, image, profondeur, taille.fils);
+                ? entier.tracer(pave, voulus, vue, toile) : Releve.RIEN, image, profondeur, taille.fils);
         return image;
     }
 
