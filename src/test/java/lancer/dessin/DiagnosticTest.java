@@ -105,7 +105,7 @@ class DiagnosticTest {
     void uneCouleurNulleQueRecoitUneImageEstSitueeLaOuElleEstDessinee() {
         String dit = dit(new Mur(), modele -> modele.setEchantillonnage((pave, voulus, vue, toile) -> {
             new ImageMemoire(4, 3, false).drawPixel(null, 2, 1);
-            return 0;
+            return Releve.RIEN;
         }));
         assertTrue(dit.contains(" : null (.lambda$"), dit);
     }
