@@ -1,28 +1,22 @@
 package lancer.commande;
 
-import java.math.BigDecimal;
-import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import lancer.Constantes;
 import lancer.contrat.Parametre;
 import lancer.systeme.Echec;
-import lancer.texte.Nombre;
 import lancer.texte.Texte;
 
 /**
- * Une ligne de la table des options : ce qu'elle lit, et ce qu'en disent l'aide, les refus et la fenêtre.
+ * Une ligne de la table des options : comment sa valeur se lit, et ce qu'en disent l'aide, les refus et la fenêtre.
  *
  * @param <T> ce que lit cette option
  */
-public final class Option<T> extends Parametre {
-
-    /** Ce qu'est une valeur. */
-    private enum Forme { DRAPEAU, FICHIER, MOT, ETAPE, TYPES, ENTIER, NOMBRE, ERREUR, PART, COUPLE }
+public final class Option<T> {
 
     /** Place d'un nom et de son exemple dans l'aide, en caractères. */
     private static final int LARGEUR_DES_NOMS = 25;
@@ -30,68 +24,74 @@ public final class Option<T> extends Parametre {
     private static final int PIXELS_MAX = 100_000_000;
     private static final int FILS_MAX = 1024;
 
-    /** Toutes les options, dans l'ordre de l'aide. */
-    static final List<Option<?>> TABLE = new ArrayList<>();
+    /** Les vues en fausses couleurs. */
+    public static final List<String> VUES =
+            Collections.unmodifiableList(Arrays.asList("normales", "distance", "lampes", "rayons", "marge"));
 
-    public static final Option<String> IMAGE = new Option<String>(Forme.FICHIER, "image", "FICHIER.png",
-            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", null).parmi(".png");
-    public static final Option<String> LINEAIRE = new Option<String>(Forme.FICHIER, "lineaire", "FICHIER.pfm",
+    public static final Option<String> IMAGE = new Option<>("image", "FICHIER.png", Lecture.fichier(".png"),
+            "un fichier dont le nom finit par .png", "écrit l'image, sans fenêtre ni écran", null);
+    public static final Option<String> LINEAIRE = new Option<>("lineaire", "FICHIER.pfm", Lecture.fichier(".pfm"),
             "un fichier dont le nom finit par .pfm",
-            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", null).parmi(".pfm");
-    public static final Option<Couple> TAILLE = new Option<>(Forme.COUPLE, "taille", "800x600",
+            "écrit les couleurs non limitées (PFM) ; peut aller avec --image", null);
+    public static final Option<Couple> TAILLE = new Option<>("taille", "800x600",
+            Lecture.couple("x", 1, COTE_MAX, PIXELS_MAX),
             "LARGEURxHAUTEUR, par exemple 800x600, de 1 à " + COTE_MAX + " chacune, et au plus " + PIXELS_MAX
             + " pixels", "taille de l'image, 1 à " + COTE_MAX + " pixels de côté",
-            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).entre(1, COTE_MAX).parmi("x")
-            .regle("");
-    public static final Option<Etape> ETAPE = mot(Forme.ETAPE, "etape", "une étape du cours",
-            "l'image de cette étape : ", Etape.REFLETS, "lambert", "phong", "ombres", "reflets")
-            .regle("étape du cours");
+            new Couple(Constantes.LARGEUR_IMAGE, Constantes.HAUTEUR_IMAGE)).pourLImage();
+    public static final Option<Etape> ETAPE = parmi("etape", Arrays.asList(Etape.values()), "une étape du cours",
+            "l'image de cette étape : ", Etape.REFLETS).pourLImage().enFenetre("étape du cours", Etape.values());
     public static final Option<Integer> REFLETS =
             entier("reflets", "5", "nombre de réflexions d'un rayon", Constantes.MAX_REFLETS, 0, 1000)
-            .regle("réflexions");
-    public static final Option<Double> SEUIL = new Option<>(Forme.NOMBRE, "seuil", "0.0009765625",
-            "un nombre positif ou nul, par exemple 0.001", "reflets abandonnés sous ce produit des Ks ; 0 : jamais",
-            Constantes.SEUIL).regle("seuil des reflets");
-    public static final Option<Set<String>> SANS = new Option<>(Forme.TYPES, "sans", "Brume,Blinn",
+            .pourLImage().enFenetre("réflexions");
+    public static final Option<Double> SEUIL = new Option<>("seuil", "0.0009765625",
+            Lecture.nombre("", 0, Double.MAX_VALUE), "un nombre positif ou nul, par exemple 0.001",
+            "reflets abandonnés sous ce produit des Ks ; 0 : jamais", Constantes.SEUIL)
+            .pourLImage().enFenetre("seuil des reflets");
+    public static final Option<Set<String>> SANS = new Option<>("sans", "Brume,Blinn", Lecture.noms(),
             "des noms de variantes séparés par une virgule, par exemple Brume,Blinn",
             "sans ces variantes, même si elles sont dans le chemin des classes", Collections.<String>emptySet())
-            .regle("");
+            .pourLImage();
     public static final Option<Integer> FILS = entier("fils", "N", "fils d'exécution (sans elle, un par processeur)",
             Math.min(FILS_MAX, Runtime.getRuntime().availableProcessors()), 1, FILS_MAX);
     public static final Option<Integer> REPETER =
             entier("repeter", "N", "dessine N fois avant d'écrire, pour mesurer", 1, 1, 100_000);
     public static final Option<Boolean> STATISTIQUES =
-            drapeau("statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun");
+            presence("statistiques", "après l'image, rayons et temps, une ligne « nom: valeur » chacun");
     public static final Option<Boolean> SIMPLE =
-            drapeau("simple", "les boucles du cours au lieu de la recherche rapide : la même image").regle("");
-    public static final Option<Couple> PIXEL = new Option<Couple>(Forme.COUPLE, "pixel", "421,426",
+            presence("simple", "les boucles du cours au lieu de la recherche rapide : la même image").pourLImage();
+    public static final Option<Couple> PIXEL = new Option<>("pixel", "421,426",
+            Lecture.couple(",", 0, COTE_MAX, PIXELS_MAX),
             "X,Y, colonne et ligne d'un pixel depuis le coin en haut à gauche, par exemple 421,426",
             "pourquoi ce pixel a sa couleur : contacts, lampes, reflets, terme par\n"
-            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", null).entre(0, COTE_MAX).parmi(",")
+            + "terme, jusqu'à « somme R V B = #RRGGBB » ; sans fenêtre ni écran", (Couple) null)
             .sans(IMAGE, LINEAIRE, REPETER);
-    public static final Option<String> VUE = Option.<String>mot(Forme.MOT, "vue", "une vue",
-            "avec --image, en fausses couleurs :\n", null, "normales", "distance", "lampes", "rayons", "marge")
-            .avec(IMAGE).sans(LINEAIRE, REPETER, PIXEL);
+    public static final Option<String> VUE = parmi("vue", VUES, "une vue", "avec --image, en fausses couleurs :\n",
+            null).avecUne(IMAGE).sans(LINEAIRE, REPETER, PIXEL);
     /** En niveaux ; 0 si les réglages ne sont pas à choisir. */
-    public static final Option<Double> AUTO = new Option<>(Forme.ERREUR, "auto", "erreur=1",
+    public static final Option<Double> AUTO = new Option<>("auto", "erreur=1", Lecture.nombre("erreur=", 0.01, 255),
             "erreur=E, de 0.01 à 255 niveaux, par exemple erreur=1",
             "choisit reflets, seuil et, s'il est là, anticrénelage : le moins cher\n"
-            + "qui tienne cette erreur en niveaux (1/255) ; puis mesure l'image", 0.0).entre(0.01, 255)
-            .avec(IMAGE, LINEAIRE).sans(PIXEL, VUE);
-    public static final Option<String> COMPARER = new Option<String>(Forme.FICHIER, "comparer", "REF.png",
+            + "qui tienne cette erreur en niveaux (1/255) ; puis mesure l'image", 0.0)
+            .avecUne(IMAGE, LINEAIRE).sans(PIXEL, VUE);
+    public static final Option<String> COMPARER = new Option<>("comparer", "REF.png", Lecture.fichier(".png", ".pfm"),
             "une image PNG ou PFM", "compare la scène, ou une autre image, à un PNG ou un PFM : statut 0\n"
-            + "pareilles, 1 différentes ; --image : l'image des différences", null).parmi(".png", ".pfm")
+            + "pareilles, 1 différentes ; --image : l'image des différences", (String) null)
             .sans(TAILLE, LINEAIRE, VUE, REPETER, STATISTIQUES, PIXEL, AUTO);
     /** En niveaux. */
-    public static final Option<Double> TOLERANCE = new Option<>(Forme.NOMBRE, "tolerance", "1",
-            "un nombre de niveaux positif ou nul, par exemple 1",
-            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0).avec(COMPARER);
+    public static final Option<Double> TOLERANCE = new Option<>("tolerance", "1",
+            Lecture.nombre("", 0, Double.MAX_VALUE), "un nombre de niveaux positif ou nul, par exemple 1",
+            "avec --comparer, l'écart permis, en niveaux sur 255", 0.0).avecUne(COMPARER);
     /** De 0 à 1. */
-    public static final Option<Double> PART = new Option<>(Forme.PART, "part", "0.5%",
+    public static final Option<Double> PART = new Option<>("part", "0.5%", Lecture.part(),
             "une part des pixels, de 0 à 1 ou de 0% à 100%, par exemple 0.5%",
-            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0).entre(0, 1).avec(COMPARER);
-    public static final Option<Boolean> AIDE = drapeau("aide", "ce texte, comme --help et -h");
-    public static final Option<Boolean> VERSION = drapeau("version", "la version");
+            "avec --comparer, les pixels qui peuvent dépasser cet écart", 0.0).avecUne(COMPARER);
+    public static final Option<Boolean> AIDE = presence("aide", "ce texte, comme --help et -h");
+    public static final Option<Boolean> VERSION = presence("version", "la version");
+
+    /** Toutes les options, dans l'ordre de l'aide. */
+    static final List<Option<?>> TABLE = Collections.unmodifiableList(Arrays.asList(IMAGE, LINEAIRE, TAILLE, ETAPE,
+            REFLETS, SEUIL, SANS, FILS, REPETER, STATISTIQUES, SIMPLE, PIXEL, VUE, AUTO, COMPARER, TOLERANCE, PART,
+            AIDE, VERSION));
 
     /** Le nom, avec ses tirets. */
     public final String nom;
@@ -99,88 +99,64 @@ public final class Option<T> extends Parametre {
     public final T absente;
     /** Une valeur, dans l'aide ; {@code null} si l'option n'en prend pas. */
     private final String exemple;
+    private final Lecture<T> lecture;
+    /** Ce qu'est une valeur, dans un refus. */
+    final String attendu;
     private final String aide;
-    private final Forme forme;
-    private double min;
-    private double max = Double.MAX_VALUE;
-    /** Le nom du réglage dans la fenêtre, vide si elle ne l'offre pas ; {@code null} si l'image n'en dépend pas. */
-    private String titre;
+    /** Vrai si deux de ses valeurs peuvent donner deux images d'une même scène. */
+    boolean changeLImage;
+    private Parametre parametre;
     /** Les options dont une doit aller avec elle ; celles qui ne vont pas avec elle. */
     private List<Option<?>> servies = Collections.emptyList();
     private List<Option<?>> separees = Collections.emptyList();
 
-    private Option(Forme forme, String cle, String exemple, String attendu, String aide, T absente) {
-        super(cle, null, new ArrayList<>(), null, attendu);
+    private Option(String cle, String exemple, Lecture<T> lecture, String attendu, String aide, T absente) {
         nom = "--" + cle;
-        this.forme = forme;
         this.exemple = exemple;
+        this.lecture = lecture;
+        this.attendu = attendu;
         this.aide = aide;
         this.absente = absente;
-        TABLE.add(this);
     }
 
-    private static Option<Boolean> drapeau(String cle, String aide) {
-        return new Option<>(Forme.DRAPEAU, cle, null, "aucune valeur", aide, false);
+    private static Option<Boolean> presence(String cle, String aide) {
+        return new Option<>(cle, null, Lecture.presence(), "aucune valeur", aide, false);
     }
 
     private static Option<Integer> entier(String cle, String exemple, String aide, int absente, int min, int max) {
         String bornes = min + " à " + max;
-        return new Option<>(Forme.ENTIER, cle, exemple, "un entier de " + bornes, aide + ", " + bornes, absente)
-                .entre(min, max);
+        return new Option<>(cle, exemple, Lecture.entier(min, max), "un entier de " + bornes, aide + ", " + bornes,
+                absente);
     }
 
-    /** Un de ces mots. @param quoi ce qu'ils sont @param aide ce qui les précède dans l'aide */
-    private static <V> Option<V> mot(Forme forme, String cle, String quoi, String aide, V absente, String... mots) {
-        String liste = mots[0];
-        for (int k = 1; k < mots.length; k++) {
-            liste += (k < mots.length - 1 ? ", " : " ou ") + mots[k];
-        }
-        return new Option<>(forme, cle, mots[0], quoi + " : " + liste, aide + liste, absente).parmi(mots);
+    /** Une de ces valeurs. @param quoi ce qu'elles sont @param aide ce qui les précède dans l'aide */
+    private static <V> Option<V> parmi(String cle, List<V> valeurs, String quoi, String aide, V absente) {
+        int dernier = valeurs.size() - 1;
+        String liste = valeurs.subList(0, dernier).stream().map(V::toString).collect(Collectors.joining(", "))
+                + " ou " + valeurs.get(dernier);
+        return new Option<>(cle, valeurs.get(0).toString(), Lecture.parmi(valeurs), quoi + " : " + liste, aide + liste,
+                absente);
     }
 
-    private Option<T> entre(double plusPetit, double plusGrand) {
-        min = plusPetit;
-        max = plusGrand;
+    private Option<T> pourLImage() {
+        changeLImage = true;
         return this;
     }
 
-    /** Les mots possibles, les fins d'un nom de fichier, ou ce qui sépare deux entiers. */
-    private Option<T> parmi(String... mots) {
-        Collections.addAll(valeurs, mots);
+    /** La fenêtre la laisse régler, sous ce nom. @param mots ceux à choisir ; aucun pour un texte à taper */
+    private Option<T> enFenetre(String titre, Object... mots) {
+        parametre = Parametre.texte(titre, attendu, this::accepte, mots);
         return this;
     }
 
-    /** L'image en dépend. @param nomme son nom dans la fenêtre, ou vide */
-    private Option<T> regle(String nomme) {
-        titre = nomme;
+    private Option<T> avecUne(Option<?>... options) {
+        servies = Arrays.asList(options);
         return this;
     }
 
-    private Option<T> avec(Option<?>... une) {
-        servies = Arrays.asList(une);
+    private Option<T> sans(Option<?>... options) {
+        separees = Arrays.asList(options);
         return this;
-    }
-
-    private Option<T> sans(Option<?>... aucune) {
-        separees = Arrays.asList(aucune);
-        return this;
-    }
-
-    /** Deux entiers : la largeur et la hauteur d'une image, ou la colonne et la ligne d'un pixel. Immuable. */
-    public static final class Couple {
-
-        public final int x;
-        public final int y;
-
-        public Couple(int x, int y) {
-            this.x = x;
-            this.y = y;
-        }
-
-        @Override
-        public String toString() {
-            return x + "x" + y;
-        }
     }
 
     /** L'option de ce nom. @throws Echec si elle est inconnue */
@@ -196,13 +172,12 @@ public final class Option<T> extends Parametre {
 
     /** Les options que la fenêtre laisse régler. */
     public static List<Option<?>> enFenetre() {
-        return TABLE.stream().filter(option -> option.titre != null && !option.titre.isEmpty())
-                .collect(Collectors.toList());
+        return TABLE.stream().filter(option -> option.parametre != null).collect(Collectors.toList());
     }
 
-    @Override
-    public String getTitre() {
-        return titre;
+    /** Ce que la fenêtre montre de cette option ; {@code null} si elle ne la laisse pas régler. */
+    public Parametre getParametre() {
+        return parametre;
     }
 
     boolean prendUneValeur() {
@@ -217,85 +192,38 @@ public final class Option<T> extends Parametre {
     }
 
     /** @throws Echec si cette option ne va pas avec une autre, ou ne sert pas sans une autre */
-    void accorder(Set<Option<?>> donnees) {
-        for (Option<?> autre : separees) {
-            if (donnees.contains(autre)) {
-                throw Echec.demande(nom + " ne va pas avec " + autre.nom + " ; attendu : l'une ou l'autre");
+    void accorder(Collection<Option<?>> donnees) {
+        for (Option<?> separee : separees) {
+            if (donnees.contains(separee)) {
+                throw Echec.demande(nom + " ne va pas avec " + separee.nom + " ; attendu : l'une ou l'autre");
             }
         }
         if (!servies.isEmpty() && Collections.disjoint(servies, donnees)) {
             throw Echec.demande(nom + " ne sert pas seule ; attendu : avec elle, " + servies.stream()
-                    .map(autre -> autre.nom + " " + autre.exemple).collect(Collectors.joining(" ou ")));
+                    .map(servie -> servie.nom + " " + servie.exemple).collect(Collectors.joining(" ou ")));
         }
     }
 
-    @Override
     public boolean accepte(String texte) {
-        return valeur(texte) != null;
+        return lecture.lire(texte) != null;
     }
 
     /** La valeur écrite. @throws Echec si elle est impossible */
-    @SuppressWarnings("unchecked")
     public T lire(String texte) {
-        Object valeur = valeur(texte);
+        T valeur = lecture.lire(texte);
         if (valeur == null) {
             throw impossible(texte, attendu);
         }
-        return (T) valeur;
-    }
-
-    public Echec impossible(String texte, String voulu) {
-        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
-    }
-
-    /** La valeur écrite, {@code null} si elle est impossible. */
-    private Object valeur(String texte) {
-        switch (forme) {
-            case DRAPEAU:
-                return texte.isEmpty() ? true : null;
-            case FICHIER:
-                // le nom donné, et non celui du fichier où mène un lien
-                int point = Math.max(0, texte.lastIndexOf('.'));
-                return valeurs.contains(Texte.minuscules(texte.substring(point))) ? texte : null;
-            case MOT:
-                return valeurs.contains(texte) ? texte : null;
-            case ETAPE:
-                return valeurs.contains(texte) ? Etape.values()[valeurs.indexOf(texte)] : null;
-            case TYPES:
-                Set<String> types = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-                Collections.addAll(types, texte.split(",", -1));
-                return types.contains("") ? null : Collections.unmodifiableSet(types);
-            case COUPLE:
-                String[] deux = texte.split(valeurs.get(0), 2);
-                double x = Nombre.lireEntier(deux[0]);
-                double y = Nombre.lireEntier(deux[deux.length - 1]);
-                boolean permis = deux.length == 2 && Math.min(x, y) >= min && Math.max(x, y) <= max;
-                return permis && x * y <= PIXELS_MAX ? new Couple((int) x, (int) y) : null;
-            case ENTIER:
-                Double entier = borner(Nombre.lireEntier(texte));
-                return entier == null ? null : Integer.valueOf(entier.intValue());
-            case ERREUR:
-                return texte.startsWith("erreur=") ? borner(Nombre.lire(texte.substring("erreur=".length()))) : null;
-            case PART:
-                boolean pourCent = texte.endsWith("%");
-                double n = Nombre.lire(pourCent ? texte.substring(0, texte.length() - 1) : texte);
-                // une division arrondirait : 0.7 % doit donner exactement 0.007
-                return borner(pourCent && n <= 100 ? BigDecimal.valueOf(n).movePointLeft(2).doubleValue() : n);
-            default:
-                return borner(Nombre.lire(texte));
-        }
-    }
-
-    private Double borner(double n) {
-        return n >= min && n <= max ? Double.valueOf(n) : null;
+        return valeur;
     }
 
     /** L'écriture d'une valeur, que {@link #lire} relit. */
     public String ecrire(T valeur) {
-        if (valeur instanceof Set) {
-            return ((Set<?>) valeur).stream().map(Object::toString).map(Texte::minuscules)
-                    .collect(Collectors.joining(","));
-        }
-        return valeur instanceof Double ? Nombre.ecrire((Double) valeur) : valeur.toString();
+        return lecture.ecrire(valeur);
+    }
+
+    /** @param voulu ce qui était attendu à la place de ce texte */
+    public Echec impossible(String texte, String voulu) {
+        return Echec.demande("valeur impossible pour " + nom + " : " + Texte.cite(texte) + " ; attendu : " + voulu);
     }
 }

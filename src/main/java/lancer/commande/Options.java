@@ -1,9 +1,10 @@
 package lancer.commande;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.LinkedList;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lancer.systeme.Echec;
@@ -20,21 +21,16 @@ public final class Options {
         Map<Option<?>, String> textes = new HashMap<>();
         String scene = separer(textes, arguments);
         // dans l'ordre de la table : de deux fautes, c'est toujours la même qui est dite
-        Map<Option<?>, Object> valeurs = new LinkedHashMap<>();
-        for (Option<?> option : Option.TABLE) {
-            if (textes.containsKey(option)) {
-                valeurs.put(option, option.lire(textes.get(option)));
-            }
-        }
-        for (Option<?> option : valeurs.keySet()) {
-            option.accorder(valeurs.keySet());
-        }
-        Reglages reglages = new Reglages(scene, valeurs);
+        List<Option<?>> donnees = new ArrayList<>(Option.TABLE);
+        donnees.retainAll(textes.keySet());
+        donnees.forEach(option -> option.lire(textes.get(option)));
+        donnees.forEach(option -> option.accorder(donnees));
+        Reglages reglages = new Reglages(scene, textes);
         if (reglages.sansFenetre() && scene == null) {
             throw Echec.demande("aucune scène à dessiner ; attendu : un fichier, par exemple scenes/scene1.ini");
         }
-        Option.Couple pixel = reglages.get(Option.PIXEL);
-        Option.Couple taille = reglages.get(Option.TAILLE);
+        Couple pixel = reglages.get(Option.PIXEL);
+        Couple taille = reglages.get(Option.TAILLE);
         if (pixel != null && (pixel.x >= taille.x || pixel.y >= taille.y)) {
             throw Option.PIXEL.impossible(textes.get(Option.PIXEL),
                     "un pixel de l'image, de 0,0 à " + (taille.x - 1) + "," + (taille.y - 1));

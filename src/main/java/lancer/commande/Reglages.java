@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -22,23 +23,24 @@ public final class Reglages {
 
     /** Le nom du fichier de la scène, {@code null} si aucun n'est donné. */
     public final String scene;
-    /** Les options données. */
-    private final Map<Option<?>, Object> valeurs;
-    /** La section de chaque variante présente dans le fichier, de ligne 0 s'il n'en a pas ; puis celle qui sert. */
+    /** Le texte de chaque option donnée, que son option lit. */
+    private final Map<Option<?>, String> textes;
+    /** La section que le fichier donne à chaque variante présente ; de ligne 0 s'il n'en donne pas. */
     private final Map<Variante, Section> lues;
+    /** La section de chaque variante présente : celle du fichier, ou celle qui la remplace. */
     private final Map<Variante, Section> sections;
 
-    private Reglages(String scene, Map<Option<?>, Object> valeurs, Map<Variante, Section> lues,
+    private Reglages(String scene, Map<Option<?>, String> textes, Map<Variante, Section> lues,
             Map<Variante, Section> sections) {
         this.scene = scene;
-        this.valeurs = valeurs;
+        this.textes = textes;
         this.lues = lues;
         this.sections = sections;
     }
 
     /** Ceux de la ligne de commande, pour une scène qui n'est pas encore lue. */
-    Reglages(String scene, Map<Option<?>, Object> valeurs) {
-        this(scene, valeurs, Collections.emptyMap(), Collections.emptyMap());
+    Reglages(String scene, Map<Option<?>, String> textes) {
+        this(scene, textes, Collections.emptyMap(), Collections.emptyMap());
     }
 
     /**
@@ -54,22 +56,25 @@ public final class Reglages {
                 gardees.put(variante, sections.get(variante));
             }
         }
-        return new Reglages(scene, valeurs, nouvelles, gardees);
+        return new Reglages(scene, textes, nouvelles, gardees);
     }
 
     /** La valeur de cette option, donnée ou non. */
-    @SuppressWarnings("unchecked")
     public <T> T get(Option<T> option) {
-        return estDonnee(option) ? (T) valeurs.get(option) : option.absente;
+        return estDonnee(option) ? option.lire(textes.get(option)) : option.absente;
     }
 
     public boolean estDonnee(Option<?> option) {
-        return valeurs.containsKey(option);
+        return textes.containsKey(option);
     }
 
     public <T> Reglages avec(Option<T> option, T valeur) {
-        Map<Option<?>, Object> autres = new HashMap<>(valeurs);
-        autres.put(option, valeur);
+        Map<Option<?>, String> autres = new HashMap<>(textes);
+        if (Objects.equals(valeur, option.absente)) {
+            autres.remove(option);
+        } else {
+            autres.put(option, option.ecrire(valeur));
+        }
         return new Reglages(scene, autres, lues, sections);
     }
 
@@ -86,7 +91,7 @@ public final class Reglages {
     public Reglages avecSection(Variante variante, Section section) {
         Map<Variante, Section> autres = new LinkedHashMap<>(sections);
         autres.put(variante, section);
-        return new Reglages(scene, valeurs, lues, autres);
+        return new Reglages(scene, textes, lues, autres);
     }
 
     /** Dit si la demande (fichier, pixel, comparaison) se fait sans fenêtre. */
@@ -97,14 +102,14 @@ public final class Reglages {
 
     /** Les options qui donnent la même image, précédées d'un blanc ; vide s'il n'en faut pas. */
     public String getOptions() {
-        return Option.TABLE.stream().filter(option -> option.getTitre() != null).map(this::ecrire)
+        return Option.TABLE.stream().filter(option -> option.changeLImage).map(this::ecrire)
                 .collect(Collectors.joining());
     }
 
     private <T> String ecrire(Option<T> option) {
-        String valeur = option.ecrire(get(option));
-        String ecrite = " " + option.nom + (option.prendUneValeur() ? " " + valeur : "");
-        return valeur.equals(option.ecrire(option.absente)) ? "" : ecrite;
+        T valeur = get(option);
+        return valeur.equals(option.absente) ? ""
+                : " " + option.nom + (option.prendUneValeur() ? " " + option.ecrire(valeur) : "");
     }
 
     /** Le nombre de réflexions, compte tenu de l'étape du cours. */
@@ -130,7 +135,7 @@ public final class Reglages {
     public Section getSectionEntiere(Variante variante) {
         Section entiere = getSection(variante);
         for (Parametre parametre : variante.getParametres()) {
-            String valeur = parametre.estUneCouleur() ? null : getValeur(variante, parametre);
+            String valeur = parametre.estUnTexte() ? null : getValeur(variante, parametre);
             entiere = valeur == null ? entiere : entiere.avec(parametre.cle, valeur, null);
         }
         return entiere;

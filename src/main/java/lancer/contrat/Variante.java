@@ -30,9 +30,9 @@ public interface Variante {
     }
 
     /**
-     * Les sections que {@code --auto} essaie si la scène n'en a pas de cette variante, dans l'ordre du moins cher au
-     * plus juste, chacune avec un seuil des reflets dont l'erreur est petite devant la sienne. Elles sont créées à
-     * partir de {@code sienne} par {@link Section#sansFichier}.
+     * Les sections que {@code --auto} essaie si la scène n'en a pas de cette variante, du moins cher au plus juste.
+     * Chacune va avec un seuil des reflets, qui ajoute peu à l'erreur de cette section. Elles sont créées à partir de
+     * {@code sienne} par {@link Section#sansFichier}.
      */
     default Map<Section, Double> getSectionsProposees(Section sienne) {
         return Collections.emptyMap();

@@ -3,6 +3,7 @@ package lancer.dessin;
 import java.util.Objects;
 import lancer.Scene;
 import lancer.SceneFautive;
+import lancer.commande.Couple;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
@@ -64,7 +65,7 @@ public final class Demande {
     }
 
     public Demande avecTaille(int autreLargeur, int autreHauteur) {
-        return new Demande(lue, reglages.avec(Option.TAILLE, new Option.Couple(autreLargeur, autreHauteur)), scene);
+        return new Demande(lue, reglages.avec(Option.TAILLE, new Couple(autreLargeur, autreHauteur)), scene);
     }
 
     /** @param autre {@code null} pour l'image */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import lancer.Scene;
 import lancer.commande.BarreProgression;
+import lancer.commande.Couple;
 import lancer.commande.Messages;
 import lancer.commande.Option;
 import lancer.commande.Reglages;
@@ -103,7 +104,7 @@ public final class SansFenetre {
     private void expliquerUnPixel() {
         Demande demande = lire();
         Scene scene = demande.getScene();
-        Option.Couple ou = options.get(Option.PIXEL);
+        Couple ou = options.get(Option.PIXEL);
         Inspection pixel = new Inspection(scene, demande.lue::getOrigine,
                 scene.getCamera(demande.largeur, demande.hauteur), demande.reglages.getProfondeur(), ou.x, ou.y);
         pixel.faire(() -> new Dessin(demande).seRegardeDeuxFois());

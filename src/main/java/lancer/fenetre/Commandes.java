@@ -82,7 +82,7 @@ final class Commandes {
                 commande("Loupe, plus près", "ctrl UP", scene, () -> f.panneau.approcher(true)),
                 commande("Loupe, plus loin", "ctrl DOWN", scene, () -> f.panneau.approcher(false)));
         menu.addSeparator();
-        Stream.concat(Stream.of("image"), Option.VUE.valeurs.stream()).forEach(nom -> {
+        Stream.concat(Stream.of("image"), Option.VUES.stream()).forEach(nom -> {
             String vue = nom.equals("image") ? null : nom;
             menu.add(commande("Vue : " + nom, null, scene, () -> c.voir(vue))
                     .cochee(() -> scene.getAsBoolean() && Objects.equals(vue, c.getEtat().demande.vue)).article());

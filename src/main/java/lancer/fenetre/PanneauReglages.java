@@ -77,7 +77,7 @@ final class PanneauReglages extends JScrollPane {
     }
 
     private <T> void ajouter(Option<T> option) {
-        ajouter("", option, () -> option.ecrire(reglages().get(option)),
+        ajouter("", option.getParametre(), () -> option.ecrire(reglages().get(option)),
                 voulue -> changer(reglages().avec(option, option.lire(voulue))), () -> true);
     }
 

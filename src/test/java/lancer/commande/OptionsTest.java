@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.lang.reflect.Field;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -246,5 +247,32 @@ class OptionsTest {
             assertTrue(mot.matcher(page).find(), option.nom + " n'est pas dans docs/options.md");
         }
         assertTrue(Option.TABLE.size() > 18, Option.TABLE.size() + " options");
+    }
+
+    @Test
+    void touteOptionEstDansLaTable() throws IllegalAccessException {
+        for (Field champ : Option.class.getFields()) {
+            assertTrue(champ.getType() != Option.class || Option.TABLE.contains(champ.get(null)), champ.getName());
+        }
+    }
+
+    private static <T> void relire(Option<T> option, String texte) {
+        T valeur = option.lire(texte);
+        assertEquals(valeur, option.lire(option.ecrire(valeur)), option.nom + " " + texte);
+    }
+
+    @Test
+    void uneValeurEcriteSeRelit() {
+        relire(Option.IMAGE, "A b.PNG");
+        relire(Option.TAILLE, "030x20");
+        relire(Option.PIXEL, "3,4");
+        relire(Option.ETAPE, "phong");
+        relire(Option.VUE, "marge");
+        relire(Option.REFLETS, "0007");
+        relire(Option.SEUIL, "+.123456789E-5");
+        relire(Option.SANS, "Blinn,brume");
+        relire(Option.AUTO, "erreur=.5");
+        relire(Option.PART, "0.7%");
+        relire(Option.SIMPLE, "");
     }
 }

@@ -23,7 +23,7 @@ public final class EssaiParametres {
     public static void verifier(Variante variante, String... cles) {
         assertEquals(Arrays.asList(cles), variante.getParametres().stream().map(p -> p.cle).collect(Collectors.toList()));
         for (Parametre p : variante.getParametres()) {
-            List<String> valeurs = p.estUneCouleur() ? Collections.singletonList(p.defaut) : p.valeurs;
+            List<String> valeurs = p.estUnTexte() ? Collections.singletonList(p.defaut) : p.valeurs;
             int dernier = p.defaut == null || !p.estUnNombre() ? valeurs.size() - 1 : p.getRang(p.defaut);
             assertTrue(p.defaut == null || valeurs.contains(p.defaut), "une valeur est celle par défaut");
             for (String valeur : valeurs.subList(0, dernier + 1)) {

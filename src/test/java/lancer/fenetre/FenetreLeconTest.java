@@ -175,7 +175,7 @@ class FenetreLeconTest extends EssaiFenetre {
         ouvrir();
         String[] dits = {"N = .*", "d = \\d+\\.\\d+", "lampes : \\d", "rayons : \\d+", "marge : \\d+ décimales .*"};
         for (int k = 0; k < dits.length; k++) {
-            String nom = Option.VUE.valeurs.get(k);
+            String nom = Option.VUES.get(k);
             int rang = k;
             faire(article(1, "Vue : " + nom)::doClick);
             banc.attendreImage(nom, attendue("--vue=" + nom));
